@@ -13,14 +13,15 @@
 namespace higherpair {
 namespace {
 
-// More tries than this and only the nearer mode of each further group is looked at.
+// After this many tries the search ends with the best assembly so far, if there is one.
 constexpr int kMaxTries = 20000;
 
-constexpr int kMostModes = 16;  // of a branch: groups beyond are in mode +1
+constexpr int kMostModes = 16;  // modes that a branch number encodes; further groups are in mode +1
 
 constexpr std::size_t kMaxAssemblies = 4096;
 
-// Looks for the assembly of least cost, depth first: nearer modes first, and no further than the best so far.
+// Depth-first search for the assembly of least cost: nearer modes first, and no deeper where the cost exceeds
+// the best so far.
 class Assembler {
 public:
   explicit Assembler(Run& run) : run_(run), position_(run) {}
@@ -34,7 +35,7 @@ public:
     return std::nullopt;
   }
 
-  // Every assembly, not only the nearest.
+  // Finds every assembly, not only the nearest.
   Assemblies run_all() {
     all_.emplace();
     search(0, 0);
@@ -89,7 +90,7 @@ private:
 
   Run& run_;
   FirstPosition position_;
-  std::optional<Assemblies> all_;  // where every assembly is wanted
+  std::optional<Assemblies> all_;  // set if every assembly is wanted
   State best_;
   double best_cost_ = kNone;
   int tries_ = 0;

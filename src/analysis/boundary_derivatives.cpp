@@ -17,7 +17,7 @@ using Parametric = Partials<double, 1>;
 
 constexpr int kMiddle = 4;
 
-// Where on each span boundaries are looked at, of its range.
+// Where each span of a boundary is sampled, as fractions of its parameter range.
 constexpr std::array kShares = {0.08, 0.37, 0.64, 0.93};
 
 // Point, normal, curvature and its rate.
@@ -50,7 +50,7 @@ bool same_spans(const Boundary& a, const Boundary& b) {
       [](const SpanPtr& one, const SpanPtr& two) { return one->is_corner() == two->is_corner(); });
 }
 
-// The largest of the slopes, each as a share of what a change of p by `scale` should do to a boundary.
+// The largest of the slopes, each as a fraction of what a change of p by `scale` should do to a boundary.
 double share_of(const SpanNumbers& slopes, const SpanNumbers& values, const Boundary& boundary,
                 double scale) {
   const double size = boundary.size() > 0 ? boundary.size() : 1;
@@ -60,7 +60,7 @@ double share_of(const SpanNumbers& slopes, const SpanNumbers& values, const Boun
          scale;
 }
 
-// The largest f(values, slopes, boundaries, span, share) of all places that are looked at.
+// The largest f(values, slopes, boundaries, span, share) of all sampled places.
 template <class Contacts, class F>
 double largest_of(const Contacts& contacts, double step, F f) {
   double largest = 0;

@@ -41,8 +41,8 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   return place;
 }
 
-// Whether pins join the bodies one to the other without a loop, so that gears and drivers of pins set their
-// angles by linear equations: there is one assembly, whatever the poses.
+// Whether pins join the bodies without a loop, so that gears and drivers of pins determine their angles by
+// linear equations: there is then one assembly, whatever the poses.
 bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   std::vector<int> pins;
   for (const int index : group.joints) {
@@ -60,7 +60,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   if (!group.contacts.empty() || !turning_drivers || pins.size() != group.bodies.size()) {
     return false;
   }
-  // As many pins as bodies make no loop if every body is attached by them.
+  // With as many pins as bodies there is no loop if every body is attached by them.
   std::vector<int> loose = group.bodies;
   const auto is_loose = [&](int body) { return std::find(loose.begin(), loose.end(), body) != loose.end(); };
   for (std::size_t left = loose.size() + 1; loose.size() < left;) {
@@ -77,7 +77,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   return loose.empty();
 }
 
-// At a dead centre two modes are one assembly.
+// At a dead centre two modes give the same assembly.
 bool is_same(const State& a, const State& b, double size) {
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     const Pose<double>& at = a.bodies[i].X_WB;

@@ -9,18 +9,18 @@
 #include <cstddef>
 #include <span>
 
-// Angles of the bodies of a chain, which their rotations give but for whole turns.
+// Angles of the bodies of a chain; their rotations give them only up to whole turns.
 
 namespace higherpair::chain_loop {
 
-// In (-π, π].
+// The angle of a turning body, in (-π, π].
 template <class T>
 [[nodiscard]] inline T raw_angle(const ChainTurning& turning, const ChainBody<T>* bodies) {
   const Rotation<T>& R = bodies[turning.body].R_WB;
   return arctangent(R.sin, R.cos);
 }
 
-// Of a turning, but for whole turns: see unwind().
+// A body's angle; that of a turning body only up to whole turns, see unwind().
 template <class T>
 [[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, std::span<const ChainTurning> turnings,
                                      const T& position, const ChainBody<T>* bodies) {
@@ -30,7 +30,7 @@ template <class T>
   return T(angle.factor) * position + T(angle.offset);
 }
 
-// Makes angles in (-π, π] those of a body that turns by less than half a turn from row to row.
+// Adds whole turns to angles in (-π, π], given that the body turns by less than half a turn from row to row.
 class Winding {
 public:
   /// \param first  the angle of the first row
@@ -40,10 +40,10 @@ public:
     turns_ = turning.first_angle - first;
   }
 
-  /// The next kChainRows rows.
+  /// Unwinds the next kChainRows rows.
   template <class T, std::size_t kPacks>
   void unwind(std::array<T, kPacks>& angles) {
-    // Within a quarter turn of the row before them they are within half a turn of each other.
+    // All rows within a quarter turn of the one before them are within half a turn of each other.
     auto close = abs(angles[0] - T(last_)) <= T(kPi / 2);
     for (std::size_t i = 1; i < kPacks; ++i) {
       close = close & (abs(angles[i] - T(last_)) <= T(kPi / 2));
@@ -76,11 +76,11 @@ private:
     }
   }
 
-  double last_;   // of the row before, in (-π, π]
-  double turns_;  // to be added to that
+  double last_;   // angle of the row before, in (-π, π]
+  double turns_;  // to be added to last_ [rad]
 };
 
-// The angles of a column.
+// Unwinds the angles of a column and adds its offset.
 template <class T>
 inline void unwind(ChainTask& task, ChainTurning& turning) {
   std::array<T, kChainRows / T::kLanes> angles;
@@ -98,7 +98,7 @@ inline void unwind(ChainTask& task, ChainTurning& turning) {
   }
 }
 
-// The angles that springs ask for, of kPacks packs of bodies.
+// Unwound angles of the turning bodies that torsion springs act on, for kPacks packs of rows.
 template <class T, std::size_t kPacks>
 inline void turn_springs(std::span<ChainTurning> turnings, const ChainBody<T>* bodies, std::size_t stride,
                          bool begins, Winding* windings, T* angles) {

@@ -12,7 +12,7 @@
 namespace higherpair {
 namespace {
 
-// Where a contact of ovals is in the first row; rates in `state` are those for a unit velocity.
+// The contact of ovals in the first row; rates in `state` are those for a unit velocity.
 OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& state, std::size_t g,
                  double position) {
   const BodyMotion& body = state.bodies[static_cast<std::size_t>(of.touch.body)];
@@ -56,7 +56,7 @@ void ChainAssembly::take_poses(const Mechanism& mechanism) {
   }
 }
 
-// Squared distances of the joint points of a group's bodies from their places in the poses.
+// Sum of the squared distances of a group's joint points from where the poses put them.
 double ChainAssembly::cost_of(const ChainStart& start, const Group& group) const {
   double cost = 0;
   for (const int index : group.joints) {
@@ -72,7 +72,7 @@ double ChainAssembly::cost_of(const ChainStart& start, const Group& group) const
   return cost;
 }
 
-// Tries both modes of every dyad from the g-th on, as start_run() does.
+// Tries both modes of every dyad from the g-th on, as start_run() does. `cost` is that of the groups before.
 void ChainAssembly::try_modes(const ChainStart& start, std::size_t g, double cost) {
   if (!(cost < next_cost_)) {
     return;
@@ -101,7 +101,7 @@ void ChainAssembly::try_modes(const ChainStart& start, std::size_t g, double cos
   }
 }
 
-// Where assemblies are as near as each other, rounding decides: that of a Run.
+// If two assemblies are equally near, rounding would decide: then a Run chooses.
 bool ChainAssembly::find(const ChainStart& start) {
   take_poses(start.mechanism);
   if (!start.mechanism.contacts.empty()) {
@@ -115,10 +115,10 @@ bool ChainAssembly::find(const ChainStart& start) {
   return assemble_by_run(start);
 }
 
-// What start_run finds: contacts are looked for in ways of their own.
+// Takes over the assembly that start_run finds: it has its own ways to search for contacts.
 bool ChainAssembly::assemble_by_run(const ChainStart& start) {
   start.plan.size = size_of(start.mechanism);
-  const auto nobody = std::shared_ptr<void>();  // owns what outlives the run
+  const auto nobody = std::shared_ptr<void>();  // owns nothing: mechanism and plan outlive the run
   const auto run = start_run({std::shared_ptr<const Mechanism>(nobody, &start.mechanism),
                               std::shared_ptr<const Plan>(nobody, &start.plan)},
                              {start.driver.position});
@@ -145,7 +145,7 @@ bool ChainAssembly::take_modes(const ChainStart& start, const Run& run) {
   return true;
 }
 
-// The mode in which the dyad puts the disc where the run has it.
+// Takes the mode in which the dyad puts the disc where the run has it.
 bool ChainAssembly::take_mode_of_disc(const ChainStart& start, const Run& run, std::size_t g) {
   const auto disc = static_cast<std::size_t>(start.groups[g].discs->body);
   const Pose<double>& X_WB = run.at.state.bodies[disc].X_WB;

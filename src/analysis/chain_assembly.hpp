@@ -8,30 +8,31 @@
 
 namespace higherpair {
 
-/// A chain in its first row.
+/// A chain and its driver in the first row.
 struct ChainStart {
   const Mechanism& mechanism;
-  Plan& plan;  ///< a Run that is asked wants its size set
+  Plan& plan;  ///< its size has to be set before it is given to a Run
   std::span<const ChainGroup> groups;
   ChainDriver<double> driver;
 };
 
-/// The assembly of a chain that is nearest to the poses of its bodies: the mode of every dyad, and where
-/// contacts of ovals are. Its storage serves one mechanism after the other.
+/// The assembly of a chain that is nearest to the poses of its bodies: the mode of every dyad, and the place
+/// of every contact of ovals. The object can be used for one mechanism after another, which saves
+/// allocations.
 class ChainAssembly {
 public:
   ChainAssembly() = default;
-  /// \param with_links  bodies, and links between the centres of contacts
+  /// \param with_links  number of bodies, including the links that contacts add
   ChainAssembly(std::size_t bodies, std::size_t with_links, std::size_t groups);
 
-  /// False where there is none that a chain could follow.
+  /// False where there is no assembly that a chain could follow.
   [[nodiscard]] bool find(const ChainStart& start);
 
-  /// Of the groups.
+  /// The mode of every group.
   [[nodiscard]] const std::vector<double>& modes() const { return best_modes_; }
-  /// Of the groups that are such contacts; the rows to come go on from there.
+  /// The first row of every group that is a contact of ovals; following rows start from it.
   [[nodiscard]] std::vector<OvalRow>& ovals() { return ovals_; }
-  /// Of a body; 0 of links.
+  /// Angle of a body in its pose; 0 for links.
   [[nodiscard]] double posed_angle(std::size_t body) const {
     return body < posed_angles_.size() ? posed_angles_[body] : 0;
   }
@@ -46,12 +47,12 @@ private:
   void place_as(const Run& run, const Group& group);
 
   std::vector<ChainBody<double>> posed_;   // the poses
-  std::vector<double> posed_angles_;       // in them
-  std::vector<ChainBody<double>> bodies_;  // in the first row
-  std::vector<double> modes_;              // of the assembly that is tried
-  std::vector<double> best_modes_;         // of the nearest one so far
+  std::vector<double> posed_angles_;       // angles in the poses
+  std::vector<ChainBody<double>> bodies_;  // bodies in the first row
+  std::vector<double> modes_;              // modes of the assembly that is tried
+  std::vector<double> best_modes_;         // modes of the nearest assembly so far
   double best_cost_ = 0;
-  double next_cost_ = 0;  // of the nearest of the others
+  double next_cost_ = 0;  // cost of the second nearest assembly
   std::vector<OvalRow> ovals_;
 };
 

@@ -13,7 +13,8 @@ double squared(double x) {
   return x * x;
 }
 
-// Radii of curvature: b²/a at the ends of the long axis, a²/b at those of the short one.
+// Smallest and largest radius of curvature: b²/a at the ends of the long axis, a²/b at those of the short
+// one.
 double sharpest(const Oval& oval) {
   return oval.along > 0 ? squared(oval.across) / oval.along : 0;
 }
@@ -32,7 +33,7 @@ PointBound bound_at(const MotionBound& body, const Vector2d& p_B) {
   return {body.speed + body.omega * r, body.acceleration + (body.alpha + squared(body.omega)) * r};
 }
 
-// The sine of which this is a bound of the |cosine|; none where it may be too small.
+// A lower bound of the sine, given an upper bound of the |cosine|; none if the sine may be too small.
 std::optional<double> least_sine(double cosine) {
   const double square_of_sine = 1 - squared(cosine);
   return cosine >= 0 && square_of_sine >= squared(kSafeSine) ? std::optional(std::sqrt(square_of_sine))
@@ -118,9 +119,9 @@ public:
     return turns_little(omega);
   }
 
-  // n·(v2 - v1) = 0 gives the body's rate, n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇ its acceleration, with
-  // u1 = z ω_r + w2 v_s, u2 = z ω_r - w1 v_s, φ̇ = ω1 + w1 ω_r + w v_s of the equivalent link, and w1, w2
-  // <= 1. Between two rows ∂gap/∂q keeps half of what it is in them.
+  // n·(v2 - v1) = 0 gives the body's rate, n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇ its acceleration, with u1 = z
+  // ω_r + w2 v_s, u2 = z ω_r - w1 v_s, φ̇ = ω1 + w1 ω_r + w v_s of the equivalent link, and w1, w2 <= 1.
+  // Between two rows |∂gap/∂q| is at least half of its value in them.
   bool add(const OvalContact& contact, const ChainWatch<double>& watch) {
     const double per_q = -watch.margin / 2;
     if (!(per_q > 0)) {
@@ -192,7 +193,7 @@ bool presses_throughout(std::span<const double> forces) {
     const double fourth = f[-2] - 4 * f[-1] + 6 * f[0] - 4 * f[1] + f[2];
     return kForceDip * (std::abs(second) + std::abs(fourth));
   };
-  // The differences next to an end are those of the third row.
+  // For the two rows next to an end, the differences of the third row from that end are used.
   bool presses = std::min(forces[0], forces[1]) > kForceDipAtEnd * dip(2) &&
                  std::min(forces[last], forces[last - 1]) > kForceDipAtEnd * dip(last - 2);
   for (std::size_t k = 2; presses && k + 2 <= last; ++k) {

@@ -34,7 +34,7 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
     }
   }
   for (const ChainGroup& group : groups) {
-    if (const ChainTouch* touch = touch_of(group)) {  // of discs or ovals: another variant has the other kind
+    if (const ChainTouch* touch = touch_of(group)) {  // of discs or ovals; variants may differ
       place(touch->link);
       place(touch->known);
       place(touch->carrier);

@@ -26,7 +26,7 @@ Rotation<double> direction(const Vector2d& v) {
   return {v.x() / length, v.y() / length};
 }
 
-// Both centres are held at the distance of the radii: a link between them.
+// The two centres keep a constant distance, the sum of the radii: a link between them.
 std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   const double length = contact.on_known.along + contact.on_body.along;
   if (!(length > 0)) {

@@ -8,12 +8,12 @@
 
 #include <limits>
 
-// The closed forms of a plan's groups on one position (T = double) or on several at once (T = Pack): the same
-// kernels that a Run uses, without a branch. Rates are those for a unit velocity of the driver.
+// The closed forms of a plan's groups for one position (T = double) or for several at once (T = Pack): the
+// same kernels that a Run uses, without branches. Rates are those for a unit velocity of the driver.
 
 namespace higherpair {
 
-/// How many derivatives are worked out.
+/// Which derivatives are computed.
 enum class ChainRates { kNone, kVelocities, kAccelerations };
 
 template <class T>
@@ -29,18 +29,17 @@ struct ChainBody {
   Vector2<T> a_WB = Vector2<T>(T(0), T(0));
   T omega{0};
   T alpha{0};
-  bool placed = true;  ///< false: nobody wants more of it than how it turns
+  bool placed = true;  ///< false: only its rotation is needed
 };
 
-/// What the proof that no branch was left looks at, over all positions of a group.
+/// Extremes of a group's quantities over all positions, for the proof that its branch was not left.
 template <class T>
 struct ChainWatch {
-  /// Largest |cos| of the angle between the links of an RRR dyad, or |sin| of that between link and line of
-  /// an RRP dyad, above 1 where it cannot be put together; largest -s² of an RPR dyad, and -|∂gap/∂q| of a
-  /// contact.
+  /// The largest of: |cos| of the angle between the links of an RRR dyad, or |sin| of that between link and
+  /// line of an RRP dyad, above 1 where it cannot be assembled; -s² of an RPR dyad; -|∂gap/∂q| of a contact.
   T margin{-std::numeric_limits<double>::infinity()};
-  T sum{0};   ///< of these: keeps what is not a number, which a largest value may lose
-  T far2{0};  ///< largest squared distance of the two known points; of a contact from its pivot
+  T sum{0};   ///< sum of these: keeps a NaN, which a maximum may lose
+  T far2{0};  ///< largest squared distance of the two known points, or of a contact from its pivot
 
   void note(const T& value) {
     using std::max;
@@ -53,7 +52,7 @@ struct ChainWatch {
 template <class T>
 struct ChainDriver {
   T position{0};     ///< [rad or m]
-  Rotation<T> turn;  ///< the rotation by it
+  Rotation<T> turn;  ///< rotation by the position as an angle
 };
 
 template <class T>
@@ -90,7 +89,7 @@ template <ChainRates kRates, class T>
   return chain_point<kRates>(bodies[point.body], point.p_B);
 }
 
-// A body whose point p_B moves as `point`.
+// Positions a body, whose rotation is known, so that its point p_B moves as `point`.
 template <ChainRates kRates, class T>
 inline void hang(ChainBody<T>& body, const ChainPoint<T>& point, const Vector2d& p_B) {
   if (!body.placed) {
@@ -184,7 +183,7 @@ inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, 
   hang<kRates>(b, B, dyad.b_pB);
 }
 
-// How A moves for one who rides on the line: see seen_from.
+// The motion of A relative to the line: see seen_from.
 template <ChainRates kRates, class T>
 [[nodiscard]] inline ChainPoint<T> seen_from_line(const Rotation<T>& u, const ChainBody<T>& carrier,
                                                   const ChainPoint<T>& P, const ChainPoint<T>& A) {
@@ -271,7 +270,7 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
   }
 }
 
-/// Places the bodies of a group. \pre it is no OvalContact
+/// Places the bodies of a group. \pre the group is not an OvalContact
 template <ChainRates kRates, class T>
 inline void solve_group(const ChainGroup& group, double mode, const ChainDriver<T>& driver,
                         ChainBody<T>* bodies, ChainWatch<T>& watch) {

@@ -67,7 +67,7 @@ bool take_loads(const Mechanism& mechanism, std::span<const ChainAngle> angles, 
   return true;
 }
 
-// The joint of a group between two bodies, seen from the first of them.
+// The joint of a group between two bodies, as a support of body `held`.
 bool take_joint(const Mechanism& mechanism, const Group& group, int held, int other, JointType type,
                 ChainSupport& support) {
   for (const int index : group.joints) {

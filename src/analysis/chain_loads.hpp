@@ -9,10 +9,10 @@
 
 namespace higherpair {
 
-/// What there is room for.
+/// Capacity.
 inline constexpr std::size_t kMostChainJoints = 96;
 
-/// What acts on the bodies of a chain apart from its joints: plain numbers, taken from a mechanism.
+/// What acts on the bodies of a chain apart from its joints, as plain numbers taken from a mechanism.
 struct ChainLoads {
   struct Mass {
     int body = 0;
@@ -22,9 +22,9 @@ struct ChainLoads {
     BodyPoint at;
     Vector2d force = Vector2d::Zero();
     double torque = 0;
-    bool turns_along = false;  ///< `force` is in the body's frame, not in ground
+    bool turns_along = false;  ///< `force` turns with the body: it is in its frame, not in ground's
   };
-  /// T = stiffness (x - free) + damping ẋ.
+  /// Tension = stiffness (x - free) + damping ẋ.
   struct Tension {
     double stiffness = 0, free = 0, damping = 0;
   };
@@ -32,21 +32,21 @@ struct ChainLoads {
     BodyPoint first, second;
     Tension tension;
   };
-  /// On the coordinate of a slide or slot.
+  /// A spring on the coordinate of a slide or slot.
   struct LineSpring {
     BodyLine line;     ///< on the joint's first body, through its point
     BodyPoint second;  ///< its second point
     Tension tension;
   };
-  /// On the coordinate of the driven pin.
+  /// A torsion spring on the driven pin.
   struct TurnSpring {
     int first = 0, second = 0;  ///< bodies of the joint
     Tension tension;
   };
-  /// On the coordinate of another pin.
+  /// A torsion spring on another pin.
   struct PinSpring {
     TurnSpring on;
-    ChainAngle first, second;  ///< of these bodies
+    ChainAngle first, second;  ///< angles of these bodies
   };
 
   Vector2d gravity_W = Vector2d::Zero();
@@ -58,35 +58,36 @@ struct ChainLoads {
   std::vector<PinSpring> pin_springs;
 };
 
-/// A joint of a group, which holds a body of it.
+/// A joint that holds a body of a group.
 struct ChainSupport {
   int joint = -1;     ///< index of Mechanism::joints; none: -1
   double sign = 1;    ///< +1 where the held body is the joint's second, else -1
-  BodyPoint second;   ///< the joint's second point, at which a guide is taken to press
-  bool rigid = true;  ///< whether it passes a moment on: a slide, not a slot
+  BodyPoint second;   ///< the joint's second point, at which a guide's force is assumed to act
+  bool rigid = true;  ///< whether it transmits a moment: a slide does, a slot does not
 };
 
-/// The joints of a group. Driven: `outer[0]` is the driven one. RRR: `outer` hold link a and b, `inner` link
-/// a. RRP: `outer[0]` holds the link, `inner` the link at C, `outer[1]` is the guide on its line; where there
-/// is no slider the link lies on that itself. RPR: `outer[0]` holds the link at A, `outer[1]` the slider at
-/// B, and `inner` is the guide that holds the link; where there is no slider B lies on it itself. Contacts:
-/// `outer[0]` holds the body that the contact places.
+/// The joints of a group. Driven: `outer[0]` is the driven one. RRR: `outer` hold links a and b, `inner`
+/// joins link a to b. RRP: `outer[0]` holds the link, `inner` is the pin at C, `outer[1]` the guide of the
+/// slider on its line; without a slider `outer[1]` is the slot between link and line. RPR: `outer[0]` holds
+/// the link at A, `outer[1]` the slider at B, and `inner` is the guide between link and slider; without a
+/// slider `inner` is the slot of the link on B. Contacts: `outer[0]` holds the body that the contact places.
 struct ChainSupports {
   std::array<ChainSupport, 2> outer;
   ChainSupport inner;
 };
 
-/// All that it takes to balance a chain.
+/// All data for the balance of forces of a chain.
 struct ChainStatics {
   ChainLoads loads;
   std::vector<ChainSupports> supports;  ///< of the groups
   std::size_t joints = 0;               ///< of the mechanism
   std::size_t contacts = 0;
-  /// The result of fill_chain_rows(): the squared length of the shortest spring between points in all rows.
+  /// Result of fill_chain_rows(): the squared length of the shortest spring between points in all rows.
   double shortest2 = 0;
 };
 
-/// Fills it in; false where a group or a spring is not for a chain: bodies whose turning nothing sets.
+/// Fills in `statics`; false where a chain cannot handle a group or a spring, or where a body's turning is
+/// not determined.
 /// \param groups  as chain_group() makes them of the plan
 /// \param angles  of all bodies
 [[nodiscard]] bool take_statics(const Mechanism& mechanism, const Plan& plan,

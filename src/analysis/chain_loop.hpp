@@ -13,14 +13,14 @@
 #include <memory>
 #include <type_traits>
 
-// The rows of a chain in packs T. Each width is compiled by itself, for the instruction set that has such
-// registers; the numbers are the same to the last bit.
+// The rows of a chain in packs T. Each width is compiled separately, for the instruction set that has such
+// registers; the results agree to the last bit.
 
 namespace higherpair::chain_loop {
 
 using Quantity = ChainColumn::Quantity;
 
-// Room for so many of them at most, of which no more are made than are there: packs are large.
+// Uninitialised storage for at most kMost items, of which only `count` are constructed: packs are large.
 template <class Item, std::size_t kMost>
 class Room {
 public:
@@ -34,7 +34,7 @@ private:
   alignas(Item) std::array<std::byte, kMost * sizeof(Item)> bytes_;
 };
 
-// The acute angle between the normal and the path of the contact point on its body.
+// The acute angle between the normal and the path of the contact point on the body that the contact places.
 template <class T>
 [[nodiscard]] inline T pressure_of_rows(const ChainTouch& touch, const ChainBody<T>* bodies) {
   using std::abs;
@@ -51,7 +51,7 @@ template <class T>
   return arctangent(abs(arm.x()), abs(arm.y()));
 }
 
-// -0 becomes 0, as what a joint cannot do is written elsewhere.
+// Adding 0 turns -0 into 0, as is written elsewhere for what a joint cannot transmit.
 template <class T>
 [[nodiscard]] inline T force_of_rows(const ChainColumn& column, const ChainReaction<T>* reactions,
                                      const T* presses, const ChainEffort<T>& effort) {
@@ -105,7 +105,7 @@ template <ChainRates kRates, class T>
   return T(0);
 }
 
-// Angles are continuous over all rows; a watch is that of all lanes.
+// Makes angles continuous over all rows and reduces each watch to one lane.
 template <class T>
 inline void finish(const ChainRowsJob& job, const ChainWatch<T>* watches, const T& shortest) {
   for (ChainTask& task : job.tasks) {

@@ -4,12 +4,12 @@
 #include "chain_vectors.hpp"
 #include "tolerances.hpp"
 
-// Two ovals that touch, or nearly, on several positions at once (T = Pack): a pass of Newton's method towards
-// their contact, and the rates there.
+// Two ovals that touch, or nearly so, at several positions at once (T = Pack): one pass of Newton's method
+// towards their contact, and the rates there.
 
 namespace higherpair::chain_ovals {
 
-// The rotation by a small angle. While passes iterate the angle may be inexact, but the result must stay a
+// The rotation by a small angle. The angle may be inexact, as passes iterate, but the result must be a
 // rotation.
 template <class T>
 [[nodiscard]] inline Rotation<T> small_turn(const T& angle) {
@@ -32,8 +32,8 @@ struct Boundary {
   T rho;
 };
 
-// The point with the outward normal n, (a² N_x, b² N_y)/h with h = √(a² N_x² + b² N_y²), ρ = a² b²/h³ for N
-// in the axes. A point has no size.
+// The point of an oval with the outward normal n, from its centre: (a² N_x, b² N_y)/h with h = √(a² N_x² + b²
+// N_y²), where N is n in the oval's axes; its radius of curvature is ρ = a² b²/h³. A point has size 0.
 template <class T>
 [[nodiscard]] inline Boundary<T> boundary_at(const Oval& oval, const Rotation<T>& axis, const Vector2<T>& n) {
   if (oval.along == 0) {
@@ -48,18 +48,18 @@ template <class T>
   return {axis * Vector2<T>(x * per_h, y * per_h), T(aa * bb) * (per_h * per_h * per_h)};
 }
 
-/// The known oval, which stays in all passes.
+/// The known oval, which is the same in all passes.
 template <class T>
 struct Frame {
   Vector2<T> center;  ///< from the joint
   Rotation<T> axis;
 };
 
-/// Where a pass looks.
+/// The position that a pass starts from.
 template <class T>
 struct Guess {
-  Rotation<T> turn;  ///< of the body, if it turns
-  T slide{0};        ///< of its coordinate, if it slides
+  Rotation<T> turn;  ///< rotation of the body, if it turns
+  T slide{0};        ///< its coordinate, if it slides
   Rotation<T> n;     ///< the normal as (n_x, n_y)
 
   [[nodiscard]] Vector2<T> normal() const { return Vector2<T>(n.cos, n.sin); }
@@ -95,7 +95,7 @@ template <class T>
   return touch;
 }
 
-// n·v2, v2 the velocity of the body's point for a unit rate of its coordinate; and t·v2.
+// Components n·v2 and t·v2 of the velocity v2 of the body's point for a unit rate of its coordinate.
 template <class T>
 struct Lever {
   T gap_q, along;
@@ -107,13 +107,13 @@ template <class T>
   return {dot(v, n), cross(n, v)};
 }
 
-// What a pass may turn.
+// Limits the turn of one pass.
 template <class T>
 [[nodiscard]] inline T limited(const T& angle) {
   return select(abs(angle) <= T(kFarthestOvalGuess), angle, copysign(T(kFarthestOvalGuess), angle));
 }
 
-/// The step of last_step (contact/last_step.hpp): δ of the body, φ of the normal.
+/// The step of last_step (contact/last_step.hpp): δ of the body's coordinate, φ of the normal.
 template <class T>
 inline void take_pass(const OvalContact& contact, const Touch<T>& touch, Guess<T>& guess) {
   const bool turns = contact.touch.freedom.turns;
@@ -144,7 +144,7 @@ struct Rates {
 template <class T>
 [[nodiscard]] inline Rates<T> rates_at(const OvalContact& contact, const Touch<T>& touch, const Vector2<T>& n,
                                        const ChainPoint<T>& joint, const ChainBody<T>& known) {
-  // The centre of curvature as a point of the known body, from its origin.
+  // The known body's centre of curvature, relative to the body's origin.
   const Vector2<T> r1 = less(sum(joint.p_W, less(touch.p1, times(touch.rho1, n))), known.p_WB);
   const Vector2<T> r2 = sum(touch.p2, times(touch.rho2, n));
   const T square = known.omega * known.omega;
@@ -172,7 +172,7 @@ template <class T>
   return rates;
 }
 
-/// Puts the body where the guess is, and the contact's own body at the contact.
+/// Places the body at the guess and the contact's link at the contact.
 template <class T>
 inline void place_bodies(const OvalContact& contact, const Guess<T>& guess, const Touch<T>& touch,
                          const Rates<T>& rates, const ChainPoint<T>& joint, ChainBody<T>* bodies) {

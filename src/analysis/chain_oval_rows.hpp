@@ -9,22 +9,22 @@
 #include <cmath>
 #include <cstddef>
 
-// How a contact of ovals goes on from row to row: predicts each row, and checks that what is found there
-// continues the same branch.
+// Follows a contact of ovals from row to row: predicts each row and checks that the solution there continues
+// the same branch.
 
 namespace higherpair {
 
-/// The row before the rows of a block; rates for a unit velocity of the driver.
+/// The row that precedes a block of rows; rates are for a unit velocity of the driver.
 struct OvalRow {
   double position = 0;               ///< of the driver
-  Rotation<double> turn;             ///< of a turning body
-  double slide = 0;                  ///< of a sliding one: its coordinate [m]
+  Rotation<double> turn;             ///< rotation of a turning body
+  double slide = 0;                  ///< coordinate of a sliding body [m]
   Vector2d n_W = Vector2d::UnitX();  ///< normal out of the known body
   double rate = 0;                   ///< of the body's coordinate
   double second_rate = 0;
   double third_rate = 0;  ///< roughly
-  double phi_dot = 0;     ///< of the normal
-  double phi_ddot = 0;    ///< roughly, as the next one
+  double phi_dot = 0;     ///< turning rate of the normal
+  double phi_ddot = 0;    ///< approximate, as the next one
   double phi_third = 0;
   double gap_q = 0;  ///< ∂gap/∂q
   double gap_q_rate = 0;
@@ -32,14 +32,14 @@ struct OvalRow {
 
 namespace chain_ovals {
 
-// The arcsine, to 2e-5 of it for angles below 30°.
+// The arcsine, with a relative error of 2e-5 for angles below 30°.
 template <class T>
 [[nodiscard]] inline T small_angle(const T& sine) {
   const T x = sine * sine;
   return sine * (T(1) + x * (T(1 / 6.0) + x * (T(3 / 40.0) + x * (T(15 / 336.0) + x * T(105 / 3456.0)))));
 }
 
-/// The numbers of the rows of a block, and before them those of the row before.
+/// The numbers of the rows of a block, preceded by those of the row before it.
 template <std::size_t kRows>
 struct Numbers {
   using Column = std::array<double, kRows + 1>;
@@ -100,7 +100,7 @@ struct Numbers {
   }
 };
 
-/// Whether rows continue those before them; `at` the first one's place in the columns.
+/// Whether rows continue those before them; `at` is the index of the first one in the columns.
 template <class T, std::size_t kRows>
 [[nodiscard]] inline auto goes_on(const Numbers<kRows>& of, std::size_t at, bool turns, double size) {
   const auto now = [&](const auto& column) { return T::load(&column[at]); };
@@ -123,7 +123,7 @@ template <class T, std::size_t kRows>
                      step * abs(bend - half * (a0 + a1)) +
                      abs(phi - half * (before(of.phi_dot) + now(of.phi_dot)));
   const T change = abs(rise) + abs(phi) + T(0.125) * step * abs(bend);
-  // ∂gap/∂q, which is 0 at a limit, keeps away from it between the two rows as well.
+  // ∂gap/∂q, which is 0 at a limit, must stay away from 0 between the two rows as well.
   const T g0 = before(of.gap_q), g1 = now(of.gap_q);
   const T least = -max(-abs(g0), -abs(g1));
   const T fastest = max(abs(before(of.gap_q_rate)), abs(now(of.gap_q_rate)));
@@ -131,7 +131,7 @@ template <class T, std::size_t kRows>
          (body.cos >= T(kCosFarthestTurn)) & (g0 * g1 > T(0)) & (T(2) * step * fastest <= least);
 }
 
-// By the rates of the row before.
+// Extrapolates from the rates of the row before.
 template <class T>
 [[nodiscard]] inline Guess<T> predicted(const OvalRow& from, const T& position) {
   const T h = position - T(from.position);

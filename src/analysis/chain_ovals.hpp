@@ -9,10 +9,10 @@
 
 // The contact of two ovals in many rows at once.
 //
-// All rows of a block start from the row before it, by its rates, and are then led to their contacts together
-// by Newton's method on gap and slip, the follower to second order (see last_step in contact/), until the
-// last one has arrived. Then each is held against the row before by the tests that a Run makes of its steps,
-// so that what has come to another contact, or over a limit, is seen.
+// All rows of a block are predicted from the rates of the row before it, and are then led to their contacts
+// together by Newton's method on gap and slip, the follower to second order (see last_step in contact/),
+// until the last one has arrived. Then each is compared with the row before by the tests that a Run applies
+// to its steps, which detect that the solution has come to another contact or passed a limit.
 
 namespace higherpair {
 
@@ -22,9 +22,9 @@ inline constexpr int kMostPasses = 10;
 
 }  // namespace chain_ovals
 
-/// The contact in kPacks packs of consecutive rows.
-/// \param before  the row before them; the result: their last one
-/// \param bodies  of the first pack; those of the next ones `stride` further each
+/// Solves the contact in kPacks packs of consecutive rows.
+/// \param before  the row before them; replaced by their last one
+/// \param bodies  of the first pack; those of each following pack are `stride` further on
 template <class T, std::size_t kPacks>
 inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver<T>, kPacks>& driver,
                         double size, OvalRow& before, ChainBody<T>* bodies, std::size_t stride,
@@ -43,7 +43,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
     frame[i] = {less(center.p_W, joint[i].p_W), known.R_WB * all_lanes<T>(contact.on_known.axis_B)};
     guess[i] = predicted(before, driver[i].position);
   }
-  // Rows that have arrived go on without harm: their passes do nothing.
+  // Further passes do nothing to rows that have arrived.
   bool arrived = false;
   for (int pass = 0; pass < kMostPasses && !arrived; ++pass) {
     arrived = true;

@@ -12,10 +12,11 @@
 
 namespace higherpair {
 
-/// Rows are worked out so many at a time: several packs, since one would wait for its own results.
+/// Number of rows that are computed at a time: several packs, since a single one would wait for its own
+/// results.
 inline constexpr std::size_t kChainRows = 16;
 
-/// The driver in the rows, each kind of number in an array of its own; filled up to a multiple of kChainRows.
+/// The driver in all rows as separate arrays, padded to a multiple of kChainRows.
 struct ChainSchedule {
   std::vector<double> position;  ///< [rad or m]
   std::vector<double> cosine;
@@ -24,7 +25,7 @@ struct ChainSchedule {
   std::vector<double> acceleration;
 };
 
-/// What there is room for.
+/// Capacity.
 inline constexpr std::size_t kMostChainBodies = 64;
 inline constexpr std::size_t kMostChainGroups = 64;
 
@@ -35,20 +36,20 @@ struct ChainRowsJob {
   const ChainSchedule& schedule;
   ChainRates rates;
   std::span<const char>
-      placed;   ///< of the bodies, with ground and the links between discs: see placed_bodies()
+      placed;   ///< of the bodies, including ground and the links of contacts: see placed_bodies()
   double size;  ///< of the mechanism [m]; for contacts of ovals
   std::span<ChainTask> tasks;
   std::span<ChainTurning> turnings;
   std::span<ChainWatch<double>> watches;  ///< of the groups: the result for all rows
-  std::span<OvalRow> ovals;         ///< of the groups: where a contact is in the first row, then the last
-  ChainStatics* statics = nullptr;  ///< where tasks are of forces; `rates` are accelerations then
+  std::span<OvalRow> ovals;         ///< of the groups: a contact in the first row; on return, in the last
+  ChainStatics* statics = nullptr;  ///< if tasks are of forces; `rates` must then be kAccelerations
 };
 
-/// Positions, and rates as far as the columns need them, of all bodies in all rows; into the tasks' values.
-/// By the widest packs that the machine has.
+/// Computes positions, and rates as far as the columns need them, of all bodies in all rows, and fills in the
+/// tasks' values. Uses the widest packs that the machine supports.
 void fill_chain_rows(const ChainRowsJob& job);
 
-/// In packs of 4 and 8, where the machine has AVX2, and AVX-512F, DQ and VL.
+/// The same in packs of 4 (AVX2) and of 8 (AVX-512F, DQ and VL).
 void fill_by_4(const ChainRowsJob& job);
 void fill_by_8(const ChainRowsJob& job);
 

@@ -1,4 +1,5 @@
-// Compiled for AVX2. Whatever is not inlined would be code for AVX2 under a name that others use: flatten.
+// Compiled for AVX2. `flatten` inlines everything: a function that is not inlined would be AVX2 code under a
+// name that other sources use.
 #include "chain_loop.hpp"
 
 namespace higherpair {

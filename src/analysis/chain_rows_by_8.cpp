@@ -1,5 +1,5 @@
-// Compiled for AVX-512. Whatever is not inlined would be code for AVX-512 under a name that others use:
-// flatten.
+// Compiled for AVX-512. `flatten` inlines everything: a function that is not inlined would be AVX-512 code
+// under a name that other sources use.
 #include "chain_loop.hpp"
 
 namespace higherpair {

@@ -3,21 +3,22 @@
 #include "chain_wrenches.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
 
-// Inverse dynamics of a chain on one position (T = double) or on several at once (T = Pack): what acts on
-// every body, with the inertia of its motion, is carried group by group from the end of the chain to its
-// driver, in closed form. The equations are those of dynamics/statics.hpp, which factorises matrices instead.
+// Inverse dynamics of a chain at one position (T = double) or at several at once (T = Pack). The loads on
+// every body, including the inertia of its motion, are carried group by group from the end of the chain to
+// its driver, in closed form. The equations are those of dynamics/statics.hpp, which factorises matrices
+// instead.
 
 namespace higherpair {
 
-/// What drives, as DriverEffort has it.
+/// The driver's effort, as in DriverEffort.
 template <class T>
 struct ChainEffort {
   T effort;
   T by_power;
 };
 
-/// Notes what a joint does to the body that it holds, and passes the opposite on to its other body.
-/// \param known   the other body; what acts on ground is of no interest
+/// Records what a joint exerts on the body that it holds, and applies the opposite to its other body.
+/// \param known   the other body; loads on ground are not recorded
 /// \param p_W     where the force acts
 template <class T>
 inline void carry(const ChainSupport& support, int known, const Vector2<T>& p_W, const Vector2<T>& force,
@@ -31,15 +32,15 @@ inline void carry(const ChainSupport& support, int known, const Vector2<T>& p_W,
   }
 }
 
-/// A pin that holds a body against all that acts on it.
+/// A pin that balances the resultant force on a body.
 template <class T>
 inline void carry_by_pin(const ChainSupport& support, int known, const Vector2<T>& p_W,
                          const Vector2<T>& force, const ChainBalance<T>& in) {
   carry(support, known, p_W, Vector2<T>(-force.x(), -force.y()), T(0), in);
 }
 
-/// A slide along the unit direction u that holds a body: what presses across, and the moment about the
-/// joint's second point.
+/// A slide along the unit direction u that holds a body: transmits the force across u, and the moment about
+/// the joint's second point.
 template <class T>
 inline void carry_by_slide(const ChainSupport& support, int held, int known, const Vector2<T>& u,
                            const ChainBalance<T>& in) {
@@ -51,7 +52,7 @@ inline void carry_by_slide(const ChainSupport& support, int held, int known, con
         -wrench.about(less(p_W, in.bodies[held].p_WB)), in);
 }
 
-/// The group that a driver holds: its joint, and the effort on it.
+/// The driven group: records the joint's reaction and returns the driver's effort.
 template <class T>
 [[nodiscard]] inline T balance_group(const DrivenBody& driven, const ChainSupports& supports,
                                      const ChainBalance<T>& in) {
@@ -116,7 +117,7 @@ inline void balance_group(const RprDyad& dyad, const ChainSupports& supports, co
   const Vector2<T> B_W = chain_point<ChainRates::kNone>(in.bodies[dyad.B.body], dyad.B.p_B).p_W;
   const T moment = on_link.about(A);
   T on_slider(0);
-  Vector2<T> p_W = B_W;  // where the guide is taken to press
+  Vector2<T> p_W = B_W;  // where the guide's force is assumed to act
   if (dyad.slider) {
     const ChainBody<T>& slider = in.bodies[dyad.slider->body];
     on_slider = in.wrenches[dyad.slider->body].about(less(B_W, slider.p_WB));
@@ -136,8 +137,8 @@ inline void balance_group(const RprDyad& dyad, const ChainSupports& supports, co
   }
 }
 
-/// A contact that places a body on its joint. It presses along the normal alone, by the moment about the
-/// joint's pin, or along its slide.
+/// A contact that places a body on its joint. Its force acts along the normal alone; it follows from the
+/// moments about the joint's pin, or from the forces along its slide.
 template <class T>
 inline void balance_touch(const ChainTouch& touch, const ChainSupports& supports, const ChainBalance<T>& in) {
   const ChainBody<T>& link = in.bodies[touch.link];
@@ -164,7 +165,7 @@ inline void balance_touch(const ChainTouch& touch, const ChainSupports& supports
   }
 }
 
-/// Works out what all joints, contacts and the driver do.
+/// Computes the reactions of all joints and contacts and the driver's effort.
 template <class T>
 inline void balance_chain(std::span<const ChainGroup> groups, const ChainStatics& statics, std::size_t bodies,
                           const ChainBalance<T>& in, ChainEffort<T>& effort) {

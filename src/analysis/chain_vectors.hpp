@@ -2,7 +2,8 @@
 
 #include "higherpair/geometry/pose.hpp"
 
-// Vectors component by component: Eigen's expressions want more of their scalar than a pack has.
+// Vector operations by components: Eigen's expressions require more of their scalar type than a pack
+// provides.
 
 namespace higherpair {
 

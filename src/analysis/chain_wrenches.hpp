@@ -5,12 +5,12 @@
 #include "chain_vectors.hpp"
 #include "higherpair/mechanism/description.hpp"
 
-// What acts on the bodies of a chain, with the inertia of its motion, on one position (T = double) or on
+// Loads on the bodies of a chain, including the inertia of its motion, at one position (T = double) or at
 // several at once (T = Pack).
 
 namespace higherpair {
 
-/// The driver's velocity and acceleration: rates are those for a unit velocity times these.
+/// The driver's velocity and acceleration, which scale rates for a unit velocity to actual ones.
 template <class T>
 struct DriverRates {
   T velocity, acceleration;
@@ -21,22 +21,22 @@ struct DriverRates {
   }
 };
 
-/// What acts on a body: a force, and its moment about the origin of the body's frame, in ground.
+/// The resultant load on a body: a force, and its moment about the origin of the body's frame, in ground.
 template <class T>
 struct ChainWrench {
   Vector2<T> force;
   T moment;
 
-  /// Adds a force that acts at r from the origin.
+  /// Adds a force that acts at r, measured from the origin.
   void push(const Vector2<T>& more, const Vector2<T>& r) {
     force = sum(force, more);
     moment = moment + cross(r, more);
   }
-  /// The moment about the point at r from the origin.
+  /// The moment about the point at r, measured from the origin.
   [[nodiscard]] T about(const Vector2<T>& r) const { return moment - cross(r, force); }
 };
 
-/// What a joint does to its second body, as JointReaction has it.
+/// What a joint exerts on its second body, as in JointReaction.
 template <class T>
 struct ChainReaction {
   Vector2<T> force;
@@ -44,24 +44,24 @@ struct ChainReaction {
 };
 
 /// The angle of a body.
-/// \param turned  of the turnings, sprung
+/// \param turned  angles of the turnings that springs need
 template <class T>
 [[nodiscard]] inline T angle_at(const ChainAngle& angle, const ChainDriver<T>& driver, const T* turned) {
   const T along = angle.turning < 0 ? T(angle.factor) * driver.position : turned[angle.turning];
   return along + T(angle.offset);
 }
 
-/// The state of a chain's bodies in one pack of rows, and what its joints and driver do.
+/// The state of a chain's bodies in one pack of rows, and the reactions of its joints and driver.
 template <class T>
 struct ChainBalance {
   ChainDriver<T> driver;
   DriverRates<T> rates;
   const ChainBody<T>* bodies;   ///< with accelerations
-  ChainWrench<T>* wrenches;     ///< of the bodies; used up
-  ChainReaction<T>* reactions;  ///< of the joints: the result
-  T* presses;                   ///< of the contacts: how hard each presses; the result
-  const T* angles;              ///< of the turnings that are sprung
-  T* shortest;                  ///< of springs so far: largest of the negative squared lengths
+  ChainWrench<T>* wrenches;     ///< of the bodies; overwritten
+  ChainReaction<T>* reactions;  ///< of the joints; the result
+  T* presses;                   ///< normal forces of the contacts; the result
+  const T* angles;              ///< of the turnings that springs need
+  T* shortest;                  ///< largest negative squared length of a spring so far
 };
 
 template <class T>
@@ -96,7 +96,7 @@ inline void add_force(const ChainLoads::Force& load, const ChainBalance<T>& in) 
   wrench.moment = wrench.moment + T(load.torque);
 }
 
-// Draws both points together.
+// Pulls both points together.
 template <class T>
 inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance<T>& in) {
   using std::max;
@@ -116,7 +116,7 @@ inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance
   in.wrenches[spring.second.body].push(times(T(-1), force), arm_of(two, spring.second.p_B));
 }
 
-// Along the line, at the second point, as the coordinate of its joint: see joint_motion().
+// Pulls along the line, at the second point; the coordinate is that of the joint: see joint_motion().
 template <class T>
 inline void add_spring(const ChainLoads::LineSpring& spring, const ChainBalance<T>& in) {
   const ChainBody<T>& one = in.bodies[spring.line.body];

@@ -1,4 +1,4 @@
-// What links are short of, or have to spare.
+// By how much the links of a group are too short to close, or have length to spare.
 #include "assembly.hpp"
 #include "group_solver.hpp"
 #include "higherpair/analysis/branch_run.hpp"
@@ -20,7 +20,7 @@ double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies
   return std::abs(cross(u_W, Vector2d(p_W - X_WB * line.p_B)));
 }
 
-// Places the groups in their order; the gap of each, up to the first that cannot be placed.
+// Places the groups in their order and returns the gap of each, up to the first that cannot be placed.
 std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers, State from,
                                            State state) {
   std::vector<std::optional<double>> gaps(run.plan().groups.size());

@@ -32,10 +32,10 @@ bool has_just_passed(const OnPath& at, const JointPassage& passage) {
          std::abs(at.s + passage.x - at.passed.x) <= shortest_step(at.scale, 0);
 }
 
-// From a joint on which run.at.state is.
+// Goes on from the joint at which run.at.state is.
 JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   const std::size_t g = group_with_contact(at.run, passage.contact);
-  // At an edge another place at which the bodies touch takes over, if there is one.
+  // At an edge, another place at which the bodies touch takes over, if there is one.
   if (is_on_edge(at.run, passage.contact, passage.side, passage.after) && hand_over(at, g)) {
     return {JointOutcome::kDiverted};
   }
@@ -52,8 +52,8 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   return {JointOutcome::kDiverted};
 }
 
-// To run.work.trial, whose overlaps have been found, and are others there; whether a second contact has been
-// gone over to.
+// Moves on to run.work.trial, whose overlaps have been found. \returns whether the motion has gone over to a
+// second contact
 bool go_on(OnPath& at, double x, bool overlaps_change) {
   note_events(at.run, at.path, at.s, x);
   const bool gone_over = overlaps_change && watch_overlaps(at.run, at.path, at.s, x);
@@ -134,7 +134,7 @@ bool meet_elsewhere(OnPath& at, double h) {
     }
     advance(at, meeting->x);
   }
-  // Where they meet again at once neither contact can be kept.
+  // If they meet again at once, neither contact can be kept.
   const bool again = at.s == at.met_at;
   go_over_to(run, at.path, at.s, *meeting, !again);
   at.met_at = at.s;
@@ -162,7 +162,7 @@ bool pass_vertex(OnPath& at, const PathLimit& limit) {
 JointOutcome pass_joint(OnPath& at, const JointPassage& passage, double h) {
   Run& run = at.run;
   if (has_just_passed(at, passage) || !place_at_joint(run, at.path, at.s, passage)) {
-    // Either span will do.
+    // The contact stays on the joint: either span describes it.
     (void)try_step(run, at.path, at.s, h);
     return {JointOutcome::kRests};
   }

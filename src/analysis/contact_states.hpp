@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-// What contacts are told of by a state, of either kind of group.
+// Sets the part of a state that describes a contact, for both kinds of groups that place a body by one.
 
 namespace higherpair {
 
-/// Seen from the first body of the file.
+/// The contact as seen from the first body of its description.
 [[nodiscard]] inline ContactMotion contact_motion(const ContactPosition& at, double phi,
                                                   bool first_is_first) {
   ContactMotion motion;
@@ -23,7 +23,7 @@ namespace higherpair {
   return motion;
 }
 
-/// The group is singular where the follower's joint does not change the gap.
+/// Sets the sine of a group, which is singular where the follower's coordinate does not change the gap.
 inline void set_sine(const ContactPair& pair, const ContactPosition& at, GroupState& group) {
   group.sine = at.gap_q;
   group.lever = std::sqrt(gap_q_scale2(pair, at));

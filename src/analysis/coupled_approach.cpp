@@ -16,12 +16,13 @@
 
 #include <Eigen/Cholesky>
 
-// Where coupled bodies violate their conditions least, and the solution next to it.
+// Finds where coupled bodies violate their conditions least, and the solution next to that place.
 
 namespace higherpair {
 namespace {
 
-// Of each body of a group, in ground; the origin of its frame where it has neither joints nor contacts.
+// Centre of the joints and contacts of each body of a group, in ground; the origin of its frame if it has
+// none.
 std::vector<Vector2d> middles_of(const Planned& model, const Group& group, const State& at) {
   std::vector<Vector2d> middles;
   for (const int body : group.bodies) {
@@ -33,9 +34,9 @@ std::vector<Vector2d> middles_of(const Planned& model, const Group& group, const
   return middles;
 }
 
-// Coordinates of bodies about points in the middle of their joints and contacts, of the size: (x, y) of
-// the point, and the angle. About the origin of its frame, which may be anywhere, a body that turns a little
-// could go far.
+// Coordinates of bodies about the centres of their joints and contacts: (x, y) of the centre, as fractions of
+// the size, and the angle. About the origin of its frame, which may be anywhere, a small turn of a body could
+// move it far.
 class BodyCoordinates {
 public:
   BodyCoordinates(const Planned& model, const Group& group, const State& at)
@@ -43,7 +44,7 @@ public:
 
   [[nodiscard]] Eigen::Index count() const { return 3 * static_cast<Eigen::Index>(group_.bodies.size()); }
 
-  /// Moves the bodies from where they were, and still are in `to`.
+  /// Moves the bodies by a change from their original position, in which they still are in `to`.
   void move(const Eigen::VectorXd& change, State& to) const {
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
       BodyMotion& body = body_in(to, group_.bodies[i]);
@@ -54,7 +55,8 @@ public:
     }
   }
 
-  /// Derivatives by these coordinates from those by (x, y, size·θ), after a change; the columns of J.
+  /// Converts the columns of J from derivatives by (x, y, size·θ) to derivatives by these coordinates, after
+  /// a change.
   template <class Matrix>
   void transform(const Eigen::VectorXd& change, const State& to, Matrix& J) const {
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
@@ -63,7 +65,7 @@ public:
     }
   }
 
-  /// From one state, at which the coordinates were, to another.
+  /// The change from one state, in which this object was created, to another.
   [[nodiscard]] Eigen::VectorXd change_between(const State& from, const State& to) const {
     Eigen::VectorXd change(count());
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
@@ -84,11 +86,11 @@ private:
 
   const Group& group_;
   double size_;
-  std::vector<Vector2d> middles_;  // in ground, of each body of the group
+  std::vector<Vector2d> middles_;  // centres in ground, of each body of the group
 };
 
-// The violation of a group's conditions F over the change of its bodies' coordinates from where they are in
-// `from`, both of the size.
+// The violation F of a group's conditions as a function of the change of its bodies' coordinates from `from`;
+// both relative to the size.
 class Violation {
 public:
   Violation(const Planned& model, const Group& group, const State& from, const std::vector<double>& drivers,
@@ -102,7 +104,7 @@ public:
 
   [[nodiscard]] Eigen::Index unknowns() const { return coordinates_.count(); }
 
-  /// Leads the bodies of `to` there; false where contacts have no common normal.
+  /// Moves the bodies of `to` by a change; false where contacts have no common normal.
   [[nodiscard]] bool lead(const Eigen::VectorXd& change) const {
     take_group(group_, from_, to_);
     coordinates_.move(change, to_);
@@ -130,7 +132,7 @@ public:
     g = along.transpose();
     return true;
   }
-  /// How far bodies have been led: angles [rad], and places of joints and contacts, of the size.
+  /// How far bodies have been moved: angles [rad], and positions of joints and contacts relative to the size.
   [[nodiscard]] double farthest() const {
     double farthest = 0;
     for (const int index : group_.bodies) {
@@ -159,9 +161,9 @@ private:
   BodyCoordinates coordinates_;
 };
 
-// The least of |F|² near no change by Newton's method: where no solution is near, conditions that are left
-// over bend the sum of squares as much as their derivatives do, which the method of Levenberg and Marquardt
-// has to find out step by step. None where it leads elsewhere.
+// The minimum of |F|² near zero change by Newton's method. Where no solution is near, the remaining violation
+// contributes as much to the curvature of |F|² as JᵀJ does, which the method of Levenberg and Marquardt would
+// have to discover step by step. None where the iteration leads elsewhere.
 std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(violation.unknowns());
   Eigen::VectorXd F, slope, beside;
@@ -186,8 +188,8 @@ std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
   return std::nullopt;
 }
 
-// True where the least |F|² near no change is all but 0; `to` is there. Where it is far away, `to` is not
-// moved.
+// Moves `to` to the minimum of |F|² near zero change; true where that is all but 0. If it is far away, `to`
+// is left where it was.
 bool approach(const Violation& violation) {
   Eigen::VectorXd F;
   if (const auto change = least_nearby(violation)) {
@@ -208,7 +210,7 @@ bool approach(const Violation& violation) {
   return fit.sum <= kCoupledApproach * kCoupledApproach;
 }
 
-// J at a state, whatever the drivers.
+// J at a state; it does not depend on the drivers' positions.
 Eigen::MatrixXd jacobian_at(const Planned& model, const Group& group, const State& state) {
   const std::vector<double> drivers(model.mechanism.drivers.size());
   return jacobian_of(group, group_rows(model, group, drivers, state, state.contacts), model.plan.size);
@@ -224,7 +226,7 @@ LuSolver bordered(const Eigen::MatrixXd& J, const LeastViolation& way) {
   return LuSolver(M);
 }
 
-// At the last position before a limit, where J is all but singular.
+// The singular vectors at the last position before a limit, where J is all but singular.
 LeastViolation way_from(const Eigen::MatrixXd& J) {
   LeastViolation way;
   if (J.rows() == J.cols()) {
@@ -236,8 +238,9 @@ LeastViolation way_from(const Eigen::MatrixXd& J) {
   return way;
 }
 
-// Farther on: J x + e b = 0, c x = 1 has the next c as its x, and of Jᵀ the next b. With these the bordered
-// determinant has the sign that it has with the old ones, where J is singular.
+// The singular vectors farther on, from those of the position before: the next c is the x of J x + e b = 0, c
+// x = 1; the next b follows likewise from Jᵀ. Where J is singular, the bordered determinant has the same sign
+// with the new vectors as with the old.
 LeastViolation led_to(const Eigen::MatrixXd& J, LeastViolation way) {
   if (way.sign == 0) {
     return way;
@@ -250,20 +253,21 @@ LeastViolation led_to(const Eigen::MatrixXd& J, LeastViolation way) {
   return left.allFinite() && right.allFinite() ? LeastViolation{left, right, way.sign} : LeastViolation{};
 }
 
-// Whether solutions at J begin in the assembly of the other parts in which the way did.
+// Whether solutions that begin at J have the other parts of the group in the assembly in which `way` began.
 bool is_same_assembly(const Eigen::MatrixXd& J, const LeastViolation& way) {
   return way.sign != 0 && bordered(J, way).sign() == way.sign;
 }
 
-// det b / det a, by their factors.
+// det b / det a, factor by factor.
 double ratio_of_determinants(const Eigen::MatrixXd& b, const Eigen::MatrixXd& a) {
   const LuSolver of_b(b), of_a(a);
   return of_b.sign() * of_a.sign() * (of_b.pivots().array() / of_a.pivots().array()).abs().prod();
 }
 
 // Two solutions that have met in a limit differ along the direction in which the conditions change least, and
-// have opposite determinants. From one of them, at `to`, to where the other one should be: as far beyond
-// where the determinant is 0, or, if they are far apart already, beyond where the bodies came from.
+// their determinants have opposite signs. Returns two changes from one solution, at `to`, to where the other
+// one should be: as far beyond the zero of the determinant, or, if the two are already far apart, beyond
+// where the bodies came from.
 std::array<Eigen::VectorXd, 2> ways_across(const Planned& model, const Group& group, const State& from,
                                            const State& to) {
   const BodyCoordinates coordinates(model, group, to);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kMaxSteps = 30;
 
-// Solves J x = b: exactly where J is square, by least squares where conditions are in surplus, or where
-// `repeating` ones may leave some freedom: then by the least step.
+// Solves J x = b: exactly if J is square; by least squares if there are surplus conditions; with the least
+// step if conditions are `repeating` and may leave some freedom.
 class Solver {
 public:
   explicit Solver(const Eigen::MatrixXd& J, bool repeating = false)
@@ -38,7 +38,8 @@ public:
     return least_norm_.solve(b);
   }
 
-  // The determinant, scaled; its sign is that of the branch. 1 where there is a surplus of conditions.
+  // The smallest pivot with the sign of the determinant, which is that of the branch; 1 if there are surplus
+  // conditions.
   [[nodiscard]] double determinant() const {
     if (!square_) {
       return 1;
@@ -80,7 +81,7 @@ bool is_idle(const Planned& model, int body) {
   return std::find(idle.begin(), idle.end(), body) != idle.end();
 }
 
-// Takes away what rounding leaves of an idle body's turning.
+// Removes the turn of idle bodies that rounding has left.
 void hold_idle(const Planned& model, const Group& group, Eigen::VectorXd& change) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
     if (is_idle(model, group.bodies[i])) {
@@ -89,8 +90,8 @@ void hold_idle(const Planned& model, const Group& group, Eigen::VectorXd& change
   }
 }
 
-// Far out on open curves the points that touch lie apart by a rounding of the normal's angle times the radii
-// of curvature, along the curves: what moves with either body is taken at one point between them.
+// Far out on open curves the two contact points lie apart along the curves by a rounding of the normal's
+// angle times the radii of curvature. One point between them is therefore used for both bodies.
 Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
   std::vector<ContactMotion> contacts = state.contacts;
@@ -111,11 +112,11 @@ std::ptrdiff_t joint_row_count(const Mechanism& mechanism, const Group& group) {
   return count;
 }
 
-// What the motions of bodies leave of the conditions of a group's contacts, as derivatives of this order, of
-// which the second needs the contacts' rates. No turning of the normal changes gap or slip to first order,
-// and of rolling bodies the points that touch have an acceleration along the normal alone. Derivatives of the
-// conditions themselves have terms beside these that are as large as the radius of curvature, or as its
-// derivative: far out on an open curve what is left of their difference is rounding.
+// The residuals of the conditions of a group's contacts, differentiated `order` times, for the present
+// motions of the bodies; the second derivative needs the contacts' rates. To first order the turning of the
+// normal changes neither gap nor slip, and the contact points of rolling bodies differ in acceleration along
+// the normal alone. The derivatives of the conditions themselves contain further terms as large as the radius
+// of curvature or its derivative: far out on an open curve their difference would be rounding.
 std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group& group, std::size_t order,
                                         const State& state) {
   std::vector<double> values;
@@ -172,7 +173,8 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     }
     hold_idle(model, group, step);
     const double length = step.cwiseAbs().maxCoeff() / size;
-    // Where the conditions have lost their rank the steps fall to the root of rounding only.
+    // Where the conditions have lost their rank, the steps of Newton's method fall only to the square root of
+    // rounding.
     const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&
                           values.cwiseAbs().maxCoeff() <= kCoupledClosure * size;
     if (singular || newton_has_settled(length, last, kCoupledNear)) {
@@ -195,8 +197,8 @@ double coupled_sine(const Planned& model, std::size_t g, const State& state) {
   return solver_at(model, g, state).determinant();
 }
 
-// With the known bodies' motions, and the group's bodies at rest, what the conditions leave at an order of
-// time is what the group's bodies must make up for.
+// With the known bodies moving and the group's bodies at rest, the conditions have a residual at each order
+// of time, which the motion of the group's bodies must cancel.
 void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                   State& state) {
   using Series = PowerSeries<double, 2>;

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// Of x of a body; < 0: it is not one of the group.
+// Column of a body's x; < 0 if the body is not one of the group.
 Eigen::Index column_of(const Group& group, int body) {
   const auto found = std::find(group.bodies.begin(), group.bodies.end(), body);
   return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());

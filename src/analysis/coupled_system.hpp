@@ -8,31 +8,31 @@
 
 #include <Eigen/Core>
 
-// The conditions of coupled bodies, all at once. Their coordinates are (x, y, size·θ) of each body of the
+// The system of all conditions of a coupled group. The coordinates are (x, y, size·θ) of each body of the
 // group.
 
 namespace higherpair {
 
-/// The group's bodies and contacts as they are in another state.
+/// Copies the group's bodies and contacts from one state to another.
 void take_group(const Group& group, const State& from, State& to);
 
-/// Puts the group's contacts onto the common normals of their bodies that are nearest; false where there is
-/// none.
+/// Moves the group's contacts to the nearest common normals of their bodies; false where there is none.
 [[nodiscard]] bool place_contacts(const Planned& model, const Group& group, State& to);
 
-/// The rows of the group's joints, contacts, driven joints and idle bodies, which keep their angles.
+/// The rows of the group's joints, contacts, drivers and idle bodies; the latter keep their angles.
 /// \param contacts  on the common normals of their bodies
 [[nodiscard]] std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
                                                     const std::vector<double>& drivers, const State& state,
                                                     const std::vector<ContactMotion>& contacts);
 
-/// Appends rows of bodies that keep the angles that they have in a state.
+/// Appends rows that hold bodies at the angles that they have in state `in`.
 void hold_angles(const std::vector<int>& held, const State& in, const State& to, double size,
                  std::vector<ConstraintRow>& rows);
 
 [[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
 
-/// Where the points of the group's joints and its contacts are in ground [m]. \param body  only of this one
+/// Positions in ground of the points of the group's joints and of its contacts [m]. \param body  if given:
+/// only those of this body
 [[nodiscard]] std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
                                               std::optional<int> body = std::nullopt);
 

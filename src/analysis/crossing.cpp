@@ -18,7 +18,8 @@ bool modes_differ(const State& a, const State& b) {
   return false;
 }
 
-// Value, first and second derivative in the middle of an interval of width h, from those at its ends.
+// Value, first and second derivative of a quintic in the middle of an interval of width h, from those at its
+// ends.
 template <class V>
 struct Jet {
   V value, first, second;
@@ -82,7 +83,7 @@ bool is_near_crossing(const Run& run, const State& state) {
 bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(kCrossingReach * unit_of(run, path), path.length);
   StateAside direct(run.work.trial);
-  // Back from a place beyond the crossing leads over it.
+  // If run.at.state is already nearer than `reach`, the step goes backward and may lead across the crossing.
   const double h = rest - reach;
   bool crosses =
       h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h);

@@ -16,7 +16,8 @@
 namespace higherpair {
 namespace {
 
-// Largest of all displacements for a unit of p: angles, lengths by the size, speeds by the largest.
+// Largest displacement of a row for a unit of p: angles, lengths relative to the size, speeds and
+// accelerations relative to the largest.
 double displacement_of(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row) {
   const double size = run.plan().size;
   double speed = 0, acceleration = 0, displaced = 0, faster = 0, accelerated = 0;
@@ -37,13 +38,13 @@ double displacement_of(const Run& run, const Mechanism& derivative, const RowSen
       displaced = std::max(displaced, std::abs(change) / (kind == NumberKind::kLength ? size : 1));
     }
   });
-  // Where a speed is largest there may be no acceleration, and the other way round.
+  // Speed and acceleration are each estimated from the other, too, as either may be 0 in this row.
   const double fast = std::max(speed, std::sqrt(acceleration * size));
   const double strong = std::max(acceleration, speed * speed / size);
   return std::max({displaced, fast > 0 ? faster / fast : 0, strong > 0 ? accelerated / strong : 0});
 }
 
-// The points at each contact need not coincide.
+// Displaces a row by h of p. The two points of each contact need not coincide afterwards.
 void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, MotionRow& row) {
   for (std::size_t i = 1; i < row.bodies.size(); ++i) {
     BodyMotion& body = row.bodies[i];
@@ -72,7 +73,7 @@ void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, 
   }
 }
 
-// Where no coordinate changes everything is a polynomial of the loads.
+// The step if p changes no coordinate: everything is then a polynomial of the loads.
 double step_of_loads(const Run& run, const Mechanism& derivative) {
   double largest = 1;
   std::vector<double> numbers;
@@ -84,9 +85,10 @@ double step_of_loads(const Run& run, const Mechanism& derivative) {
   return largest;
 }
 
-// Where the slopes of the two sides of 0 are apart by more than a smooth function's can be, that of the side
-// without a kink or jump, if there is one: the size of an angle has a kink at 0, and an arc begins elsewhere,
-// by a turn, where its curve's axis turns through an angle of π. \param at  (0: +, 1: -; number of steps)
+// Derivative at 0 from samples on both sides. If the slopes of the two sides differ by more than a smooth
+// function allows, returns that of the side without a kink or jump, if there is one: the absolute value of an
+// angle has a kink at 0, and an arc starts elsewhere, a full turn away, when its curve's axis turns through
+// an angle of π. \param at  (0: +, 1: -; number of steps)
 template <class F>
 double derivative_of_samples(F at, double h) {
   std::array<double, 2> slope{}, bend{};
@@ -114,8 +116,8 @@ double derivative_of_samples(F at, double h) {
       h);
 }
 
-// How fast radii of curvature change with a displacement, of themselves: those of nearly flat curves change
-// faster than any number.
+// Largest relative change of a radius of curvature by a displacement: the radii of nearly flat curves change
+// faster than all other numbers.
 double change_of_radii(const MotionRow& row, const MotionRow& displaced) {
   double change = 0;
   for (std::size_t i = 0; i < row.contacts.size(); ++i) {
@@ -149,7 +151,7 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
     const std::vector<double> values = f(displaced_run, step);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   };
-  // Of 0 … 4 steps to either side.
+  // Values at 0 … 4 steps to either side.
   std::array<std::array<Eigen::VectorXd, 5>, 2> samples;
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t k = 0; k < 5; ++k) {
@@ -173,7 +175,7 @@ Mechanism displaced(Mechanism mechanism, const Mechanism& derivative, double h) 
 
 std::optional<MechanismDerivative> mechanism_derivative(
     const std::function<std::optional<Mechanism>(double)>& at, double h, double scale) {
-  std::array<std::optional<Mechanism>, 9> made;  // by the number of steps, and 4
+  std::array<std::optional<Mechanism>, 9> made;  // index: number of steps + 4
   for (const int steps : {0, 4, -4, 3, -3, 2, -2, 1, -1}) {
     auto& mechanism = made[static_cast<std::size_t>(steps + 4)] = at(steps * h);
     if (!mechanism) {

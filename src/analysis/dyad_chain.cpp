@@ -22,8 +22,8 @@ using Quantity = ChainColumn::Quantity;
 
 constexpr std::ptrdiff_t kMostDyads = 6;  // 2^6 assemblies are tried
 
-// The groups as a chain solves them, into `groups`; each contact may have a body of its own between two
-// centres, behind those of the mechanism. False where one of them is not for a chain.
+// Converts the groups of a plan into those of a chain. Each contact may add a link between two centres, whose
+// index follows those of the mechanism's bodies. False if a chain cannot solve one of the groups.
 bool take_groups(const Mechanism& mechanism, const Plan& plan, std::vector<ChainGroup>& groups) {
   groups.clear();
   int link = static_cast<int>(mechanism.bodies.size());
@@ -116,18 +116,18 @@ struct DyadChain::Impl {
   ChainSchedule schedule;
   double step = 0;  // the longest between two rows
   std::size_t rows = 0;
-  ChainRates rates = ChainRates::kNone;  // that the columns want
-  std::vector<ChainTask> tasks;  // those asked for; behind them the forces of contacts that must not pull
+  ChainRates rates = ChainRates::kNone;  // rates that the columns need
+  std::vector<ChainTask> tasks;  // those asked for, followed by the forces of contacts that must not pull
   std::size_t asked = 0;
   std::vector<ChainGroup> groups;  // of the plan
   std::vector<ChainAngle> angles;  // of the bodies
   std::vector<ChainTurning> turnings;
-  std::optional<ChainStatics> statics;  // where forces are wanted
-  bool needs_size = false;              // for dyads whose sine is a length, contacts, springs
+  std::optional<ChainStatics> statics;  // set if forces are asked for
+  bool needs_size = false;  // size is needed for dyads whose sine is a length, for contacts and for springs
   ChainAssembly assembly;
   std::vector<ChainWatch<double>> watches;
   std::vector<MotionBound> bounds;
-  std::vector<char> placed;  // the bodies of which columns want more than their turning
+  std::vector<char> placed;  // bodies whose positions are needed: see placed_bodies()
 
   [[nodiscard]] bool redimension(const Mechanism& mechanism);
   void ask(std::vector<ChainColumn> columns, const Mechanism& mechanism);
@@ -146,7 +146,7 @@ bool DyadChain::Impl::redimension(const Mechanism& mechanism) {
          largest_coordinate(mechanism, groups) <= kFarthestPoint * shortest_link(groups, plan.size);
 }
 
-// Makes a task of every column, and of the force of every contact that may not pull.
+// Makes a task for every column, and one for the force of every contact that must not pull.
 void DyadChain::Impl::ask(std::vector<ChainColumn> columns, const Mechanism& mechanism) {
   asked = columns.size();
   for (std::size_t c = 0; statics && c < mechanism.contacts.size(); ++c) {
@@ -165,7 +165,7 @@ void DyadChain::Impl::ask(std::vector<ChainColumn> columns, const Mechanism& mec
   placed = placed_bodies(groups, columns, angles.size());
 }
 
-// The turning of bodies at torsion springs is wanted in any case.
+// Marks the turnings that torsion springs need, whether or not a column asks for them.
 void DyadChain::Impl::mark_sprung() {
   for (std::size_t i = 0; statics && i < statics->loads.pin_springs.size(); ++i) {
     const ChainLoads::PinSpring& spring = statics->loads.pin_springs[i];
@@ -177,14 +177,14 @@ void DyadChain::Impl::mark_sprung() {
   }
 }
 
-// Whether there are no two angles in the first row that are as near to a body's pose as each other.
+// Whether the angles in the first row are unambiguous: no two are equally near to that of a body's pose.
 bool DyadChain::Impl::knows_angles() const {
   return std::all_of(turnings.begin(), turnings.end(), [](const ChainTurning& turning) {
     return std::abs(turning.first_angle - turning.posed_angle) <= kSureTurn;
   });
 }
 
-// Whether springs have directions, and contacts press on the whole way.
+// Whether all springs have directions and all contacts press along the whole path.
 bool DyadChain::Impl::knows_forces() const {
   const auto presses = [&](const ChainTask& task) {
     return presses_throughout(std::span(task.values).first(rows));

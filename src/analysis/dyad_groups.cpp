@@ -9,8 +9,8 @@
 namespace higherpair {
 namespace {
 
-// Sets a body's pose so that its direction `along_B` points along `along_W` and its point p_B is at p_W, `h`
-// of the path after `from`.
+// Sets a body's pose so that its direction `along_B` points along `along_W` and its point p_B is at p_W. `h`
+// is the path since `from`, to predict the whole turns of its angle.
 void pose_link(int index, const Rotation<double>& along_W, const Rotation<double>& along_B,
                const Vector2d& p_W, const Vector2d& p_B, const State& from, double h, State& to) {
   BodyMotion& body = body_in(to, index);
@@ -67,7 +67,8 @@ RrrEnds rrr_ends(const RrrDyad& dyad, const State& state) {
 
 }  // namespace
 
-// Inlined to its last call: each would take numbers through memory that the next one waits for.
+// All calls are inlined: a call would pass numbers through memory, and the next computation would wait for
+// them.
 [[gnu::flatten]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
                                         State& to) {
   const RrrEnds ends = rrr_ends(dyad, to);
@@ -118,7 +119,7 @@ RprMotion solve(const RprDyad& dyad, const GroupState& group, const State& state
 PrpMotion solve(const SlideDyad& dyad, const State& state) {
   const GuideMotion first = guide_on(dyad.first, state);
   if (dyad.pin) {
-    // Seen from the first line's body.
+    // The second direction, relative to the first line.
     const Rotation<double> turned = dyad.first.u_B.inverse() * dyad.second.u_B;
     return prp_dyad(first, guide_through(motion_of(state, *dyad.pin), first, turned));
   }

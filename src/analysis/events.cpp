@@ -18,7 +18,7 @@ double output_velocity(const OutputJoint& output, const State& state) {
   return output.turns ? body.omega : body.v_WB.dot(output.direction_W);
 }
 
-// The largest speed of any body, as a turning [per unit of the path] or sliding one [m].
+// The largest speed of any body, as that of an output that turns [per unit of the path] or slides [m].
 double fastest_motion(const State& state, double size, bool turning) {
   double fastest = 0;
   for (const BodyMotion& body : state.bodies) {
@@ -32,8 +32,8 @@ double output_acceleration(const OutputJoint& output, const State& state) {
   return output.turns ? body.alpha : body.a_WB.dot(output.direction_W);
 }
 
-// Where within a step the speed of an output falls and rises again, so that it may have reversed twice: the
-// least of the cubic with the rates and accelerations at both ends. 0 where it does not.
+// Where within a step the speed of an output first falls and then rises, so that it may have reversed twice:
+// the minimum of the cubic through the velocities and accelerations at both ends. 0 if there is none.
 double slowest_within(double v0, double a0, double v1, double a1, double h) {
   if (v0 * v1 <= 0 || !(v0 * a0 * h < 0 && v1 * a1 * h > 0)) {
     return 0;
@@ -82,18 +82,18 @@ private:
     return joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
   }
 
-  // An output at rest has a sense by rounding alone.
+  // Below this speed the sense of an output is a matter of rounding.
   [[nodiscard]] double slowest(const OutputJoint& output, double fast) const {
     return kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
   }
 
-  // Between two places x0 and x1 of the step.
+  // Notes a reversal between x0 and x1 within the step.
   void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
-    // What was fast long ago, beside a pole, says nothing of what is slow here.
+    // Only recent speeds count: those reached earlier, next to a pole, do not tell what is slow here.
     const double fastest = std::max(std::abs(before), std::abs(after));
     const double fast = std::max(fastest, std::exchange(output.fastest, fastest));
     if (output.sense * before < 0 && std::abs(before) > slowest(output, fast)) {
-      output.sense = -output.sense;  // by a jump, at another contact: the event of that says so
+      output.sense = -output.sense;  // by a jump to another contact, whose own event reports it
     }
     if (std::abs(after) <= kSlowestOutput * fast) {
       return;
@@ -132,7 +132,7 @@ private:
   double h_;
 };
 
-// κ1 + κ2 up to a positive factor; empty where one of the curves is a line or a point, which cannot conform.
+// κ1 + κ2 up to a positive factor; none if one of the curves is a line or a point, which cannot conform.
 std::optional<double> conformity(const Run& run, std::size_t contact, const State& state) {
   const Contact& touching = run.mechanism().contacts[contact];
   const CommonNormal& at = state.contacts[contact].at;

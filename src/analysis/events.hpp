@@ -10,8 +10,9 @@ namespace higherpair {
 /// run.work.trial as it was.
 void note_events(Run& run, const Path& path, double s, double h);
 
-/// Reports the change points of the present step that lie between s and `end` on the path, unless it has been
-/// done: where rows fall next to one, run.at.state is short of it for several of them.
+/// Reports the change points of the present step that lie between s and `end` on the path, unless they have
+/// been reported already: if several rows fall next to a change point, run.at.state remains short of it for
+/// all of them.
 void note_crossings(Run& run, const Path& path, double s, double end);
 
 /// The joints to ground whose reversal ends a stroke: all that are not driven.

@@ -31,7 +31,7 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
   return find_contact(pair, u, q, sense > 0 ? 1 : -1, false);
 }
 
-// Of all contacts that leave the bodies free of each other the nearest one, or the first that way.
+// Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`.
 std::optional<BoundaryContact> first_boundary_contact(const BoundaryPair& pair, const Contact& contact,
                                                       double u, double q, double sign, double size) {
   const double sense = contact.approach == Approach::kNearest    ? 0
@@ -72,7 +72,7 @@ FirstPosition::FirstPosition(const Run& run)
 bool FirstPosition::place(std::size_t g, int mode) {
   const Group& group = run_.plan().groups[g];
   state_.groups[g].mode = mode;
-  // What was tried before makes no difference, not to the last digit either.
+  // Earlier tries must not affect the result, not even in its last digit.
   for (const int body : group.bodies) {
     state_.turns[static_cast<std::size_t>(body)] = {};
   }
@@ -98,15 +98,15 @@ bool FirstPosition::place(std::size_t g, int mode) {
 }
 
 void FirstPosition::fail(std::size_t g, std::string reason) {
-  // The reason of the group that came farthest.
+  // Keep the reason of the last group that was reached.
   if (g >= failed_group_) {
     failed_group_ = g;
     failure_ = {std::move(reason), std::nullopt};
   }
 }
 
-// At the start there are no arcs yet: bodies that roll touch, and those that only rolling turns keep their
-// angles. From there they roll.
+// At the start there are no arcs yet: rolling bodies only have to touch, and bodies that only rolling turns
+// keep their angles. Rolling is measured from there.
 GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   const Group& group = run_.plan().groups[g];
   Mechanism slipping = run_.mechanism();
@@ -247,7 +247,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   return true;
 }
 
-// The common normal of the bodies in their poses is where Newton's method begins.
+// Newton's method starts from the common normal of the bodies in their poses.
 void FirstPosition::start_coupled(const Group& group) {
   for (const int index : group.contacts) {
     const Contact& contact = contact_of(run_.mechanism(), index);

@@ -8,19 +8,19 @@
 
 namespace higherpair {
 
-/// Places the groups of a run at its first driver positions, one after the other, beginning from their poses.
+/// Places the groups of a run one after another at the first driver positions, starting from their poses.
 /// Keeps a reference to the run.
 class FirstPosition {
 public:
   /// \pre run.at.state holds the poses
   explicit FirstPosition(const Run& run);
 
-  /// Places group g in this mode; the groups before it are placed. False where it cannot be placed.
+  /// Places group g in this mode. False where that is not possible. \pre the groups before it are placed
   bool place(std::size_t g, int mode);
 
   [[nodiscard]] const State& posed() const { return posed_; }
   [[nodiscard]] const State& state() const { return state_; }
-  /// Why the group that came farthest cannot be placed.
+  /// Why the last group that was reached cannot be placed.
   [[nodiscard]] const StartFailure& failure() const { return failure_; }
 
 private:

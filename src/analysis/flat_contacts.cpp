@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-// The body that a contact places.
+// The body that a contact places, or null.
 const TouchingBody* touching_body(const Run& run, std::size_t contact) {
   for (const Group& group : run.plan().groups) {
     const auto* touching = std::get_if<TouchingBody>(&group.kind);
@@ -24,7 +24,7 @@ const TouchingBody* touching_body(const Run& run, std::size_t contact) {
   return nullptr;
 }
 
-// The end of the other flat span if it comes before that of the own one does, or with it.
+// The end of the other body's flat span if it comes before that of the own one.
 std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
                                     double way) {
   const auto end = end_ahead(other, place, forward);
@@ -54,7 +54,7 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   const BoundaryPlace from = motion.place[1 - passage.side];
   JointPassage rests = passage;
   rests.before = passage.after;
-  const double way = end_of_own->way;  // t of the other curve runs against t of this one
+  const double way = end_of_own->way;  // t of the two curves runs in opposite senses
   BoundaryPlace place = end_of_own->behind;
   BoundaryPlace opposite = other.advance(from, forward ? -way : way, 0).place;
   if (const auto end = end_of_other(other, from, !forward, way)) {
@@ -63,7 +63,8 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
     rests.side = 1 - passage.side;
     rests.before = from;
   }
-  // The normal stays. No search: rounding would decide to which end it leads.
+  // The normal does not change. The contact is set rather than searched for: rounding would decide at which
+  // end a search arrives.
   const auto set = [&](std::size_t side, const Boundary& boundary, const BoundaryPlace& at) {
     const BodyMotion& body = over.bodies[static_cast<std::size_t>(ref_of(contact, side).body)];
     (side == 0 ? motion.at.p1_W : motion.at.p2_W) = body.X_WB * boundary.at(at).p_B;

@@ -31,7 +31,8 @@ const Contact& contact_of(const Run& run, const TouchingBody& touching) {
   return run.mechanism().contacts[static_cast<std::size_t>(touching.contact)];
 }
 
-// Places of a boundary next to those with an outward normal: on each part that has it one.
+// Sample places of a boundary next to those with the outward normal n_B: one on each part that has this
+// normal.
 std::vector<BoundaryPlace> facing_places(const Boundary& boundary, const Vector2d& n_B) {
   std::vector<BoundaryPlace> found;
   const auto& samples = boundary.samples();
@@ -48,7 +49,8 @@ std::vector<BoundaryPlace> facing_places(const Boundary& boundary, const Vector2
   return found;
 }
 
-// The ends over which the other curve may come in; onto an edge it comes by touching it.
+// The ends that the other curve may pass on its way in. Edges are left out: a curve comes onto an edge by
+// touching it.
 std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   std::vector<Passing> all;
   const auto add = [&](const CurveRef& own, const CurveRef& other) {
@@ -70,7 +72,7 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   return all;
 }
 
-// Where the other curve comes in over an end, near one of its places.
+// Where the other curve comes in past an end, near one of its places.
 std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, double s, double h,
                                 const Passing& passing, const BoundaryPlace& near) {
   const auto before = passing_at(run, passing, run.at.state, near);
@@ -103,10 +105,10 @@ std::vector<BoundaryPlace> facing_places(const Run& run, const Passing& passing)
 enum class Closing {
   kClosed,
   kNone,  // the curves do not meet
-  kFar,   // they do, but where the body would have to jump to
+  kFar,   // they meet, but the body would have to jump there
 };
 
-// Closes a contact in a state in which it is open.
+// Closes a contact that is open in `state`.
 Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const TouchingBody& touching = touching_of(run, at.group);
   const Planned model = model_of(run);
@@ -151,7 +153,7 @@ const std::string& follower_name(const Run& run, const TouchingBody& touching) {
   return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
 }
 
-// Lets run.at.state, now at s, go on with the contact open, though the bodies get into each other.
+// Continues run.at.state, which is at s, with the contact open, though the bodies overlap.
 void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
   run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = true;
   report(
@@ -161,7 +163,7 @@ void report_strike(Run& run, const Path& path, double s, const TouchingBody& tou
                   follower_name(run, touching)));
 }
 
-// Which of the two curves of a contact touches with the edge at its end, for the sentence of an event.
+// The part of an event's sentence that names the curve which touches with the edge at its end.
 std::string edge_text(const Run& run, const TouchingBody& touching) {
   const Contact& contact = contact_of(run, touching);
   const auto& places = run.at.state.contacts[static_cast<std::size_t>(touching.contact)].place;
@@ -279,7 +281,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,
                  const Contact& contact, double size) {
   if (contact.both_sides || !nearest) {
-    return !nearest;  // between two walls there is no place for what does not touch
+    return !nearest;  // between two walls a body always touches one
   }
   const double lever =
       pair.motion2.turns ? (pair.boundary2->size() + pair.boundary2->middle_B().norm()) / size : 1 / size;

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-// Contacts that may part (Keep::kGap). While one is open, its body stays where it is on its joint. It parts
-// where it comes to the end of a curve or slips off the edge there, or its body comes to the end of its
-// guide; it closes where the bodies would get into each other, or the other curve passes an end of an open
-// one, as a pin enters a slot.
+// Contacts that may part (Keep::kGap). While such a contact is open, its body stays where it is on its joint.
+// It parts where it reaches the end of a curve or slips off the edge there, or where its body reaches the end
+// of its guide. It closes where the bodies would overlap, or where the other curve passes an end of an open
+// curve, as a pin enters a slot.
 
 namespace higherpair {
 
@@ -20,30 +20,30 @@ namespace higherpair {
 /// Where a contact closes.
 struct Engagement {
   std::size_t group = 0;
-  double x = 0;                        ///< beyond run.at.state on the path
+  double x = 0;                        ///< distance beyond run.at.state on the path
   std::array<BoundaryPlace, 2> place;  ///< on the contact's first and second curve
-  bool strikes = false;  ///< at the end of a curve that is no edge there, so that it cannot hold
+  bool strikes = false;  ///< at the end of a curve that has no edge there, so that the contact cannot hold
 };
 
-/// The first contact that closes between run.at.state, which is at s, and run.work.trial, h beyond it.
-/// run.work.trial is left as it is.
+/// The first contact that closes between run.at.state, which is at s, and run.work.trial, h beyond it. Leaves
+/// run.work.trial unchanged.
 [[nodiscard]] std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h);
 
-/// Moves run.at.state to where a contact closes, and closes it there; the part of the path that this takes,
-/// or nothing where the curves do not meet. Where it cannot hold it stays open, and the bodies are marked as
-/// in each other. Adds an event.
+/// Moves run.at.state to where a contact closes, and closes it there. Returns the length of path that this
+/// takes, or nothing where the curves do not meet. A contact that cannot hold stays open, and its bodies are
+/// marked as overlapping. Adds an event.
 [[nodiscard]] std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& at);
 
 /// Why a contact of group g that may part does so in run.at.state, where its motion cannot go on; none if it
-/// is no such contact, or at no end.
+/// is not such a contact, or at no end.
 [[nodiscard]] std::optional<std::string> why_parting(const Run& run, std::size_t g);
 
-/// Opens the contact of group g in run.at.state, which is at s. Adds an event.
+/// Opens the contact of group g in run.at.state, which is at s on the path. Adds an event.
 void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason);
 
-/// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, it does not
-/// touch, nor overlap. Between two walls only where no contact is possible.
-/// \param nearest  coordinate of the nearest contact; none: there is none
+/// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, the body
+/// neither touches nor overlaps. Between two walls only if no contact is possible.
+/// \param nearest  coordinate of the nearest contact; none if there is no contact
 [[nodiscard]] bool starts_open(const BoundaryPair& pair, double u, double posed,
                                std::optional<double> nearest, const Contact& contact, double size);
 

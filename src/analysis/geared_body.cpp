@@ -4,7 +4,7 @@
 namespace higherpair {
 namespace {
 
-// The condition of the gears without what the body itself contributes, and its coefficient.
+// The gears' condition without the contribution of the body itself, and the coefficient of that contribution.
 struct Drive {
   double value = 0, speed = 0, acceleration = 0;
   double own = 0;

@@ -12,16 +12,16 @@ namespace {
 
 using Jerks = std::vector<std::optional<BodyJerk>>;
 
-// A body whose joint to ground has this third derivative of its coordinate.
+// Jerk of a body whose coordinate at its joint to ground has this third derivative.
 BodyJerk jerk_on(const OneFreedom& freedom, const BodyMotion& body, double coordinate) {
   if (!freedom.turns) {
     return {coordinate * freedom.direction_W, 0};
   }
   const BodyJerk turning{Vector2d::Zero(), coordinate};
-  return {-point_jerk(body, turning, freedom.p_BO), coordinate};  // the pivot stays
+  return {-point_jerk(body, turning, freedom.p_BO), coordinate};  // the pivot is fixed
 }
 
-// Adds the bodies of one group to those that are known.
+// Computes the jerks of the bodies, group by group.
 class GroundJerks {
 public:
   GroundJerks(const Run& run, std::span<const HigherRates> higher) : run_(run), higher_(higher) {
@@ -61,7 +61,7 @@ private:
     return true;
   }
 
-  // n·(j2 - j1) is what the contact asks for; the follower's coordinate is the only unknown in it.
+  // The contact prescribes n·(j2 - j1); the follower's coordinate is the only unknown in it.
   bool add_touching(int index, const CarriedBody& follower) {
     const Mechanism& mechanism = run_.mechanism();
     const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];

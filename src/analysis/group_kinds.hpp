@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// What the solvers of the kinds of groups share, and their entry points.
+// Helpers that the solvers of all kinds of groups share, and the solvers' entry points.
 
 namespace higherpair {
 
@@ -26,7 +26,7 @@ namespace higherpair {
   return point_motion(body_in(state, point.body), point.p_B);
 }
 
-/// The angle of a body after `h` of the path, from its rates.
+/// The angle of a body after `h` of the path, extrapolated from its rates.
 [[nodiscard]] inline double predicted_angle(const State& from, int body, double h) {
   const BodyMotion& at = body_in(from, body);
   return at.theta + h * (at.omega + h / 2 * at.alpha);
@@ -77,8 +77,8 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double tracked_sine(const TrackedPair& tracked, const State& state);
 [[nodiscard]] double touching_sine(const Planned& model, const TouchingBody& touching, const State& state);
 
-/// How the gap at a place of the contact changes with the follower's coordinate: of two places with different
-/// signs one pushes the follower forward and the other one back.
+/// Derivative of the gap at a place of the contact by the follower's coordinate. Of two places with different
+/// signs one pushes the follower forward and the other back.
 [[nodiscard]] double gap_per_q(const Planned& model, const TouchingBody& touching, const State& state,
                                const CommonNormal& at);
 
@@ -87,19 +87,20 @@ void move_geared(const Planned& model, const GearedBody& geared, State& state);
 
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
                                         const std::vector<double>& drivers, State& to);
-/// The contact of the track's branch nearest to where it was last, however far the drivers have moved.
+/// Places the pair at the contact of the track's branch that is nearest to the last one, however far the
+/// drivers have moved.
 [[nodiscard]] GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
                                              const std::vector<double>& drivers, State& to);
 void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                                          const State& from, double h, State& to);
-/// The same without a motion to go by. Where an open boundary has been left, of all contacts of the group's
-/// branch whose bodies are free of each other the one nearest to where it was lost.
+/// The same without a prediction from a motion. Where an open boundary has been left: of all contacts of the
+/// group's branch whose bodies do not overlap, the one nearest to where it was lost.
 [[nodiscard]] GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching,
                                               std::size_t g, const State& from, State& to);
-/// Moves a contact of boundaries to where it has been found, seen from the contact's first body; its rates
-/// are left as they are. \param phi  of its normal, to within whole turns
+/// Moves a contact of boundaries to where it has been found, as seen from the contact's first body; its rates
+/// are left as they are. \param phi  reference angle of the normal, to select its whole turns
 inline void move_contact(const TouchingBody& touching, const BoundaryContact& found, double phi,
                          ContactMotion& motion) {
   const bool second = touching.follower_is_second;
@@ -109,7 +110,7 @@ inline void move_contact(const TouchingBody& touching, const BoundaryContact& fo
   motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
 }
 
-/// The rate of the body's joint, its carrier at rest.
+/// The rate of the follower's joint. \pre its carrier is at rest
 [[nodiscard]] inline double follower_rate(const State& state, const TouchingBody& touching) {
   const BodyMotion& body = body_in(state, touching.follower.body);
   return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);

@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// A mechanism and its plan; both outlive it.
+/// A mechanism and its plan; both must outlive this object.
 struct Planned {
   const Mechanism& mechanism;
   const Plan& plan;
@@ -21,23 +21,23 @@ enum class GroupStatus {
   kNotConverged,  ///< an iteration did not find one, or a tracked contact has left its branch
 };
 
-/// Places the bodies of group `g` of `to`, whose earlier groups are placed: near where `from` and its rates
+/// Places the bodies of group `g` in `to`, whose earlier groups are placed: near where `from` and its rates
 /// lead after `h` of the path, in mode to.groups[g].mode. \param drivers  positions of Mechanism::drivers
 [[nodiscard]] GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
                                       const std::vector<double>& drivers, State& to);
 
-/// The same however far the drivers have moved from where `from` is: on the branch held last.
+/// The same however far the drivers have moved from `from`: on the branch held last.
 [[nodiscard]] GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
                                            const std::vector<double>& drivers, State& to);
 
-/// Velocities and accelerations of the bodies of group `g`, whose earlier groups have theirs. Where the group
-/// is singular they are 0 and groups[g].sine is within its noise.
+/// Sets velocities and accelerations of the bodies of group `g`; those of earlier groups must be set. Where
+/// the group is singular they are set to 0 and groups[g].sine is within its noise.
 void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state);
 
-/// How far group `g`, whose earlier groups are placed, is inside its reach: < 0 where it cannot be placed, 0
-/// at its limit, and continuous in the positions of the earlier groups [m, m²]; +inf where it always can be.
-/// -inf where no such number is known: of contacts and coupled bodies.
+/// How far group `g`, whose earlier groups are placed, is inside its reach [m, m²]: < 0 where it cannot be
+/// placed, 0 at its limit, continuous in the positions of the earlier groups; +inf where it can always be
+/// placed, -inf where no such number is known, i.e. for contacts and coupled bodies.
 [[nodiscard]] double reach_of(const Planned& model, std::size_t g, const State& state);
 
 /// GroupState::sine of a group that can cross over to another branch, at the present poses of its bodies.
@@ -55,7 +55,7 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 void set_contact_rates(const Planned& model, int contact, State& state);
 
 /// The contact of a touching body as a pair: body 1 the known one at its present position (coordinate u),
-/// body 2 the follower on its carrier at the present position of that.
+/// body 2 the follower, on its carrier at the carrier's present position.
 struct StandingPair {
   ContactPair pair;
   double u = 0;
@@ -63,7 +63,7 @@ struct StandingPair {
 [[nodiscard]] StandingPair standing_pair(const Planned& model, const TouchingBody& touching,
                                          const State& state);
 
-/// The same of a contact by_boundary.
+/// The same for a contact by_boundary.
 [[nodiscard]] BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
                                                const StandingPair& standing);
 

@@ -48,15 +48,15 @@ namespace {
 
 using Moving = PowerSeries<double, 1>;
 
-// Where a contact by_boundary has its normal, and the curves that are like its boundaries there; false where
-// there is no such place nearby.
+// Finds where a contact by_boundary has its normal, and the curves that agree with its boundaries there;
+// false if there is no such place nearby.
 bool set_local_curves(const Planned& model, const Contact& contact, const State& state, ContactMotion& motion,
                       Dimensions<double>::Contact& dimensions) {
   const auto set = [&](const CurveRef& ref, const Vector2d& n_W, BoundaryPlace& place,
                        CurveDimensions<double>& curve) {
     const Boundary& boundary = boundary_of(model.mechanism, ref);
     const bool face = is_flat(boundary, place);
-    if (!face) {  // whose normal is a condition of its own
+    if (!face) {  // a face has only one normal, which is a condition of its own
       const auto found =
           place_with_normal(boundary, place, body_in(state, ref.body).X_WB.R_WB.inverse() * n_W);
       if (!found) {

@@ -12,7 +12,7 @@ namespace {
 using JerkSeries = PowerSeries<double, 3>;
 using Jerks = std::vector<std::optional<BodyJerk>>;
 
-// The circle of curvature of a conic, fixed in its body, in vertex form about the touching point.
+// The circle of curvature of a conic, fixed in its body, in vertex form with its vertex at the contact point.
 CurveDimensions<double> circle_of_curvature(const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
                                             double rho) {
   const double side = rho < 0 ? -1 : 1;
@@ -20,7 +20,8 @@ CurveDimensions<double> circle_of_curvature(const BodyMotion& body, const Vector
   return {CurveKind::kCircle, side, body.X_WB.inverse_times(p_W), -side * n_B, std::abs(rho), 1};
 }
 
-// The equivalent linkage frozen at this instant.
+// The dimensions with curves replaced by their circles of curvature: the equivalent linkage frozen at this
+// instant.
 Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
   for (std::size_t i = 0; i < dimensions.contacts.size(); ++i) {
     auto& contact = dimensions.contacts[i];
@@ -61,7 +62,7 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
   return jerks;
 }
 
-// Of a pin, or of a slide on ground.
+// Jerk of the coordinate of a pin, or of a slide on ground.
 std::optional<double> simple_joint_jerk(const Run& run, const Joint& joint, const Jerks& bodies) {
   const auto& first = bodies[static_cast<std::size_t>(joint.first.body)];
   const auto& second = bodies[static_cast<std::size_t>(joint.second.body)];
@@ -84,8 +85,8 @@ JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher) {
   }
   const Dimensions<double> dimensions = dimensions_of(run.mechanism());
   JerkRow jerks{jerks_with(run, dimensions, higher, true), {}};
-  // Two joints to ground and a contact that rolls: only the curves themselves fulfil all conditions, and the
-  // link takes the place of the one along n.
+  // With two joints to ground and a rolling contact there are surplus conditions, which only the curves
+  // themselves satisfy. The link replaces the condition along n; the slip condition is left out.
   jerks.linkage = run.mechanism().contacts.empty() ? jerks.bodies
                                                    : jerks_with(run, frozen(run, dimensions), higher, false);
   return jerks;

@@ -25,7 +25,8 @@ void for_each_end(const Planned& model, std::size_t g, const State& state, const
   }
 }
 
-// The first end that is less than `margin` ahead; beyond it where that is < 0.
+// The first end that is less than `margin` ahead, or, where that is < 0, that is exceeded by more than
+// -`margin`.
 std::optional<JointEnd> joint_near_end(const Planned& model, std::size_t g, const State& state,
                                        double margin) {
   std::optional<JointEnd> found;

@@ -12,7 +12,7 @@
 namespace higherpair {
 namespace {
 
-// The joint that the contact's group moves, to say how its acceleration jumps.
+// A joint of the contact's group, whose acceleration is reported where it jumps.
 std::optional<int> moved_joint(const Run& run, std::size_t contact) {
   for (const Group& group : run.plan().groups) {
     if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
@@ -30,7 +30,7 @@ double acceleration_of(const Run& run, int joint) {
       .acceleration;
 }
 
-// What the contact meets at the joint; none where nothing jumps.
+// The event of passing the joint; none if nothing jumps.
 std::optional<EventType> type_of(const Run& run, const JointPassage& passage) {
   const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
   const bool onto_corner = boundary.is_corner(passage.after);

@@ -4,27 +4,28 @@
 
 #include <cstddef>
 
-// What happens where a contact goes over a joint of spans; span_joints.hpp finds it.
+// What happens where a contact passes a joint of spans; span_joints.hpp finds such joints.
 
 namespace higherpair {
 
-/// A joint of two spans over which a contact goes.
+/// A joint of two spans that a contact passes.
 struct JointPassage {
   std::size_t contact = 0;
   std::size_t side = 0;         ///< 0: the contact's first body, 1: its second
   BoundaryPlace before, after;  ///< the two places that meet there
-  double x = 0;                 ///< beyond run.at.state on the path
-  bool solved = false;          ///< run.work.trial is there
+  double x = 0;                 ///< distance beyond run.at.state on the path
+  bool solved = false;          ///< run.work.trial is at the joint
 };
 
-/// Holds the contact of a passage at a place of its boundary, whatever rounding has made of it.
+/// Sets the contact of a passage to a place of its boundary exactly, whatever rounding has left.
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state);
 
 /// Places run.work.trial at the joint, still on the span before it, with its rates; false if it cannot be
 /// placed.
 [[nodiscard]] bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
-/// Lets run.at.state, which is at the joint at s, go on with the span after it. An event says what jumps.
+/// Moves the contact of run.at.state, which is at the joint at s, on to the span after it. Adds an event if
+/// something jumps.
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage);
 
 }  // namespace higherpair

@@ -18,7 +18,8 @@
 namespace higherpair {
 namespace {
 
-// A row at a limit: in run.work.trial, with positions only; run.at.state remains short of it.
+// Places a row at a limit: in run.work.trial and run.at.beside, with positions only; run.at.state remains
+// short of it.
 void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
                    const Reduction::Point& limit, double s) {
   reduction.place(limit);
@@ -32,11 +33,11 @@ void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reducti
   path.positions(s, run.at.drivers);
 }
 
-// How much of the path is left to where something runs off to infinity, and how much is too much for that to
-// be right to within rounding.
+// How much of the path is left to where something runs off to infinity, and the largest distance for which
+// that extrapolation is right to within rounding.
 struct Rest {
   double left = std::numeric_limits<double>::infinity();
-  double most = 0;  // of the driver's scale
+  double most = 0;  // as a fraction of the driver's scale
 };
 
 std::vector<int> bodies_up_to(const Plan& plan, std::size_t g) {
@@ -47,13 +48,14 @@ std::vector<int> bodies_up_to(const Plan& plan, std::size_t g) {
   return bodies;
 }
 
-// The root of 1 - slope x + bend x²/2 that is near 1/slope; NaN where there is none.
+// The root of 1 - slope x + bend x²/2 that is near 1/slope; NaN if there is none.
 double root_of_taylor(double slope, double bend) {
   return 2 / (slope + std::copysign(std::sqrt(slope * slope - 2 * bend), slope));
 }
 
-// What is left to the power of -p, p a multiple of 1/2, is how far bodies are, of the group or of one before
-// it, if they are far away already; p + 1 that of their speed.
+// Distance to infinity, for bodies of the group, or of one before it, that are already far away: their
+// distance grows as the -p-th power of what is left of the path, p a multiple of 1/2, and their speed as the
+// -(p + 1)-th.
 Rest left_to_infinity(const Run& run, std::size_t g) {
   double farthest = kFarAway * run.plan().size;
   Rest rest;
@@ -68,11 +70,12 @@ Rest left_to_infinity(const Run& run, std::size_t g) {
     const double per_speed = body.v_WB.dot(body.a_WB) / (speed * speed);
     const double p = std::round(2 / (distance * std::abs(per_speed) / speed - 1)) / 2;
     if (p != std::round(p)) {
-      // The speed knows nothing of where the distance is measured from.
+      // The speed, unlike the distance, does not depend on the origin.
       rest = {(p + 1) / per_speed, kNearLimit};
       continue;
     }
-    // y^(-1/p), y the distance along the path, is smooth: the root of its Taylor polynomial.
+    // y^(-1/p), with y the distance in the direction of motion, is smooth: find the root of its Taylor
+    // polynomial.
     const Vector2d direction = body.v_WB / speed;
     const double y = body.X_WB.p_WB.dot(direction);
     const double slope = speed / y / p;
@@ -82,7 +85,7 @@ Rest left_to_infinity(const Run& run, std::size_t g) {
   return rest;
 }
 
-// A line fixed in a body: the asymptote of its curve that a point far out is nearest to.
+// A line fixed in a body: the asymptote of its curve nearest to a point far out.
 struct Asymptote {
   const BodyMotion* body = nullptr;
   Opening opening;
@@ -104,7 +107,7 @@ std::optional<Asymptote> asymptote_near(const Run& run, const State& state, cons
   return best;
 }
 
-// The asymptotes that a contact is near to; none where it is not far out, or where a curve has none.
+// The asymptotes that a contact is near; none if it is not far out, or if a curve has none.
 struct Asymptotes {
   Asymptote one, two;
 };
@@ -121,7 +124,7 @@ std::optional<Asymptotes> asymptotes_of(const Run& run, const State& state, int 
   return one && two ? std::optional(Asymptotes{*one, *two}) : std::nullopt;
 }
 
-// The distance between them at fixed points of theirs, and its time derivatives.
+// The distance between the two asymptotes, at points fixed on them, and its first two time derivatives.
 std::array<double, 3> distance_of(const Asymptotes& asymptotes) {
   const auto& [body, opening] = asymptotes.one;
   const Vector2d n = perp(Vector2d(body->X_WB.R_WB * opening.direction_B));
@@ -133,9 +136,9 @@ std::array<double, 3> distance_of(const Asymptotes& asymptotes) {
   return {n.dot(d), n.dot(v) + n_dot.dot(d), n.dot(a) + 2 * n_dot.dot(v) + n_ddot.dot(d)};
 }
 
-// What is left to where the asymptotes of both curves coincide: their contact is at infinity there. Their
-// distance falls to 0 like a power p of what is left, with p = 1/2 where the bodies' angles alone decide on
-// it. Not finite where it does not fall.
+// How much is left to where the asymptotes of both curves coincide: their contact is at infinity there. Their
+// distance falls to 0 as a power p of what is left, with p = 1/2 where it depends on the bodies' angles
+// alone. Not finite where it does not fall.
 double left_until_they_coincide(const Asymptotes& asymptotes) {
   const auto [w, w_dot, w_ddot] = distance_of(asymptotes);
   if (w == 0) {
@@ -216,7 +219,7 @@ bool LimitAhead::rests_before(double s) {
   return true;
 }
 
-// Steps may lead over asymptotes that coincide, or end before, by a rounding of the contact's place.
+// By a rounding of the contact's place, steps may pass coinciding asymptotes, or end before them.
 std::optional<PathLimit> LimitAhead::asymptotes_coincide(std::size_t g, double s) const {
   const State& state = far_ ? far_->state : run_.at.state;
   const double from = far_ ? far_->s : s;

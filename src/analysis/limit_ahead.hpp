@@ -8,13 +8,13 @@
 
 namespace higherpair {
 
-/// A limit on a path, and the group that comes to it.
+/// A limit on a path, and the group that reaches it.
 struct PathLimit {
   std::size_t group = 0;
   double s = 0;
 };
 
-/// The first limit that is known on a path ahead of run.at.state, which is at s.
+/// The first known limit on a path ahead of run.at.state, which is at s.
 class LimitAhead {
 public:
   /// \param scale  one unit of the path's coordinate
@@ -28,33 +28,33 @@ public:
     far_.reset();
   }
 
-  /// Keeps run.at.state, at s where a step has failed, if a contact is far away and on its way to infinity:
-  /// the last such position whose rates have their digits yet.
+  /// Called where a step from s has failed. If a contact is far away and on its way to infinity, keeps
+  /// run.at.state: the last such position whose rates still have their digits.
   void look_how_far(double s);
-  /// Puts run.at.state back there; where that is, if there is such a position.
+  /// Restores the state that look_how_far() has kept, if any, and returns its s.
   std::optional<double> go_back_from_far();
 
-  /// The largest step from s: a share of what is left to the limit; infinite where none is known.
+  /// The largest step from s: a fraction of the distance to the limit; infinite where none is known.
   [[nodiscard]] double longest_step(double s) const;
   [[nodiscard]] bool is_reached(double s) const { return is_within(kReachesLimit, s); }
-  /// Whether it is so near that rates may be too inexact to go on.
+  /// Whether the limit is so near that rates may be too inexact to go on.
   [[nodiscard]] bool is_near(double s) const;
-  /// Whether it comes before the end of the path. \pre is_known()
+  /// Whether the limit comes before the end of the path. \pre is_known()
   [[nodiscard]] bool is_on_path() const;
 
-  /// Looks for the limit of group g, where a step of `h` from s has failed; it becomes the known one if it
-  /// comes first. True where it is at the end of the path: it is reported then, run.at.beside is set to the
+  /// Looks for the limit of group g after a step of `h` from s has failed; it becomes the known one if it
+  /// comes first. True if it is at the end of the path: it is then reported, run.at.beside is set to the
   /// position there, which has no rates, and run.at.drivers to where run.at.state is, short of it.
   [[nodiscard]] bool look_for(std::size_t g, double s, double h);
 
-  /// Whether the end of the path is just before it, so near that no step to there can be judged:
-  /// run.at.beside is set to the position there, and run.at.drivers to where run.at.state is, at s. \pre
+  /// Whether the end of the path is just before the limit, so near that no step to there can be judged:
+  /// run.at.beside is then set to the position there, and run.at.drivers to where run.at.state is, at s. \pre
   /// is_known()
   [[nodiscard]] bool rests_before(double s);
 
-  /// The limit of group g, or of one before it, where none is found although no step from s is left. Where
-  /// bodies run off to infinity there is no last position; how fast they are says how far it is. At an end of
-  /// a curve or a guide nothing is left but the shortest step.
+  /// The limit of group g, or of one before it, to be assumed where none is found although no step from s
+  /// succeeds. Where bodies run off to infinity there is no last position; its distance is extrapolated from
+  /// their speed. At an end of a curve or of a guide it is the shortest step ahead.
   [[nodiscard]] PathLimit assumed(std::size_t g, double s) const;
 
 private:
@@ -64,8 +64,8 @@ private:
   };
 
   [[nodiscard]] bool is_within(double share, double s) const;
-  /// Where the asymptotes of a contact of group g, or of one before it, coincide, if that is near s, where no
-  /// step is left.
+  /// Where the asymptotes of a contact of group g, or of one before it, coincide; none if that is not near s,
+  /// from where no step succeeds.
   [[nodiscard]] std::optional<PathLimit> asymptotes_coincide(std::size_t g, double s) const;
 
   Run& run_;

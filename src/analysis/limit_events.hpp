@@ -6,13 +6,15 @@
 
 namespace higherpair {
 
-/// The limit of a group at s on a path.
+/// The event of a group's limit at s on a path.
 [[nodiscard]] RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s);
 
-/// Whether two events are one limit, by what it is and where the first driver is.
+/// Whether two events are the same limit: of the same type and item, with the first driver at the same
+/// position.
 [[nodiscard]] bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b);
 
-/// Reports a limit unless it has been: where the motion comes to a limit and goes on from there it is one.
+/// Reports a limit unless it has been reported: where the motion comes to a limit and goes on from there,
+/// both find the same limit.
 void report_limit(Run& run, const Path& path, RunEvent event);
 
 }  // namespace higherpair

@@ -7,13 +7,14 @@
 
 namespace higherpair {
 
-/// The straight line of the drivers beyond a limit, on which a branch that was lost is looked for: from the
-/// limit through the row before to this one, or, where rows lead round a corner there, from the row before. A
-/// position on it is named by the coordinate x of its leading driver, the one that moves most in its unit;
-/// the others follow in proportion. Rows on one line have that line in common, however many they are.
+/// The straight line of the drivers beyond a limit, on which a lost branch is looked for: from the limit
+/// through the row before to this row; or, if these do not lie on one line, from the row before. A position
+/// on it is given by the coordinate x of its leading driver, the one that moves most in its unit; the others
+/// follow in proportion. All rows on one line share it, however many they are.
 class LineAhead {
 public:
-  /// \param from  the row before, or the limit  \param to  this row; not where the line begins
+  /// \param from  the row before, or the limit
+  /// \param to    this row; not where the line begins
   LineAhead(const Run& run, const std::vector<double>& from, const std::vector<double>& to);
 
   /// The drivers at x.
@@ -21,11 +22,11 @@ public:
   /// The leading driver's coordinate.
   [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return drivers[leading_]; }
   [[nodiscard]] const std::vector<double>& begin() const { return begin_; }
-  /// What counts as one unit of x.
+  /// One unit of x.
   [[nodiscard]] double scale() const { return scale_; }
-  /// The sense in which x goes from the limit on: +1, -1.
+  /// The sense in which x moves away from the limit: +1, -1.
   [[nodiscard]] double sense() const { return sense_; }
-  /// Whether it begins at the limit.
+  /// Whether the line begins at the limit.
   [[nodiscard]] bool is_from_limit() const { return is_from_limit_; }
 
 private:

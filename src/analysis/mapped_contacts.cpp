@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// The only joint between a body and ground.
+// The joint between a body and ground; none if there is more than one, or if it is a slot.
 std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
   std::optional<int> found;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // The body that a contact places by itself.
+  // The body that a contact alone places.
   [[nodiscard]] std::optional<int> follower_of(int contact) const {
     for (const Group& group : plan_.groups) {
       if (const auto placing = placing_contact(group); placing && placing->contact == contact) {

@@ -15,17 +15,17 @@
 namespace higherpair {
 namespace {
 
-constexpr int kStepHalvings = 4;      // of a step in which a place could not be followed
-constexpr int kHalvingsToTouch = 40;  // the same where the bodies are in each other at its end
+constexpr int kStepHalvings = 4;      // halvings of a step in which a place could not be followed
+constexpr int kHalvingsToTouch = 40;  // the same if the bodies overlap at its end
 
-// Where the two bodies are at a position within the step.
+// The two bodies at a position within the step.
 struct Pairing {
   double x = 0;
   BodyMotion body1, body2;
-  std::optional<CommonNormal> own;  // of the contact, while it is closed
+  std::optional<CommonNormal> own;  // contact's normal, while the contact is closed
 };
 
-// A place and how its gap changes.
+// A place with its gap and the rate of the gap.
 struct Seen {
   NearPlace place;
   double gap = 0;
@@ -37,7 +37,7 @@ double gap_rate(const Pairing& at, const CommonNormal& normal) {
                         motion_at_place(at.body1, normal.p1_W).v_W);
 }
 
-// The least value of a cubic with these values and rates at its ends, where it falls first and rises then.
+// The minimum of the cubic with these values and rates at its ends, sampled; it first falls and then rises.
 double least_of_cubic(const Seen& a, const Seen& b, double h) {
   double least = std::min(a.gap, b.gap);
   for (int k = 1; k < 8; ++k) {
@@ -86,7 +86,7 @@ private:
     return solve_at(run_, path_, s_, x) ? std::optional(pairing(run_.work.trial, x)) : std::nullopt;
   }
 
-  // How far any place of the smaller body moves against the other one from a to b, at most.
+  // Upper bound of how far any point of the smaller body moves against the other body from a to b.
   [[nodiscard]] double reach_between(const Pairing& a, const Pairing& b) const {
     const bool first_is_smaller = boundary1_.size() < boundary2_.size();
     const Boundary& smaller = first_is_smaller ? boundary1_ : boundary2_;
@@ -108,7 +108,7 @@ private:
     return {place, place.at.gap(), gap_rate(at, place.at)};
   }
 
-  // The same place at another pairing; none where the gap there is not what the rates lead to.
+  // The same place at another position; none if the gap there does not agree with the rates.
   [[nodiscard]] std::optional<Seen> followed(const Pairing& from, const Seen& place,
                                              const Pairing& to) const {
     const auto moved = moved_place(boundary1_, to.body1.X_WB, boundary2_, to.body2.X_WB, place.place);
@@ -135,7 +135,7 @@ private:
     return x ? std::optional(a.x + *x) : std::nullopt;
   }
 
-  // Where the gap of a place that is `a` and then `b` comes to be 0 from above.
+  // Where the gap of a place, which is `a` and later `b`, falls to 0.
   [[nodiscard]] Verdict touch(const Pairing& from, const Seen& a, const Pairing& to, const Seen& b) {
     const auto gap = [](const Seen& at) { return at.gap; };
     const auto rate = [](const Seen& at) { return at.rate; };
@@ -209,8 +209,8 @@ private:
     const double reach = reach_between(a, b);
     const double h = b.x - a.x;
     std::optional<Meeting> first;
-    bool lost = false;           // a place that may have been touched could not be followed
-    std::optional<Seen> inside;  // the same of one at which the bodies are in each other at b
+    bool lost = false;           // a place that may have touched could not be followed
+    std::optional<Seen> inside;  // a place that could not be followed and at which the bodies overlap at b
     const auto take = [&](const Verdict& verdict) {
       if (verdict.meeting && (!first || std::abs(verdict.meeting->x) < std::abs(first->x))) {
         first = verdict.meeting;
@@ -260,9 +260,9 @@ private:
   std::size_t index_;
   const Boundary& boundary1_;
   const Boundary& boundary2_;
-  double depth_;  // less is a touch
+  double depth_;  // a smaller depth is a touch
   ContactMeeting found_;
-  std::optional<StateAside> aside_;  // once run.work.trial is used for other positions
+  std::optional<StateAside> aside_;  // set once run.work.trial is used for other positions
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, doub
   const double phi = motion.phi;
   motion.place = {place.place1, place.place2};
   motion.at = place.at;
-  // Just before the bodies come to a place that begins at a corner there is no common normal yet.
+  // Just before the bodies reach a place that begins at a corner there is no common normal yet.
   (void)place_contact(run.mechanism(), run.mechanism().contacts[i], over.bodies, motion);
   motion.phi = nearest_turn(angle_of(motion.at.n_W), phi);
   const int mode = touching_sine(model_of(run), touching, over) < 0 ? -1 : 1;

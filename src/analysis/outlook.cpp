@@ -11,13 +11,13 @@
 namespace higherpair {
 namespace {
 
-// Whether more can be placed between two positions than at both: the one with more has yet more inwards.
+// Whether more may be placeable between two positions than at both: at the better one it increases inwards.
 bool has_hill(const Outlook& a, const Outlook& b) {
   return a.placing < b.placing ? b.rises < 0 : a.rises > 0;
 }
 
-// What a hill may reach that lies below its tangents at both ends, and twice what that is above them for one
-// that is not quite so; +inf where different conditions fail.
+// Upper estimate of a hill between two positions. A concave hill lies below its tangents at both ends; twice
+// their height over the ends is allowed for one that is not quite concave. +inf if different conditions fail.
 double highest_between(const Outlook& a, const Outlook& b) {
   if (a.placing.conditions != b.placing.conditions || !std::isfinite(a.slope + b.slope)) {
     return std::numeric_limits<double>::infinity();
@@ -31,12 +31,12 @@ double highest_between(const Outlook& a, const Outlook& b) {
   return 2 * top - std::max(a.placing.room, b.placing.room);
 }
 
-// A shorter stretch, or what the driver does not resolve there, is not divided.
+// Ranges that are shorter than this, or that the driver does not resolve, are not divided.
 double shortest_stretch(const LineAhead& line, double x) {
   return std::max(kShortestStretch * line.scale(), shortest_step(line.scale(), x));
 }
 
-// Climbs a hill between two positions at which the branch cannot be placed, up to where it can.
+// Climbs a hill between two positions at which the branch cannot be placed, until it can be placed.
 std::optional<double> placed_on_hill(Run& run, const LineAhead& line, Outlook a, Outlook b) {
   const double shortest = shortest_stretch(line, a.x);
   while (has_hill(a, b) && std::abs(b.x - a.x) > shortest && highest_between(a, b) >= 0 && !is_stopped(run)) {
@@ -49,7 +49,8 @@ std::optional<double> placed_on_hill(Run& run, const LineAhead& line, Outlook a,
   return std::nullopt;
 }
 
-// Where the cubic with the values and slopes at both ends is highest within, behind a hollow or before one.
+// The maximum, within the interval, of the cubic with the values and slopes at both ends, beyond a hollow or
+// before one.
 std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
   const double w = b.x - a.x;
   const double rise = b.placing.room - a.placing.room, at_a = a.slope * w, at_b = b.slope * w;
@@ -59,7 +60,7 @@ std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
   return share > 0 && share < 1 ? std::optional(a.x + share * w) : std::nullopt;
 }
 
-// Where the branch can be placed between two positions at which it cannot and the same condition fails.
+// A position at which the branch can be placed, between two at which it cannot because of the same condition.
 std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {
   if (has_hill(a, b)) {
     return placed_on_hill(run, line, a, b);

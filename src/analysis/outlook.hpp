@@ -5,24 +5,24 @@
 
 #include <optional>
 
-// What lies between positions on a line of the drivers at which a branch that was lost cannot be placed.
+// Looks between positions on a line of the drivers at which a lost branch cannot be placed.
 
 namespace higherpair {
 
-/// How much can be placed at a position on the line, and whether that is less (-1) or more (1) than a
-/// little ahead; 0: as much, or nothing is known of it.
+/// How much of the mechanism can be placed at a position on the line, and whether that is less (-1) or more
+/// (1) a little further ahead; 0: the same, or unknown.
 struct Outlook {
   double x = 0;
   Placeable placing;
   int rises = 0;
-  double slope = 0;  ///< of Placeable::room, where it is of the same condition; else NaN
+  double slope = 0;  ///< of Placeable::room, if the same condition fails a little further ahead; else NaN
 };
 
-/// Uses run.work.trial. \param spacing  to the next position that is looked at
+/// Changes run.work.trial. \param spacing  distance to the next position that is tested
 [[nodiscard]] Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing);
 
-/// Where the branch can be placed between two positions at which it cannot: between conditions that fail, or
-/// where one fails least.
+/// A position between two others at which the branch cannot be placed where it can be: between conditions
+/// that fail, or where one fails least.
 [[nodiscard]] std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a,
                                                    const Outlook& b);
 

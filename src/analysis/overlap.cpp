@@ -20,13 +20,13 @@
 namespace higherpair {
 namespace {
 
-// The equivalent linkage knows one contact. Where a body is concave the two may touch a second time, and from
-// there on the motion found is wrong: it goes on with the contact that keeps the bodies apart, or the rows
-// are marked. Conics are held apart by their separation in every accepted step (contact/separation.hpp);
-// boundaries are searched for meetings before a step is taken (meetings.hpp), since a step may lead far into
-// each other.
+// The equivalent linkage describes one contact. If a body is concave the two may touch a second time, and
+// from there on the motion found is wrong: either the motion goes on with the contact that keeps the bodies
+// apart, or the rows are marked. For conics the separation is checked after every accepted step
+// (contact/separation.hpp); boundaries are searched for meetings before a step is taken (meetings.hpp), since
+// a step may lead to a deep overlap.
 
-// Two convex bodies cannot, nor a body that is everywhere sharper than the ring in which it is.
+// Two convex bodies cannot overlap, nor can a body that is everywhere more curved than the ring it is in.
 bool may_overlap(const Curve& a, const Curve& b) {
   const Bounds rho_a = radius_bounds(a);
   const Bounds rho_b = radius_bounds(b);
@@ -39,7 +39,7 @@ Separation separation_in(const Run& run, const Contact& contact, const State& st
                     kOverlapPrecision * run.plan().size);
 }
 
-// How far the two bodies of a contact are in each other, at any place [m].
+// Depth of the overlap of the two bodies of a contact, at any place [m].
 double overlap_in(const Run& run, const Contact& contact, const State& state) {
   if (!contact.by_boundary) {
     return -separation_in(run, contact, state).gap;
@@ -51,9 +51,9 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
       .depth;
 }
 
-// Where between run.at.state and run.work.trial, which is `h` beyond it and has the bodies in each other
-// along `n_W`, the gap at that common normal closes. Where the normal cannot be followed back that far it is
-// from nearer, which halving the way leads to.
+// Where the gap at the common normal `n_W` closes, between run.at.state and run.work.trial, which is `h`
+// beyond it and where the bodies overlap along `n_W`. If the normal cannot be followed back that far, the
+// interval is halved until it can.
 double closing_between(Run& run, const Path& path, const Contact& contact, double s, double h, Vector2d n_W) {
   constexpr int kMostHalvings = 40;
   const StateAside aside(run.work.trial);
@@ -67,7 +67,7 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   const auto gap = [&](double x) {
     return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
   };
-  // A row may be where they touch already.
+  // The bodies may touch already at run.at.state, for instance in a row.
   if (std::abs(gap_in(run.at.state)) <= kOverlapDepth * run.plan().size) {
     return 0;
   }
@@ -92,7 +92,7 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   return within;
 }
 
-// The tracked pair of a contact, if it is one.
+// The group of a tracked pair that has this contact, if any.
 std::optional<std::size_t> tracked_group(const Run& run, int contact) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
@@ -104,7 +104,7 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
   return std::nullopt;
 }
 
-// The rates of both contacts where the second one appears, x beyond run.at.state.
+// The follower's rates with the first and the second contact where the second appears, x beyond run.at.state.
 RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
   const StateAside aside(run.work.trial);
   RateJump rates{std::get<ContactTrack>(run.work.trial.tracks[g]).at.dq, next.at.dq};
@@ -117,8 +117,8 @@ RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x,
   return rates;
 }
 
-// Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places what
-// depends on the follower anew.
+// Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places again
+// what depends on the follower.
 std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s, double h, double x) {
   const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
   const auto& track = std::get<ContactTrack>(run.work.trial.tracks[g]);
@@ -139,7 +139,8 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
   return change;
 }
 
-// The event where a contact's bodies come into each other, or the motion goes on with another contact.
+// Adds the event that a contact's bodies begin to overlap or, with `change`, that the motion goes on with
+// another contact.
 void report(Run& run, std::size_t contact, const Path& path, double s,
             const std::optional<RateJump>& change) {
   RunEvent event;
@@ -161,7 +162,7 @@ void report(Run& run, std::size_t contact, const Path& path, double s,
 }
 
 // Both places touch there, with the same velocities: the motion goes on with the one that keeps the bodies
-// apart. A corner that the other one would have gone onto is not gone onto.
+// apart. If the contact has only just gone onto a corner at the other place, that event is removed.
 void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
   RunEvent event =
       event_at(EventType::kRelease, path, s,
@@ -214,7 +215,7 @@ bool find_overlaps(Run& run) {
     const OverlapWatch& watch = run.at.watches[i];
     const Contact& contact = run.mechanism().contacts[i];
     StepOverlap& found = run.work.overlaps[i];
-    // An open contact is looked at while its bodies are in each other.
+    // An open contact is checked while its bodies overlap.
     if (run.work.trial.contacts[i].touches ? !watch.needed : !watch.overlaps) {
       found.overlaps = watch.overlaps;
     } else if (contact.by_boundary) {

@@ -28,16 +28,16 @@ std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, cons
 
 namespace {
 
-constexpr int kPassingHalvings = 40;  // of a step, to where a place that faces an end can be found
+constexpr int kPassingHalvings = 40;  // halvings of a step until a place that faces an end is found
 
-// A part of a step in which the function changes its sign, and its values at both ends.
+// Part of a step in which a function changes its sign, with its values at both ends.
 struct Bracket {
   double from = 0, to = 0;
   double at_from = 0, at_to = 0;
 };
 
-// The part next to the end at which there is a value: where the other curve has left the facing place behind
-// there is none.
+// A bracket of the sign change in a step. Where the other curve has moved past the facing place the function
+// has no value; the bracket is then next to the end of the step that has one.
 template <class F>
 std::optional<Bracket> bracket_of(const F& value, double h) {
   double from = 0, to = h;

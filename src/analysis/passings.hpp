@@ -13,23 +13,23 @@ namespace higherpair {
 struct Passing {
   CurveRef own, other;
   BoundaryPlace end;
-  double outwards = 1;  ///< +1: the span ends with growing t
+  double outwards = 1;  ///< +1: the span ends in the direction of growing t
 };
 
-/// Where the other curve faces that end: at its place with the opposed normal.
+/// Where the other curve faces that end: at its place with the opposite normal.
 struct PassingAt {
-  double beyond = 0;  ///< of the end: how far that place is off it, along its tangent [m]
-  double beside = 0;  ///< the same along the normal [m]
+  double beyond = 0;  ///< distance beyond the end, along its tangent [m]
+  double beside = 0;  ///< distance from the end along its normal [m]
   BoundaryPlace other;
 };
 
-/// \param near  a place of the other curve from which the facing one is looked for
-/// None where it does not lead to one.
+/// \param near  a place of the other curve from which the search for the facing one starts
+/// \return none if that search does not lead to one
 [[nodiscard]] std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, const State& state,
                                                   const BoundaryPlace& near);
 
-/// Where between run.at.state, which is at s, and run.work.trial, h beyond it, the other curve goes over the
-/// end, in either sense: how far beyond s. run.work.trial is left as it is.
+/// Where between run.at.state, which is at s, and run.work.trial, h beyond it, the other curve passes the end
+/// in either sense, as a distance beyond s. Leaves run.work.trial unchanged.
 [[nodiscard]] std::optional<double> passing_within(Run& run, const Path& path, double s, double h,
                                                    const Passing& passing, const BoundaryPlace& near);
 

@@ -19,12 +19,13 @@
 namespace higherpair {
 namespace {
 
-constexpr int kHalvingsToLimit = 3;  // refused steps, one after the other, before a limit is looked for
-constexpr double kMostSteps = 2e5;   // inner steps besides those that the path takes at least
-// On one path. More are a slip in a driver's end, say, and would fill the memory: 400 bytes each.
+constexpr int kHalvingsToLimit = 3;  // consecutive refused steps before a limit is looked for
+constexpr double kMostSteps = 2e5;   // inner steps in addition to the least number that the path takes
+// Most events on one path, of 400 bytes each. More result from a mistake, e.g. in a driver's end, and would
+// fill the memory.
 constexpr std::size_t kMostEvents = 250'000;
 
-// Of how many inner steps a path is at least.
+// The least number of inner steps of a path.
 double parts_of(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
@@ -43,13 +44,13 @@ bool moves_on_boundaries(const Run& run, std::size_t g) {
   });
 }
 
-// Follows a path with the drivers as parameter, in steps each of which continues the motion smoothly
-// (step.cpp says what that takes). A step
-//   - is as long as the last ones allow (StepLength), and before a known limit covers only a share of what is
-//     left, so that a limit of another group that comes first is not passed over;
+// Follows a path with the drivers as parameter, in steps each of which continues the motion smoothly (see
+// step.cpp). A step
+//   - is as long as the last ones allow (StepLength), and before a known limit covers only a fraction of the
+//     distance to it, so that a limit of another group that comes first is not passed over;
 //   - ends early where a contact by boundaries changes (contact_changes.hpp);
 //   - is halved where it does not continue the motion. After some refusals the limit itself is solved for
-//     (LimitAhead), so that its place does not depend on the steps that led up to it;
+//     (LimitAhead), so that its position does not depend on the preceding steps;
 //   - does not end next to a change point, where rates lose their digits: a row there is interpolated across.
 // Step control: E. L. Allgower and K. Georg, Introduction to Numerical Continuation Methods, 2003, chapter 6;
 // limits and change points: chapter 8, and reduction.hpp.
@@ -126,19 +127,19 @@ private:
 
   [[nodiscard]] double rest() const { return path_.length - at_.s; }
 
-  // Of a step that should end elsewhere, though it need not have failed.
+  // A better length for a step that should end elsewhere, though it need not have failed.
   [[nodiscard]] std::optional<double> better_length(bool ok) const {
     if (near_crossing_ && !last_ && !limit_.is_known() && std::abs(step_) > kLongStep * at_.scale) {
       return 0.618 * std::abs(step_);
     }
     if (last_ && std::abs(rest()) > 2 * near_ && (near_crossing_ || !ok)) {
-      // A position to interpolate from, near enough to be on the same branch for certain.
+      // End at a position to interpolate from, near enough to be certainly on the same branch.
       return std::abs(rest()) - 1.5 * near_;
     }
     return std::nullopt;
   }
 
-  // None where the contact rests on the joint.
+  // None where the contact stays on the joint.
   std::optional<Outcome> pass(const JointPassage& passage) {
     const JointOutcome outcome = pass_joint(at_, passage, step_);
     switch (outcome.kind) {
@@ -192,7 +193,7 @@ private:
     return arrives_at_limit();
   }
 
-  // The row is next to a change point, maybe beyond it; run.at.state remains before it.
+  // The row is next to a change point, possibly beyond it; run.at.state remains before it.
   Outcome rest_beside_crossing() {
     note_crossings(run_, path_, at_.s, path_.length);
     return Outcome::kArrived;
@@ -226,7 +227,7 @@ private:
     return Outcome::kGoesOn;
   }
 
-  // From where rates have their digits the motion can be taken up again.
+  // Go back to where rates have their digits, so that the motion can be taken up again from there.
   Outcome lose_assumed(std::size_t g) {
     const PathLimit limit = limit_.assumed(g, at_.s);
     at_.s = limit_.go_back_from_far().value_or(at_.s);
@@ -234,7 +235,7 @@ private:
   }
 
   // Goes on beyond what looks like a limit but is a joint of spans: where two flat parts come to lie on each
-  // other a contact has no curvature to go on with, but goes on beyond them.
+  // other the contact has no curvature to go on with, but it goes on beyond them.
   std::optional<Outcome> look_beyond(const PathLimit& limit) {
     if (limit.s == last_looked_ || !moves_on_boundaries(run_, limit.group)) {
       return std::nullopt;
@@ -271,7 +272,8 @@ private:
     return Outcome::kLost;
   }
 
-  // Rates are too inexact beside a limit for whether a joint reverses there, and steps end sooner or later.
+  // Next to a limit rates are too inexact to tell whether a joint reverses, and how near to it the steps end
+  // is arbitrary: removes the ends of strokes found there.
   void forget_strokes_beside(const RunEvent& limit) {
     const double near = kNearLimit * at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
     std::erase_if(run_.events, [&](const RunEvent& event) {
@@ -279,7 +281,7 @@ private:
     });
   }
 
-  // Returns false, as follow() does where the motion is lost.
+  // Ends a path with too many events. Returns false, as follow() does where the motion is lost.
   bool give_up() {
     RunEvent event;
     event.type = EventType::kEnd;
@@ -307,15 +309,15 @@ private:
 
   Run& run_;
   const Path& path_;
-  double largest_;              // step
-  OnPath at_;                   // of run.at.state
-  double near_;                 // how far from a crossing places are interpolated from
-  double step_ = 0;             // that is tried
-  bool last_ = false;           // it leads to the end
-  bool near_crossing_ = false;  // it could be taken and leads next to where branches may cross
-  StepLength length_;           // of the largest step that may be tried
-  LimitAhead limit_;            // the first known
-  int refused_ = 0;             // steps, until one as long as the first of them is taken
+  double largest_;              // largest step
+  OnPath at_;                   // progress of run.at.state on the path
+  double near_;                 // distance from a crossing that is interpolated across
+  double step_ = 0;             // the step that is tried
+  bool last_ = false;           // whether it leads to the end
+  bool near_crossing_ = false;  // whether it could be taken and leads next to where branches may cross
+  StepLength length_;           // the largest step that may be tried
+  LimitAhead limit_;            // the first known limit
+  int refused_ = 0;             // steps refused, until one as long as the first of them is taken
   double first_refused_ = 0;
   double last_looked_ = std::numeric_limits<double>::quiet_NaN();  // s of the last limit looked beyond
   double steps_left_;

@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-// The number of x of the first point of each body, where it has points.
+// For each body with points, the index of its first point's x among the mechanism's numbers.
 std::vector<std::size_t> first_point_numbers(const Mechanism& mechanism) {
   std::vector<const double*> order;
   for_each_number(mechanism, [&](const double& number) { order.push_back(&number); });
@@ -26,14 +26,14 @@ const Joint& joint_at(const Mechanism& mechanism, int index) {
   return mechanism.joints[static_cast<std::size_t>(index)];
 }
 
-// The end of a joint on a body, and the other one; none where the body has none.
+// The end of a joint on a body, and its other end; none if the joint is not on the body.
 std::optional<std::pair<PointRef, PointRef>> ends_at(const Joint& joint, int body) {
   if (joint.first.body == body) return std::pair{joint.first, joint.second};
   if (joint.second.body == body) return std::pair{joint.second, joint.first};
   return std::nullopt;
 }
 
-constexpr int kMostPinModes = 16;  // of a branch, as of branch_run.hpp
+constexpr int kMostPinModes = 16;  // modes that a branch number encodes, as in branch_run.hpp
 
 }  // namespace
 
@@ -150,7 +150,8 @@ void PinLinkage::place(const Driven& driven, std::span<const Rotation<double>> d
   X_WB.p_WB = in_ground(driven.known) - X_WB.R_WB * in_body(driven.own);
 }
 
-// C is d/2 + (a² - b²)/2d along the way D from A to B, and √((a+b)² - d²)√(d² - (a-b)²)/2d beside it.
+// From A, C is d/2 + (a² - b²)/2d along the vector D from A to B, and √((a+b)² - d²)√(d² - (a-b)²)/2d across
+// it.
 bool PinLinkage::place(Dyad& dyad) {
   dyad.A_W = in_ground(dyad.A);
   dyad.B_W = in_ground(dyad.B);
@@ -251,7 +252,7 @@ double PinLinkage::gap_slope(std::size_t index) const {
   return stretched ? apart - (a + b) : (dyad.a > dyad.b ? a - b : b - a) - apart;
 }
 
-// By the angle between both links: that of each body, and that of the link in it.
+// From the change of the angle between both links: the turn of each body plus that of the link within it.
 double PinLinkage::transmission_slope(std::size_t index) const {
   const Dyad& dyad = dyads_[index];
   const auto turning = [&](int link, const Vector2d& along, double size, const End& from, const End& to) {

@@ -111,8 +111,8 @@ std::optional<Reduction::Point> Reduction::here() {
   return solve(start, 0, 0);
 }
 
-// Newton's method on ε = ε_λ = 0, or on ε_λ = ε_s = 0. The second derivatives are differences: what these
-// lack makes the method linear, with a factor of kReductionDifference².
+// Newton's method on ε = ε_λ = 0, or on ε_λ = ε_s = 0. The second derivatives are differences; their error
+// makes the convergence linear, with a factor of kReductionDifference².
 std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from, double farthest) {
   const double size = run_.plan().size;
   Point at = from;
@@ -159,7 +159,7 @@ std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
   if (!limit || !(limit->ahead * h > 0)) {
     return std::nullopt;
   }
-  // It is on the own branch if that is a parabola between, whose slope dλ/ds falls evenly to 0.
+  // The limit is on this branch if the branch up to it is a parabola, whose slope ds/dλ falls linearly to 0.
   const double slope = -first->per_lambda / first->per_s;
   const Eigen::VectorXd tangent = first->x_lambda + slope * first->x_s;
   const Eigen::VectorXd moved = limit->x - first->x;
@@ -193,7 +193,7 @@ std::optional<Reduction::Point> Reduction::singular_point(double distance) {
   return root_of(Kind::kLimit, *first, distance);
 }
 
-// By the Taylor polynomial of second order, then by Newton's method in λ.
+// From the second-order Taylor polynomial, refined by Newton's method in λ.
 std::vector<Reduction::Point> Reduction::positions_at(double ahead) {
   std::vector<Point> found;
   const auto first = here();

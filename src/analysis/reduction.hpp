@@ -24,7 +24,7 @@ namespace higherpair {
 ///     ε_λ = ε_s = 0, ε ≠ 0         the branches come near each other, but do not meet.
 class Reduction {
 public:
-  /// At run.at.state, which is at s on the path. The run is used to solve the groups before g: run.work.trial
+  /// At run.at.state, which is at s on the path. The groups before g are solved in run.work.trial, which
   /// changes.
   Reduction(Run& run, const Path& path, std::size_t g, double s);
 
@@ -34,28 +34,30 @@ public:
     double value = 0;   ///< ε [m]
     double per_lambda = 0;
     double per_s = 0;
-    bool is_saddle = false;    ///< of a change point: two branches go through it, and not none
+    bool is_saddle = false;    ///< at a change point: two branches cross (else isolated)
     Eigen::VectorXd x;         ///< bodies' (x, y, size·θ), then size·φ of contacts [m]
     Eigen::VectorXd x_lambda;  ///< ∂x/∂λ
     Eigen::VectorXd x_s;       ///< ∂x/∂s
   };
 
-  /// A limit ahead of run.at.state in the sense of `h`, on its own branch: the branch between is a parabola
-  /// in λ to within a few per cent. None where there is no such limit near.
+  /// A limit ahead of run.at.state in the sense of `h`, on its own branch: the branch up to it is a parabola
+  /// in λ to within a few per cent. None if there is no such limit near.
   [[nodiscard]] std::optional<Point> limit_ahead(double h);
 
-  /// The change point within the step h from run.at.state, none if there is none: where the branches come
+  /// The change point within the step h from run.at.state; none if there is none, as where the branches come
   /// near each other but do not cross.
   [[nodiscard]] std::optional<Point> crossing_within(double h);
 
-  /// The positions at `ahead` of run.at.state that are near it: two where branches cross or turn back there.
+  /// The positions at `ahead` from run.at.state that are near it: two where branches cross or turn back
+  /// there.
   [[nodiscard]] std::vector<Point> positions_at(double ahead);
 
-  /// The change point or limit within `distance` of run.at.state on the path, where it is all but singular.
+  /// The change point or limit within `distance` of run.at.state on the path, where the group is all but
+  /// singular.
   [[nodiscard]] std::optional<Point> singular_point(double distance);
 
-  /// Places the group in run.work.trial at a point; the groups before have been placed there by the last
-  /// solution.
+  /// Places the group in run.work.trial at a point; the last solution has already placed the groups before it
+  /// there.
   void place(const Point& point);
 
 private:
@@ -74,7 +76,7 @@ private:
   const Path& path_;
   std::size_t g_;
   double s_;
-  double unit_;  // of s
+  double unit_;  // one unit of s
   bool usable_ = false;
   Eigen::VectorXd start_;    // x of run.at.state
   Eigen::VectorXd b_, c_;    // border

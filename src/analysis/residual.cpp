@@ -10,12 +10,12 @@
 namespace higherpair {
 namespace {
 
-// The largest so far, squared.
+// The largest errors so far, squared.
 struct Errors {
   double distance2 = 0;  // [m²]
   double speed2 = 0;     // [m²/s²]
   double fastest2 = 0;   // [m²/s²]
-  double sum = 0;        // no unit: keeps what is not a number, which a largest value may lose
+  double sum = 0;        // no unit: keeps a NaN, which a maximum may lose
 
   void add(double length2, double velocity2) {
     distance2 = std::max(distance2, length2);
@@ -36,8 +36,8 @@ double speed2(const Vector2<Moving>& p_W) {
   return square(p_W.x().c[1]) + square(p_W.y().c[1]);
 }
 
-// A joint's point as one of its bodies has it: from the body's origin, and its velocity. Single numbers,
-// since pairs would take longer to shuffle than to compute with.
+// A joint's point on one of its bodies: relative to the body's origin, and its velocity. Single numbers,
+// since packing pairs would take longer than computing with them saves.
 struct JointPoint {
   double x = 0, y = 0;
   double v_x = 0, v_y = 0;
@@ -98,8 +98,8 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
   errors.add(error2(0), rates ? error2(1) : 0);
 }
 
-// Squared, of the points of contact. Far out on open curves a rounding of the common normal shifts them along
-// the tangent, which is no error of the position.
+// Squared distance of the contact points. Far out on open curves a rounding of the common normal shifts them
+// along the tangent, which is not an error of the position.
 double apart2(const CommonNormal& at) {
   const double radii = std::abs(at.rho1) + std::abs(at.rho2);
   const double shift = std::isfinite(radii) ? kNormalRounding * radii : 0;
@@ -107,7 +107,7 @@ double apart2(const CommonNormal& at) {
   return square(apart.dot(at.n_W)) + square(std::max(0.0, std::abs(cross(at.n_W, apart)) - shift));
 }
 
-// Tangency is built in: both points are those with the common normal.
+// Tangency holds by construction: both points are those with the common normal.
 void add_contact(const Run& run, const Contact& contact, const ContactMotion& motion, Errors& errors) {
   const MotionRow& row = run.row;
   const auto body_a = static_cast<std::size_t>(contact.first.body);
@@ -130,7 +130,7 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
 
 double residual_of(const Run& run) {
   Errors errors;
-  // The pins of a crank alone are at rest: its turning is what its speeds are compared with.
+  // The pins of a single crank are at rest: include its turning in the speeds that errors are compared with.
   for (const BodyMotion& body : run.row.bodies) {
     errors.compare(square(run.plan().size * body.omega));
   }

@@ -19,18 +19,20 @@
 #include <optional>
 #include <utility>
 
-// Beyond a limit at which the motion was lost.
+// Takes up the motion again beyond a limit at which it was lost. A stretch is a range of the drivers in which
+// the branch can be assembled.
 
 namespace higherpair {
 namespace {
 
-constexpr int kFirstProbes = 4;  // before the first of these, each four times as far from the limit
+constexpr int kFirstProbes = 4;  // further probes near the limit, spaced by factors of 4
 constexpr double kMostProbes = 4e4;
 
-// Stretches that meet at poles, one behind the other, before it is rounding that makes and ends them.
+// Most stretches that meet at poles, one after another; more would be made and ended by rounding alone.
 constexpr int kMostPoles = 16;
 
-// Whether some contact is found again from a list of all, of which more than one may be on the branch.
+// Whether some contact is found again from a list of all contacts, of which more than one may be on the
+// branch.
 bool has_listed_contact(const Run& run) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
@@ -52,7 +54,7 @@ bool has_contact_far_out(const Run& run) {
                      });
 }
 
-// A place of the ground that the mechanism is joined to.
+// A point of ground that the mechanism is joined to.
 Vector2d place_of_ground(const Run& run) {
   for (const Joint& joint : run.mechanism().joints) {
     for (const PointRef& point : {joint.first, joint.second}) {
@@ -64,8 +66,7 @@ Vector2d place_of_ground(const Run& run) {
   return Vector2d::Zero();
 }
 
-// Whether bodies that are solved together have run off to infinity, or their contacts have: no iteration
-// leads over it.
+// Whether coupled bodies or their contacts have run off to infinity: no iteration leads across it.
 bool has_coupled_far_out(const Run& run) {
   const Vector2d ground = place_of_ground(run);
   const auto& groups = run.plan().groups;
@@ -80,8 +81,8 @@ bool has_coupled_far_out(const Run& run) {
   });
 }
 
-// Whether the drivers are at the limit, to within half of what a row there may be off, or back from it, as
-// seen from where the motion came.
+// Whether the drivers are at the limit, to within half of the tolerance of a row there, or have come back
+// from it towards where the motion came from.
 bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -92,7 +93,7 @@ bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   return beyond <= 0;
 }
 
-// Where drivers on the way from the row before to this one are: the share of that way.
+// The fraction of the path from the row before to this one at which the drivers are.
 double share_of(const Run& run, const std::vector<double>& drivers) {
   const std::vector<double>& from = run.work.row_before;
   const std::vector<double>& to = run.at.targets;
@@ -101,7 +102,7 @@ double share_of(const Run& run, const std::vector<double>& drivers) {
   return whole == 0 ? 1 : (drivers[leading] - from[leading]) / whole;
 }
 
-// A part of the way between rows, on the line that they are on.
+// A part of the path between two rows, on its line.
 Path part_of_way(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
   Path path;
   set_path(path, from, to);
@@ -110,7 +111,7 @@ Path part_of_way(const Run& run, const std::vector<double>& from, const std::vec
   return path;
 }
 
-// Follows it from run.at.state, whose rates may be those of another path.
+// Follows the path from run.at.state, whose rates may be those of another path.
 bool follow_part(Run& run, const Path& path, double first_step = std::numeric_limits<double>::infinity()) {
   if (!path.is_single()) {
     path.motions(0, run.work.motions);
@@ -119,7 +120,7 @@ bool follow_part(Run& run, const Path& path, double first_step = std::numeric_li
   return follow(run, path, first_step);
 }
 
-// Back from the limit the motion goes on from where it was lost.
+// Continues the motion from where it was lost, after the drivers have come back from the limit.
 bool come_back(Run& run, const std::vector<double>& drivers) {
   const Path path = part_of_way(run, run.at.lost.from, drivers);
   renew_overlaps(run);
@@ -129,17 +130,17 @@ bool come_back(Run& run, const std::vector<double>& drivers) {
   return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
 }
 
-// Whether a group is so near to its limit that its place is known to half its digits only. Beside a limit
-// that is hardly one (a pressure angle of 90 degrees where the law stands still) rounding alone makes and
-// ends such places by the thousand.
+// Whether a group is so near to its limit that its position is known to only half the digits. At a limit that
+// is hardly one (a pressure angle of 90 degrees where the follower is at rest) rounding alone creates and
+// removes such positions by the thousand.
 bool is_beside_limit(const State& state) {
   return std::any_of(state.groups.begin(), state.groups.end(), [](const GroupState& group) {
     return std::abs(group.sine) <= kTooNearLimit * group.lever;
   });
 }
 
-// The branch at a position of the drivers, where run.work.trial has been placed, followed back on the way to
-// `from`: to where this stretch of it begins. Only a row may be at the limit itself.
+// The branch at a position of the drivers, placed in run.work.trial, followed back towards `from`: to where
+// this stretch of it begins. None if it is next to a limit, unless it is a row.
 std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
                                  const std::vector<double>& from, bool is_row) {
   if (!is_row && is_beside_limit(run.work.trial)) {
@@ -155,30 +156,29 @@ std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
   return back;
 }
 
-// Whether it is another branch: without a limit on the way back the motion cannot have come to it. What can
-// be placed of a contact that is found again from a list of all, or of bodies that are solved together, may
-// be.
+// Whether the branch followed back is another one: the motion cannot have come to it if there was no limit on
+// the way back. That can happen where a contact is found again from a list of all, or with coupled bodies.
 bool is_another_branch(const Run& back) {
   return back.at.held && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
 }
 
-// The same, if the branch is there.
+// The same, if the branch can be placed there.
 std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
                                bool is_row) {
   return place_anew(run, at).complete ? followed_back(run, at, from, is_row) : std::nullopt;
 }
 
 enum class Taken {
-  kNot,      // no stretch is there that the motion could be on
-  kNotYet,   // the stretch begins behind the row
-  kArrived,  // at the row
-  kLost,     // again, before the row
+  kNot,      // there is no stretch that the motion could be on
+  kNotYet,   // the stretch begins beyond the row
+  kArrived,  // the motion goes on up to the row
+  kLost,     // the motion is lost again before the row
 };
 
-// Looks for a branch on a line, and takes it up where it is found.
+// Looks for a branch on a line and takes it up where it is found.
 class StretchSearch {
 public:
-  /// \param drivers  of the row, to which the line leads
+  /// \param drivers  of the row, at the end of the line
   StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& drivers)
       : run_(run),
         line_(line),
@@ -186,11 +186,11 @@ public:
         to_(line.x_of(drivers)),
         searched_to_(line.x_of(line.begin())) {}
 
-  /// Takes up the stretch that holds x where it begins, if that is before the row, and goes on to this.
-  /// `poles` says how many other stretches may be looked for before it.
+  /// Takes up the stretch that contains x at its begin, if that is before the row, and follows it to the row.
+  /// `poles` limits how many other stretches may be looked for before it.
   Taken take_up(double x, int poles = kMostPoles);
 
-  /// The same with the stretch that is found first behind `from`, then with that of the row itself.
+  /// The same with the first stretch found beyond `from`, then with that of the row itself.
   Taken take_up_first(double from);
 
 private:
@@ -207,12 +207,13 @@ private:
   const LineAhead& line_;
   const std::vector<double>& drivers_;
   double to_;                                // x of the row
-  double searched_to_;                       // x up to where no stretch of the branch begins
-  std::optional<double> begins_ahead_ = {};  // x behind the row where one does
-  std::vector<RunEvent> begin_events_ = {};  // there
+  double searched_to_;                       // no stretch of the branch begins before this x
+  std::optional<double> begins_ahead_ = {};  // x beyond the row where one begins
+  std::vector<RunEvent> begin_events_ = {};  // the events at that begin
 };
 
-// Goes on from a state of that stretch, which is at `from`; an event says where it begins.
+// Continues from a state of the stretch, at x = `from`. Adds the event of the limit at which the stretch
+// begins.
 void StretchSearch::go_on_from(const Run& back, const State& state, double from) {
   const State lost = std::exchange(run_.at.state, state);
   renew_overlaps(run_);
@@ -221,7 +222,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
   run_.at.drivers = drivers_at(from);
   const Path path = part_of_way(run_, line_.begin(), drivers_);
   for (const RunEvent& event : back.events) {
-    // Where a curve ends the motion may have gone on over the edge.
+    // At the end of a curve the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
     const bool is_limit =
         event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last);
@@ -234,9 +235,9 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
   }
 }
 
-// For a row beside the limit where a stretch begins: placed there, a position has half its digits only. It is
-// taken from the limit as it is solved for on the way from within the stretch, where run.at.state then
-// remains.
+// For a row next to the limit where a stretch begins. Placed directly, a position there has half its digits
+// only. It is therefore taken from the limit as solved for when the branch is followed back from within the
+// stretch; run.at.state then remains within.
 bool StretchSearch::come_to_begin(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
   auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
@@ -266,8 +267,8 @@ bool StretchSearch::follow_from(double from, double first_step) {
   return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
 }
 
-// At a pole another stretch ends where one begins, at `begin`: as near to the pole as it can be followed
-// from.
+// At a pole one stretch ends where another begins, at `begin`. Takes up the former, from as near to the pole
+// as it can be followed from.
 Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
   for (double x = 2 * pole - begin; is_before(searched_to_, x) && is_before(x, begin);
        x = pole + 4 * (x - pole)) {
@@ -323,15 +324,15 @@ Taken StretchSearch::take_up(double x, int poles) {
   if (!is_before(x_of(run_.at.lost.at), x)) {
     return Taken::kLost;
   }
-  // From its very begin it cannot be followed: forwards or back from where it has been found.
+  // It cannot be followed from its very begin: continue from x, where it was found, to the row.
   run_.at = before;
   run_.events.resize(events);
   go_on_from(*back, found, x);
   return follow_from(x, std::numeric_limits<double>::infinity()) ? Taken::kArrived : Taken::kLost;
 }
 
-// Positions on a line at which a branch that was lost is looked for: the limit, close behind it, and then
-// every kLostBranchProbe. They are the same whatever the rows, so that what is found at them is.
+// Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every
+// kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
 class Probes {
 public:
   explicit Probes(const LineAhead& line)
@@ -342,7 +343,7 @@ public:
            : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
                             : limit_;
   }
-  /// The first one that is not before x; at least 1.
+  /// Index of the first probe that is not before x; at least 1.
   [[nodiscard]] double first_from(double x) const {
     double k = std::max(1.0, std::ceil((x - limit_) / step_) + kFirstProbes);
     while (k > 1 && (at(k - 1) - x) * step_ >= 0) {
@@ -376,7 +377,7 @@ Taken StretchSearch::take_up_first(double from) {
   }
   for (double k = first; k <= beyond && !is_stopped(run_); ++k) {
     const Outlook here = outlook(k);
-    // What begins at such a position itself is followed back from the next one.
+    // A stretch that begins at this position itself is followed back from the next one.
     const bool at_begin = here.placing.complete && is_beside_limit(run_.work.trial);
     if (couples) {
       nearest = Nearest{run_.work.trial, run_.work.ways};
@@ -385,8 +386,8 @@ Taken StretchSearch::take_up_first(double from) {
     if (here.placing.complete) {
       x = here.x;
     } else if (std::isfinite(here.placing.room)) {
-      // What a contact lacks has no number, and beside its limit it takes long to see that it cannot be
-      // placed.
+      // For contacts it is unknown how much is lacking (room is not finite): next to a contact's limit it
+      // takes long to find out that it cannot be placed.
       x = placed_between(run_, line_, before ? *before : outlook(k - 1), here);
     }
     const Taken taken = x ? take_up(*x) : Taken::kNot;
@@ -409,8 +410,8 @@ Taken StretchSearch::take_up_first(double from) {
   if (!couples) {
     return take_up(to_);
   }
-  // Bodies that are solved together are followed over these positions, whatever the rows; a row may be where
-  // the stretch begins.
+  // Coupled bodies are followed through these positions, whatever the rows are; a row may be where the
+  // stretch begins.
   const bool at_row = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
   const bool arrived = at_row && come_to_begin(to_);
   if (line_.is_from_limit()) {
@@ -429,7 +430,7 @@ bool resume(Run& run, const std::vector<double>& drivers, const std::vector<doub
   if (comes_back && come_back(run, drivers)) {
     return true;
   }
-  // It may have been lost again on the way to the drivers, or at once.
+  // The motion may have been lost again on the way to the drivers, or at once.
   if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
     return false;
   }

@@ -26,16 +26,16 @@
 namespace higherpair {
 namespace {
 
-// Where the row is.
+// The state that the row shows.
 const State& shown(const Run& run) {
   return run.at.beside ? *run.at.beside : run.at.state;
 }
 
-// With one driver the rates of the row are those for a unit velocity, scaled.
+// With one driver, the rates of the row are those for a unit velocity, scaled.
 void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row) {
   const double v = driver.velocity;
   const double a = driver.acceleration;
-  for (std::size_t i = 1; i < row.bodies.size(); ++i) {  // ground stays
+  for (std::size_t i = 1; i < row.bodies.size(); ++i) {  // ground is fixed
     const BodyMotion& unit = state.bodies[i];
     BodyMotion& body = row.bodies[i];
     body = unit;
@@ -69,7 +69,7 @@ bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow&
          });
 }
 
-// Bodies whose rates a singular group leaves undefined: its own, and all that depend on them.
+// Marks the bodies whose rates a singular group leaves undefined: its own, and all that depend on them.
 void mark_rates(const Run& run, MotionRow& row) {
   if (!row.all_rates) {
     std::fill(row.has_rates.begin(), row.has_rates.end(), true);
@@ -112,8 +112,9 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   }
 }
 
-// By the count the bodies of a coupled group are placed. Where their conditions have lost their rank these
-// may repeat each other everywhere, and leave a freedom that no driver sets.
+// Whether the bodies of a coupled group may be underdetermined although the number of conditions is right.
+// Where the conditions have lost their rank they may be dependent everywhere and leave a freedom that no
+// driver determines.
 bool may_be_free(const Run& run) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     if (traits_of(run.plan().groups[g]).coupled && !(std::abs(run.at.state.groups[g].sine) > kSurelyPlaced)) {
@@ -123,7 +124,7 @@ bool may_be_free(const Run& run) {
   return false;
 }
 
-// A group at whose limit the row is, a contact so far out that its gap is a matter of rounding.
+// A group whose limit the row is at: one with a contact so far out that its gap consists of rounding.
 std::optional<std::size_t> group_at_infinity(const Run& run) {
   if (run.row.status != RowStatus::kNotConverged) {
     return std::nullopt;
@@ -140,8 +141,8 @@ std::optional<std::size_t> group_at_infinity(const Run& run) {
   return std::nullopt;
 }
 
-// From a position that is assembled: all that a run needs. A contact that is at a limit, from where
-// the continuation is not determined.
+// Prepares an assembled run for moving. \returns a contact that is at a limit, from where the continuation is
+// not determined
 std::optional<int> set_out(Run& run) {
   const std::vector<double>& drivers = run.at.drivers;
   set_unit_motions(drivers, run.work.motions);
@@ -165,7 +166,8 @@ std::optional<int> set_out(Run& run) {
   return std::nullopt;
 }
 
-// Of a single driver events say by its coordinate where they are, on whatever path they have been found.
+// Sets the shares of all events. With a single driver, its coordinate at an event determines the share,
+// whatever path the event was found on.
 void set_shares(Run& run) {
   const double from = run.work.row_before[0];
   const double length = run.at.targets[0] - from;
@@ -175,9 +177,9 @@ void set_shares(Run& run) {
   }
 }
 
-// A position at which a rolling pair is as at u. About two pivots only circles about their centres and equal
-// ellipses about their foci roll through a whole turn, and after it they are as they were, whatever the
-// number of turns.
+// A driver position, within two turns of the start, at which a rolling pair is in the same position as at u.
+// About two pivots only circles about their centres and equal ellipses about their foci roll through a whole
+// turn, and after any number of turns they are as they were.
 double within_two_turns(const ContactPair& pair, double start, double u) {
   const double way = u - start;
   return pair.motion1.turns && std::abs(way) > 4 * kPi ? start + std::fmod(way, 2 * kPi) : u;
@@ -238,7 +240,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (run.at.limit_here || run.at.limit_before) {
     run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
-  // The row before once more, where run.at.state is short of it.
+  // The row before is asked for again, and run.at.state is short of it.
   bool held = run.at.held && run.at.beside.has_value();
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     held = held && run.at.targets[i] == drivers[i].position;
@@ -246,7 +248,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
     run.at.targets[i] = drivers[i].position;
   }
   if (held) {
-    // It is in run.at.beside.
+    // The row is in run.at.beside.
   } else if (!run.at.held) {
     held = resume(run, run.at.targets, run.at.drivers);
   } else if (run.at.targets == run.at.drivers) {
@@ -258,7 +260,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       run.work.path.motions(0, run.work.motions);
       set_rates(run, run.work.motions, run.at.state);
     }
-    // The branch may be there again at the end of a path on which it is lost.
+    // The branch may exist again at the end of a path on which it is lost.
     held = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
   }
   set_shares(run);
@@ -289,7 +291,7 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       }
       const double u = within_two_turns(tracked->pair, start->at.u, tracked->driver_sign * position);
       const RollingResult result = roll_to(track, u);
-      // An angle far out is known to its rounding only.
+      // A large angle is known only to within its rounding.
       const double known = kRollingUlps * std::numeric_limits<double>::epsilon() * std::abs(u);
       const double largest = (run.tolerance + known) * run.plan().size;
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {

@@ -44,7 +44,7 @@ Parametric posed_coordinate(const Mechanism& mechanism, const Mechanism& derivat
   return joint_coordinate(joint.of, posed(joint.first), posed(joint.second), posed(joint.carrier));
 }
 
-// The position in which a run is started: nothing is held by rolling yet.
+// The position at which a run starts, where nothing is held by rolling yet.
 struct Start {
   Plan plan;
   Dimensions<double> values;
@@ -63,9 +63,9 @@ bool is_placed(const Start& start, const Group& group) {
 
 // A follower that its contact does not place to first order, held as if it were driven.
 struct HeldFollower {
-  std::size_t driver = 0;  // of Start::at
+  std::size_t driver = 0;  // index in Start::at.drivers
   const TrackedPair* pair = nullptr;
-  double by_pose = 0;  // derivative of its coordinate in its pose
+  double by_pose = 0;  // derivative of its pose's coordinate
 };
 
 std::vector<HeldFollower> hold_loose_followers(const Mechanism& mechanism, const Mechanism& derivative,
@@ -90,7 +90,7 @@ std::vector<HeldFollower> hold_loose_followers(const Mechanism& mechanism, const
   return held;
 }
 
-// Velocity of a point in ground for a unit rate of a joint to ground, lengths by the size.
+// Velocity of a point in ground for a unit rate of a joint to ground, with lengths relative to the size.
 Vector2<ParametricSeries> velocity_per_coordinate(const Start& start, const Coordinates<ParametricSeries>& at,
                                                   int joint, const Vector2<ParametricSeries>& p_W) {
   const auto& of = start.dimensions.joints[static_cast<std::size_t>(joint)];
@@ -101,7 +101,8 @@ Vector2<ParametricSeries> velocity_per_coordinate(const Start& start, const Coor
   return first.vector(of.of.direction_A);
 }
 
-// How fast, with p, the material points at the contact cease to be able to have one velocity.
+// Derivative by p of the measure that is 0 where the material points at the contact can have the same
+// velocity.
 double rate_of_slip(const Mechanism& mechanism, const Start& start, const HeldFollower& held,
                     const Coordinates<ParametricSeries>& at) {
   const auto index = static_cast<std::size_t>(held.pair->contact);
@@ -117,7 +118,7 @@ double rate_of_slip(const Mechanism& mechanism, const Start& start, const HeldFo
                  0);
 }
 
-// What every body keeps that keeps the angle of its pose.
+// Sets the derivatives of the angles that bodies keep: those of their poses.
 void set_held_angles(const Mechanism& derivative, Coordinates<ParametricSeries>& at) {
   for (std::size_t i = 0; i < at.held_angles.size(); ++i) {
     at.held_angles[i].c[0].c[1] = derivative.bodies[i].guess_theta;
@@ -179,8 +180,8 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
   const Mechanism derivative = sensitivity.derivative_at(run);
   Start start = start_of(run, derivative, drivers);
   const auto solved = [&] { return solve_series(start.plan, start.values, start.dimensions, start.at); };
-  // Their contact point has to be where both joints let it have one velocity; discs about their centres, for
-  // which that is so in any position, keep the one of the pose.
+  // The contact point has to be where both joints let the bodies have the same velocity there. Discs about
+  // their centres satisfy that in any position; they keep that of the pose.
   for (const HeldFollower& held : hold_loose_followers(run.mechanism(), derivative, start)) {
     const auto rate_with = [&](double by_p) {
       start.at.drivers[held.driver].c[0].c[1] = by_p;

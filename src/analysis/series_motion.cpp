@@ -11,7 +11,7 @@ namespace {
 
 using Parametric = Partials<double, 1>;
 
-// A coefficient has parts that are solved for one after the other: the number, and its partial.
+// The parts of a coefficient, which are solved for one after the other: the number, and its partial.
 template <class D>
 constexpr std::size_t kParts = 1;
 template <>
@@ -32,7 +32,7 @@ public:
   GroupSeries(const ConditionSystem& system, const Dimensions<D>& dimensions, Coordinates<Series>& at)
       : system_(system), dimensions_(dimensions), at_(at) {}
 
-  // Up to an order of time. False where the conditions leave freedom.
+  // Solves up to the order `last` of time. False where the conditions leave freedom.
   bool solve(std::size_t last) {
     Eigen::VectorXd values;
     Eigen::MatrixXd J;

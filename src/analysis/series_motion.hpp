@@ -19,22 +19,22 @@ static_assert(kFactorials.size() > kHighestDerivative);
 template <class D, int N>
 struct SeriesMotion {
   Coordinates<PowerSeries<D, N>> at;
-  std::vector<bool> known;  ///< of the bodies: whether their series are solved
+  std::vector<bool> known;  ///< of the bodies: whether their series have been solved
 };
 
-/// What solve_series() leaves out.
+/// Options that limit solve_series().
 struct SeriesOptions {
   bool surplus_slip = true;  ///< false: the slip conditions of groups that have conditions in surplus
-  const std::vector<bool>* has_rates = nullptr;  ///< stop at the first group with a body that has none
+  const std::vector<bool>* has_rates = nullptr;  ///< if set: stop at a body without rates
   std::size_t last = kHighestDerivative;         ///< orders above it are left as they are
 };
 
-/// The coordinates of run.row. Rolling contacts hold the arc difference, and idle bodies the angle, that they
+/// The coordinates of run.row. Rolling contacts keep the arc difference, and idle bodies the angle, that they
 /// have there.
 [[nodiscard]] Coordinates<double> row_coordinates(const Run& run);
 
-/// The coordinates of bodies and contacts; the drivers are where their joints are, and idle bodies keep their
-/// angles.
+/// The coordinates of bodies and contacts; drivers take the coordinates of their joints, and idle bodies keep
+/// their angles.
 [[nodiscard]] Coordinates<double> coordinates_of(const Mechanism& mechanism,
                                                  const std::vector<BodyMotion>& bodies,
                                                  const std::vector<ContactMotion>& contacts);
@@ -45,19 +45,20 @@ struct SeriesOptions {
 /// Raises coordinates that hold at t = 0 to series in time, group by group. With every coordinate a power
 /// series the conditions hold order by order,
 ///     J x_k = -(what lower orders leave of the conditions at order k),
-/// with the same Jacobian J in each; where the dimensions are Partials by a parameter, likewise for the
-/// partial of every order from the 0th. By least squares where conditions are in surplus; stops at the first
-/// group that its conditions leave free, as later ones may depend on it.
+/// with the same Jacobian J in each; where the dimensions are Partials by a parameter, the same holds for the
+/// partials of every order from the 0th. Uses least squares where there are surplus conditions; stops at the
+/// first group whose conditions do not determine it, as later ones may depend on it.
 /// \param values  of the dimensions
-/// \param at      constant but for the drivers
+/// \param at      constant except for the drivers
 template <class D, int N>
 [[nodiscard]] SeriesMotion<D, N> solve_series(const Plan& plan, const Dimensions<double>& values,
                                               const Dimensions<D>& dimensions,
                                               Coordinates<PowerSeries<D, N>> at,
                                               const SeriesOptions& options = {});
 
-/// The plan of a row in which contacts are open: the joint that holds the body of each is one more driver, at
-/// rest, in place of the contact. None where no contact is open. Adds these drivers to both others.
+/// The plan of a row in which contacts are open: the joint that holds the body of each becomes a further
+/// driver, at rest, in place of the contact. None if no contact is open. Adds these drivers to `dimensions`
+/// and `at`.
 template <class Series>
 [[nodiscard]] std::optional<Plan> plan_with_held_joints(const Run& run, Dimensions<double>& dimensions,
                                                         Coordinates<Series>& at) {
@@ -83,7 +84,7 @@ template <class Series>
 /// Whether a Jacobian leaves no freedom.
 [[nodiscard]] bool is_regular(const Eigen::MatrixXd& J);
 
-/// A coordinate from its derivatives; further ones are dropped.
+/// The series of a coordinate from its derivatives; those of too high an order are dropped.
 template <int N, std::size_t kCount>
 [[nodiscard]] PowerSeries<double, N> series_of(const std::array<double, kCount>& derivatives) {
   PowerSeries<double, N> series;
@@ -93,7 +94,7 @@ template <int N, std::size_t kCount>
   return series;
 }
 
-/// A body from its motion, up to the N-th order of time.
+/// The series of a body from its motion, up to the N-th order of time.
 template <int N>
 [[nodiscard]] BodyAt<PowerSeries<double, N>> series_of_body(const BodyMotion& body,
                                                             const BodyJerk& jerk = {}) {

@@ -42,14 +42,14 @@ Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
           motion.touches ? std::optional(motion.at) : std::nullopt};
 }
 
-// Whether two smooth parts touch there, besides the contact itself.
+// Whether two smooth parts touch at a place other than the contact itself.
 bool is_touch(const Bodies& bodies, const NearPlace& place, double depth) {
   return is_smooth_touch(place) && std::abs(place.at.gap()) <= depth &&
          !(bodies.own && is_place_of(*bodies.own, place, bodies.size()));
 }
 
-// Those that push the follower as the contact does: teeth without play touch with their backs as well, which
-// take no part in the motion.
+// Keeps only places that push the follower in the same sense as the contact: teeth without play touch with
+// their backs as well, which take no part in the motion.
 void keep_those_that_push(const Run& run, std::size_t i, const State& state, std::vector<NearPlace>& places) {
   const auto g = touching_group(run, static_cast<int>(i));
   if (!g || !state.contacts[i].touches) {
@@ -70,13 +70,13 @@ std::vector<NearPlace> shared_places(const Run& run, std::size_t i, const State&
   return places;
 }
 
-// The same place in another state, if the bodies touch there too.
+// Whether the bodies touch at the same place in another state, too.
 bool is_shared_too(const Bodies& bodies, const NearPlace& place, double depth) {
   const auto moved = moved_place(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, place);
   return moved && std::abs(moved->at.gap()) <= depth;
 }
 
-// The ends of the two spans on which a place is, where they do not go on smoothly.
+// Those ends of the two spans of a place at which the boundary does not continue smoothly.
 std::vector<Passing> ends_around(const Run& run, const Contact& contact, const NearPlace& place) {
   std::vector<Passing> ends;
   const auto add = [&](const CurveRef& own, const CurveRef& other, int span) {
@@ -99,8 +99,8 @@ struct Change {
   bool begins = false;
 };
 
-// Where the contact comes over the last end into the two spans of a place of run.work.trial, or over the
-// first one out of those of a place of run.at.state.
+// Where the contact, coming into the two spans of a place of run.work.trial, passes the last of their ends,
+// or, leaving those of a place of run.at.state, the first.
 std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, double s, double h,
                                 const NearPlace& place, bool begins) {
   const Contact& contact = run.mechanism().contacts[i];
@@ -216,7 +216,7 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   const auto i = static_cast<std::size_t>(touching->contact);
   const auto passage = vertex_passage(run, i);
   std::optional<RateJump> change;
-  // By rounding it may still be just before the part beyond.
+  // By rounding the contact may still be just before the part beyond.
   for (std::size_t k = 0; passage && !change && k < kBeyondVertex.size(); ++k) {
     const double ahead = std::copysign(kBeyondVertex[k] * unit_of(run, path), path.length);
     change = go_on_at(run, path, g, s + ahead, passage->beyond);

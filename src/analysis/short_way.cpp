@@ -55,7 +55,7 @@ public:
     normals_.push_back({i, short_way(begin_.contacts[i].phi, lost_.contacts[i].phi)});
   }
 
-  // What a driver turns goes where the driver goes.
+  // A body that a driver turns follows the driver.
   template <class Kind>
   void add(const Kind&) {}
 
@@ -89,7 +89,8 @@ private:
     }
   }
 
-  // Over a pole it may be just half a turn, which is then one back, whatever rounding makes of it.
+  // Across a pole the difference may be exactly half a turn; it then counts as one backwards, whatever its
+  // rounding.
   static double short_way(double angle, double reference) {
     return nearest_turn(angle, reference - kHalfTurn) - angle;
   }

@@ -35,8 +35,8 @@ std::vector<std::size_t> singular_groups(const Run& run) {
   return found;
 }
 
-// Takes a mode of a group; of a tracked contact the contact of that branch with the drivers `there`, if there
-// is one near by.
+// Sets the mode of a group; for a tracked contact also takes the contact of that branch for the drivers at
+// `there`. False if there is none nearby.
 bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& there) {
   run.at.state.groups[g].mode = mode;
   const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
@@ -59,7 +59,7 @@ bool is_coupled(const Run& run, std::size_t g) {
   return traits_of(run.plan().groups[g]).coupled;
 }
 
-// Newton's method comes near a singular start only to half the digits.
+// Moves a coupled group onto its singular position: near it Newton's method yields only half the digits.
 void settle_coupled(Run& run, std::size_t g) {
   Path path;
   std::vector<double> ahead = run.at.drivers;
@@ -82,8 +82,8 @@ void settle_coupled(Run& run, std::size_t g) {
   }
 }
 
-// Coupled bodies have no modes to choose from: the rates of run.at.state are set so that a step along the
-// path is predicted to lead to one of the two positions there.
+// Coupled bodies have no modes to choose from: sets the rates of run.at.state so that a step along the path
+// is predicted to lead to one of the two positions there.
 bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
   const Group& group = run.plan().groups[g];
   run.work.trial = run.at.state;
@@ -125,8 +125,8 @@ double total_acceleration(const Run& run, const State& state) {
   return acceleration;
 }
 
-// How far a group is from its poses, squared: as assembling has it, but where contacts choose the mode the
-// joints may stay where they are.
+// Squared distance of a group from its poses, as for assembling; but where a contact chooses the mode, joint
+// points may not move, so bodies are compared instead.
 double distance_of(const Run& run, const Group& group, const State& state) {
   const std::vector<BodyMotion> posed = posed_bodies(run.mechanism());
   if (group.contacts.empty()) {
@@ -145,12 +145,13 @@ double distance_of(const Run& run, const Group& group, const State& state) {
 struct Departure {
   State state;
   std::size_t driver = 0;
-  double reach = 0;  // of that driver from the start
+  double reach = 0;  // distance of that driver from the start
   double speed = 0;
   double acceleration = 0;
-  double distance = 0;  // of the singular groups from the poses
+  double distance = 0;  // distance of the singular groups from the poses
 
-  // Where branches cross: the slower motion, of equally fast ones the steadier, and the nearer to the poses.
+  // Order where branches cross: the slower motion; of equally fast ones that with the smaller acceleration;
+  // then the one nearer to the poses.
   [[nodiscard]] bool goes_before(const Departure& other) const {
     if (std::abs(speed - other.speed) > kSameSpeed * (speed + other.speed)) {
       return speed < other.speed;
@@ -163,8 +164,7 @@ struct Departure {
   }
 };
 
-// Rates at a singular start are without bounds: they say nothing of where it leads to, not even of the turn
-// at which angles go on.
+// Rates at a singular start are unbounded: they predict nothing, not even the whole turns of angles.
 State without_rates(State state) {
   for (BodyMotion& body : state.bodies) {
     body.v_WB.setZero();
@@ -177,7 +177,7 @@ State without_rates(State state) {
   return state;
 }
 
-// With every combination of modes of the singular groups.
+// The departures with every combination of modes of the singular groups.
 std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& groups, std::size_t driver,
                                   double reach) {
   std::vector<Departure> found;
@@ -218,7 +218,7 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
   return found;
 }
 
-// Whether a start is next to where it is left to; where pins coincide the links may have any direction in it.
+// Whether a start is next to its departure; where pins coincide, links may have any direction at the start.
 bool leads_to(const State& start, const State& departure) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     if (!(std::abs(start.bodies[i].theta - departure.bodies[i].theta) <= kNearMerge)) {

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// The first that `of` says of a side of the contacts of a group that touch.
+// The first result of `of` for the sides of a group's contacts that touch.
 template <class F>
 auto first_of_sides(const Run& run, std::size_t g, const F& of)
     -> decltype(of(std::size_t{}, std::size_t{})) {
@@ -27,7 +27,7 @@ auto first_of_sides(const Run& run, std::size_t g, const F& of)
   return {};
 }
 
-// What a contact has come to.
+// What a contact has reached.
 enum class Stop { kEnd, kEdge, kNotch };
 
 std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t side) {
@@ -54,7 +54,7 @@ std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t sid
 std::optional<std::string> end_reached(const Run& run, std::size_t g) {
   return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
     const auto stop = stop_at(run, i, side);
-    // Two corners, of which an edge is one, have no common normal to go on with.
+    // Two corners, and an edge is one, have no common normal to go on with.
     const bool blunt = !boundary_at(run, i, 1 - side).is_corner(run.at.state.contacts[i].place[1 - side]);
     if (!stop || (stop == Stop::kEdge && blunt)) {
       return std::nullopt;
@@ -113,7 +113,7 @@ void set_local_curves(Run& run) {
       const CurveRef& ref = ref_of(contact, side);
       const Boundary& boundary = boundary_of(run.mechanism(), ref);
       const BoundaryPlace& place = run.row.contacts[i].place[side];
-      // While it is open nothing depends on its shape.
+      // While the contact is open nothing depends on the curve's shape.
       Body& body = run.local->bodies[static_cast<std::size_t>(ref.body)];
       body.curves[static_cast<std::size_t>(ref.curve)].curve =
           run.row.contacts[i].touches ? local_curve(boundary.at(place), boundary.is_corner(place)) : Curve{};

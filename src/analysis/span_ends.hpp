@@ -25,27 +25,28 @@ namespace higherpair {
   return run.mechanism().bodies[static_cast<std::size_t>(ref.body)].name;
 }
 
-/// Whether the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go;
-/// the sentence that says so.
+/// If the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go: the
+/// sentence that says so.
 [[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
 
-/// Whether it is where a curve goes over into the edge at its end.
+/// Whether the contact of group g is where a curve goes over into the edge at its end.
 [[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
 
 /// Whether a place of a contact's curve on side 0 or 1 is on the edge at its end.
 [[nodiscard]] bool is_on_edge(const Run& run, std::size_t contact, std::size_t side,
                               const BoundaryPlace& place);
 
-/// Where a contact has gone over to another place at s, in run.at.state: an event if that is on the edge at
-/// an end of a curve, and the place before it was not.
+/// After a contact has gone over to another place at s, in run.at.state: adds an event if that place is on
+/// the edge at an end of a curve and the place before was not.
 void note_edge(Run& run, const Path& path, double s, std::size_t contact,
                const std::array<BoundaryPlace, 2>& before);
 
-/// Where the motion cannot go on with the contact of group g: whether it is on the edge at an end of a curve;
-/// the sentence that says so.
+/// Where the motion cannot go on with the contact of group g: the sentence that says so if the contact is on
+/// the edge at an end of a curve.
 [[nodiscard]] std::optional<std::string> slipped_off(const Run& run, std::size_t g);
 
-/// Gives the curves of contacts by_boundary the shape that they have where the row's contact is.
+/// Replaces the curves of contacts by_boundary in run.local by curves that agree with their boundaries at the
+/// row's contacts.
 void set_local_curves(Run& run);
 
 }  // namespace higherpair

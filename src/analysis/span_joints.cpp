@@ -27,7 +27,7 @@ const BoundaryPlace& place_in(const State& state, const SideOfContact& at) {
   return state.contacts[at.contact].place[at.side];
 }
 
-// Whether it is on another span in run.work.trial than in run.at.state.
+// Whether the contact is on another span in run.work.trial than in run.at.state.
 bool is_on_other_span(const Run& run, const SideOfContact& at) {
   return place_in(run.work.trial, at).span != place_in(run.at.state, at).span;
 }
@@ -46,8 +46,9 @@ std::optional<SideOfContact> changed_place(const Run& run) {
   return std::nullopt;
 }
 
-// How fast a contact runs along a boundary, on a corner how fast its normal turns there. Its sign is the same
-// on either side of a joint: u1 = (ω_r + κ2 v_s) / (κ1 + κ2) and u2 = (ω_r - κ1 v_s) / (κ1 + κ2).
+// Speed of a contact along a boundary; on a corner, the turning rate of its normal relative to the body. Its
+// sign is the same on either side of a joint: u1 = (ω_r + κ2 v_s) / (κ1 + κ2) and u2 = (ω_r - κ1 v_s) / (κ1 +
+// κ2).
 double running_speed(const Run& run, const SideOfContact& at, const State& state) {
   const ContactMotion& motion = state.contacts[at.contact];
   const Contact& contact = run.mechanism().contacts[at.contact];
@@ -57,13 +58,13 @@ double running_speed(const Run& run, const SideOfContact& at, const State& state
                                                                   : -motion.rates.along2;
 }
 
-// A contact and side that turns back within the step, and where.
+// A contact's side on which the contact turns back within the step, and where.
 struct Turn {
   SideOfContact at;
   double x = 0;
 };
 
-// Whether a contact that runs first one way and then the other may have been on another span in between.
+// Whether a contact that reverses its sense within the step may have been on another span in between.
 bool may_have_left(const Run& run, const SideOfContact& at, double h) {
   if (is_on_other_span(run, at)) {
     return true;
@@ -101,7 +102,7 @@ std::vector<Turn> turned_back(const Run& run, double h) {
 }
 
 // The part of a step up to where a contact turns back on another span than it began on, so that it may be
-// back at the end; run.work.trial is then there. All of the step if none does.
+// back on its own at the end; run.work.trial is then at that position. The whole step if no contact does so.
 double length_without_return(Run& run, const Path& path, std::vector<Turn>& turned, double s, double h) {
   double length = h;
   for (Turn& turn : turned) {
@@ -137,7 +138,7 @@ bool runs_forward(const Run& run, const SideOfContact& at, double h) {
   return (before * after < 0 ? after : before) * h > 0;
 }
 
-// A joint by which a contact and side leaves its span.
+// A joint by which the contact leaves its span on one side.
 struct Exit {
   SideOfContact at;
   bool forward = true;
@@ -152,7 +153,7 @@ Exit exit_of(const Run& run, const SideOfContact& at, double h) {
           end_of(boundary, boundary.next_span(span, forward), !forward)};
 }
 
-// A number that goes through 0 where the contact is at the joint, and its rate.
+// A function that is 0 where the contact is at the joint, and its rate.
 ValueAndSlope beyond_joint(const Run& run, const Exit& exit, const State& state) {
   const Boundary& boundary = boundary_of_side(run, exit.at);
   const BoundaryPlace& place = place_in(state, exit.at);
@@ -164,13 +165,13 @@ ValueAndSlope beyond_joint(const Run& run, const Exit& exit, const State& state)
   return {beyond, sense * running_speed(run, exit.at, state)};
 }
 
-// Where a contact comes to the joint.
+// Where a contact reaches the joint.
 struct JointAt {
   double x = 0;
   bool solved = false;  // run.work.trial is there
 };
 
-// The same between `from` and `to`, at which run.work.trial is.
+// Where a contact reaches the joint between `from` and `to`. \pre run.work.trial is at `to`
 std::optional<JointAt> joint_between(Run& run, const Path& path, const Exit& exit, double s, double from,
                                      double to) {
   double solved = kNoValue;
@@ -194,11 +195,12 @@ std::optional<JointAt> joint_between(Run& run, const Path& path, const Exit& exi
 std::optional<JointPassage> first_passage(Run& run, const Path& path, const std::vector<Turn>& turned,
                                           double s, double h) {
   std::optional<JointPassage> first;
-  // A joint passed before the one found shows as a change there.
+  // A joint passed before the one that was found shows as a changed span there.
   while (const auto changed = changed_place(run)) {
     const Exit exit = exit_of(run, *changed, h);
     const double length = first ? first->x : h;
-    // Where it turns back on its span it leaves that behind there, though it may have begun at the joint.
+    // If it turns back on its span, it leaves the span after that turn, though it may have begun at the
+    // joint.
     const auto turn = std::find_if(turned.begin(), turned.end(), [&](const Turn& candidate) {
       return candidate.at.contact == changed->contact && candidate.at.side == changed->side &&
              std::abs(candidate.x) < std::abs(length);

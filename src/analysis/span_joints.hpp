@@ -6,9 +6,9 @@
 
 namespace higherpair {
 
-/// The first joint over which a contact goes between run.at.state, which is at s, and run.work.trial, the
-/// positions a step of h tried; none if all contacts stay on their spans. run.work.trial is left somewhere
-/// between.
+/// The first joint that a contact passes between run.at.state, which is at s, and run.work.trial, the
+/// positions that a step of h has tried; none if all contacts stay on their spans. If one is found
+/// run.work.trial is left within the step, at the joint only if JointPassage::solved.
 [[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
 
 }  // namespace higherpair

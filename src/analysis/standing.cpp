@@ -27,7 +27,7 @@ bool on_same_branch(const State& a, const State& b) {
   const auto same_kind = [](const PairTrack& one, const PairTrack& other) {
     return one.index() == other.index();
   };
-  // On the same spans, and on the same side of where curvatures are equal.
+  // Same spans, and the same side of where curvatures are equal.
   const auto same_contact = [](const ContactMotion& one, const ContactMotion& other) {
     const bool same_place =
         one.place[0].span == other.place[0].span && one.place[1].span == other.place[1].span;

@@ -33,7 +33,7 @@ std::string why_no_contact(FindStatus status, const Contact& contact) {
 
 std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
   const Group& group = run.plan().groups[g];
-  // Links that cannot reach each other have not been put to where their joints would be.
+  // Links that cannot reach each other have not been placed where their joints would be.
   const bool reaches = closure_gap(group, state.bodies).value_or(0) <= 0;
   const auto end = reaches ? joint_beyond_end({run.mechanism(), run.plan()}, g, state) : std::nullopt;
   if (end) {

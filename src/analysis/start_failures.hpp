@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <string>
 
-// Why a mechanism cannot be assembled at the first positions of its drivers, in words.
+// Messages about why a mechanism cannot be assembled at the first positions of its drivers.
 
 namespace higherpair {
 
-/// Why a contact cannot be followed from where it is to start.
+/// Why a contact cannot be followed from its start.
 inline constexpr const char* kTouchesAtLimit =
     "at the first driver position the two bodies touch at a limit position, or where branches cross: nothing "
     "tells which way the motion goes on; move driver.start away from it";
@@ -18,7 +18,7 @@ inline constexpr const char* kTouchesAtLimit =
 /// Why no contact of two bodies has been found.
 [[nodiscard]] std::string why_no_contact(FindStatus status, const Contact& contact);
 
-/// Why the bodies of group g cannot be placed. \param state  as far as they could
+/// Why the bodies of group g cannot be placed. \param state  with everything that could be placed
 [[nodiscard]] std::string why_unplaced(const Run& run, const State& state, std::size_t g);
 
 }  // namespace higherpair

@@ -46,7 +46,7 @@ private:
     return !assemble(run_);
   }
 
-  // The last place at which it can be assembled from `inside` to `outside`.
+  // The last position at which the mechanism can be assembled, from `inside` to `outside`.
   double end_between(double inside, double outside) {
     for (int i = 0; i < kHalvings && !is_stopped(run_); ++i) {
       const double middle = (inside + outside) / 2;

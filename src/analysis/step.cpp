@@ -15,8 +15,8 @@
 namespace higherpair {
 namespace {
 
-// Sets the contacts of run.work.trial onto the places of run.at.state, so that a step shows which have left
-// their spans.
+// Sets the contacts of run.work.trial to the places of run.at.state, so that after a step those that have
+// left their spans can be recognised.
 void mark_places(Run& run) {
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     if (run.mechanism().contacts[i].by_boundary) {
@@ -25,15 +25,15 @@ void mark_places(Run& run) {
   }
 }
 
-// Groups that have one branch only, or keep it by themselves.
+// Whether a group has only one branch, or keeps to it by itself.
 bool keeps_branch(const Run& run, std::size_t g) {
   return traits_of(run.plan().groups[g]).one_branch ||
          std::holds_alternative<RollingTrack>(run.at.state.tracks[g]) ||
          std::holds_alternative<StandingContact>(run.at.state.tracks[g]);
 }
 
-// How far a group has moved in a step, and how far that is from what the rates and accelerations at both ends
-// say. Over a step h of a smooth coordinate x
+// How far a group has moved in a step, and how far that is from what the velocities and accelerations at both
+// ends predict. Over a step h of a smooth coordinate x
 //     x1 - x0 = h/2 (v0 + v1) - h²/12 (a1 - a0) + O(h⁵),     v1 - v0 = h/2 (a0 + a1) + O(h³):
 // a step onto another branch, or over a limit into a part of the branch beyond it, would have to agree in all
 // of these at once. Angles, and lengths relative to the size.
@@ -96,7 +96,7 @@ bool is_smooth(const Group& group, const State& from, const State& to, double h,
   return smoothness.holds();
 }
 
-// A body that went over to a neighbouring contact would hardly move.
+// Needed because a body that jumped to a neighbouring contact would hardly move.
 bool keeps_contacts(const Run& run, const Group& group) {
   return std::all_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
     const auto i = static_cast<std::size_t>(index);
@@ -109,14 +109,14 @@ bool keeps_contacts(const Run& run, const Group& group) {
   });
 }
 
-// Whether a group of run.work.trial continues run.at.state.
+// Whether the motion of a group in run.work.trial continues that in run.at.state.
 bool goes_on(const Run& run, std::size_t g, double h) {
   const Group& group = run.plan().groups[g];
   return keeps_branch(run, g) ||
          (is_smooth(group, run.at.state, run.work.trial, h, run.plan().size) && keeps_contacts(run, group));
 }
 
-// The mode of a group at s: that of `from`, but beyond a change point of the present step the other one.
+// The mode of a group at s: that of `from`, reversed beyond a change point of the present step.
 int mode_at(const Run& run, const State& from, std::size_t g, double s, double step) {
   int mode = from.groups[g].mode;
   for (const Crossing& crossing : run.work.crossings) {
@@ -127,8 +127,8 @@ int mode_at(const Run& run, const State& from, std::size_t g, double s, double s
   return mode;
 }
 
-// Places the groups before `end` and their rates in run.work.trial, `x` beyond `from`, which is at s on the
-// path; whether the motion leads there is not asked.
+// Places the groups before `end` and sets their rates in run.work.trial, `x` beyond `from`, which is at s on
+// the path; does not check that the motion leads there.
 bool solve_groups(Run& run, const State& from, const Path& path, std::size_t end, double s, double x) {
   path.positions(s + x, run.work.drivers);
   for (std::size_t g = 0; g < end; ++g) {
@@ -144,8 +144,8 @@ bool solve_groups(Run& run, const State& from, const Path& path, std::size_t end
   return true;
 }
 
-// Places a group in run.work.trial on the branch given by `mode`, and its rates; kOk only where that
-// continues run.at.state smoothly.
+// Places a group in run.work.trial on the branch `mode` and sets its rates; kOk only if that continues
+// run.at.state smoothly.
 GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
   run.work.trial.groups[g].mode = mode;
   const GroupStatus status = place_group(model_of(run), g, run.at.state, h, run.work.drivers, run.work.trial);
@@ -156,8 +156,8 @@ GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
   return goes_on(run, g, h) ? GroupStatus::kOk : GroupStatus::kNotConverged;
 }
 
-// Whether the group, which run.work.trial has on the other side of a change point, gets there straight
-// through it: where the branches only come near each other the step has jumped.
+// Whether the group, which is beyond a change point in run.work.trial, gets there straight through it: if the
+// branches only come near each other, the step has jumped.
 bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
   const auto at = [&] {
     const StateAside aside(run.work.trial);
@@ -177,7 +177,7 @@ GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, 
     return step_group(run, g, before.mode, h);
   }
   if (traits_of(run.plan().groups[g]).coupled) {
-    // Newton's method may arrive on either side of a change point: the sign of the determinant says where.
+    // Newton's method may arrive on either side of a change point: the sign of the determinant decides which.
     const GroupStatus status = step_group(run, g, before.mode, h);
     const bool same = run.work.trial.groups[g].mode == before.mode;
     return status != GroupStatus::kOk || same || crosses(run, path, g, s, h) ? status

@@ -18,10 +18,10 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 /// An event at s on the path.
 [[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
 
-/// Says where on the path an event happens.
+/// Sets where on the path an event happens.
 void set_place(RunEvent& event, const Path& path, double s);
 
-/// Names the joint or contact at which an event of a group happens.
+/// Sets the joint or contact at which an event of a group happens.
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 
 }  // namespace higherpair

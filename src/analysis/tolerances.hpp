@@ -5,296 +5,323 @@
 #include <array>
 #include <limits>
 
-// The tolerances of this room. Lengths are shares of the mechanism's size, steps of a path shares of a unit
-// of its drivers (unit_of in step.hpp). The driver's scale is a radian, or the size (driver_scale in
-// step.hpp).
+// The tolerances of the analysis. Unless stated otherwise, lengths are fractions of the mechanism's size and
+// steps along a path are fractions of one unit of its drivers (unit_of in step.hpp). A driver's scale is one
+// radian or, where it slides, the size (driver_scale in step.hpp).
 
 namespace higherpair {
 
 // Assemblies and starts.
 
-/// Assemblies as near as this are one [size, rad].
+/// Assemblies that differ by no more than this are the same [of the size, rad].
 inline constexpr double kSameAssembly = 1e-12;
-/// Two positions that differ by less count as the same one [rad], or of the size.
+/// Positions that differ by less than this are the same [of the size, rad].
 inline constexpr double kSameStanding = 1e-9;
-/// Of the size: how far to either side of its start a sliding driver is tried, where it cannot start there.
+/// Fraction of the size by which a sliding driver is tried to either side of its start, if it cannot start
+/// there.
 inline constexpr double kReachOfSlide = 2;
 
-/// Of a group's lever: a start whose sine (see GroupState) is below this counts as singular.
+/// Relative to a group's lever: a start whose sine (see GroupState) is below this counts as singular.
 inline constexpr double kSingularStart = 1e-7;
-/// Of the unit of the path: Newton's method comes near a singular start only to half the digits.
+/// How near a start has to be to a singular point, as a fraction of the path's unit, to be moved onto it:
+/// there Newton's method yields only half the digits.
 inline constexpr double kNearSingularStart = 1e-5;
-/// Of a unit: how far a contact may be from where it merges with another.
+/// Largest distance of a position from one at which two branches merge [rad, of the size].
 inline constexpr double kNearMerge = 0.3;
-/// Speeds, and accelerations, that differ less than by this share are one.
+/// Speeds, and accelerations, whose relative difference is smaller are the same.
 inline constexpr double kSameSpeed = 1e-3;
 inline constexpr double kSameAcceleration = 1e-6;
 
 // Steps along a motion.
 
-/// Largest inner step of a driver that slides, of the size; see kLargestTurn for those that turn.
+/// Largest inner step of a sliding driver, as a fraction of the size; kLargestTurn is that of a turning one.
 inline constexpr double kLargestSlide = 1.0 / 6;
-/// Of the driver's scale: a step longer than this may be shortened, so as not to end at a bad place.
+/// Fraction of the driver's scale: longer steps may be shortened so that they do not end near a crossing of
+/// branches.
 inline constexpr double kLongStep = 0.02;
-/// Of the largest step: while a contact is open.
+/// Largest step while a contact is open, as a fraction of the largest step otherwise.
 inline constexpr double kOpenShare = 0.2;
-/// Turn of a body in one step [rad].
+/// Largest turn of a body in one step [rad].
 inline constexpr double kFarthestBodyTurn = 2;
-/// How far a step may be from a smooth motion, as a share of the change in it; see Smoothness in step.cpp.
+/// Largest mismatch between a step and a smooth motion, as a fraction of the step's change; see Smoothness in
+/// step.cpp.
 inline constexpr double kSmoothStep = 0.04;
-/// A mismatch of a step that is nothing but rounding [rad, or of the size].
+/// Mismatch of a step that is accepted as rounding [rad, of the size].
 inline constexpr double kNoMismatch = 1e-9;
-/// Off the line ahead by no more than rounding, of a driver's scale and coordinate.
+/// Drivers that are off the line ahead by no more than this are on it; relative to the driver's scale plus
+/// its coordinate.
 inline constexpr double kOnLineAhead = 1e-9;
-/// How far a turn is from half a one that is that [rad].
+/// Turns that differ from half a turn by less than this count as half a turn [rad].
 inline constexpr double kHalfTurn = 1e-3;
 
 // Limits of the motion.
 
-/// A row as near as this to a limit is at the limit itself, of a unit of the drivers.
+/// A row this near to a limit is at the limit; relative to the driver's scale plus its coordinate.
 inline constexpr double kOnLimit = 1e-14;
-/// Of the driver's scale: as near before a limit a row needs no step.
+/// Fraction of the driver's scale: a row this near to a limit is solved for directly, without a step.
 inline constexpr double kBesideLimit = 1e-12;
-/// Of the driver's scale: as near as this a limit is reached, nothing being left but rounding.
+/// Fraction of the driver's scale: a limit this near is reached; what is left is rounding.
 inline constexpr double kReachesLimit = 1e-9;
-/// Of the driver's scale: nearer, rates may be too inexact to go on.
+/// Fraction of the driver's scale: nearer to a limit, rates may be too inexact to go on.
 inline constexpr double kNearLimit = 1e-6;
-/// The same of a pole, of which nothing but its place is needed.
+/// The same for a pole, where only its position is needed.
 inline constexpr double kNearPole = 1e-2;
-/// Of what is left to a limit: the next step.
+/// Length of the next step before a limit, as a fraction of what is left to the limit.
 inline constexpr double kShareToLimit = 0.5;
-/// Of the size: a body that is farther may be on its way to infinity.
+/// Relative to the size: bodies and contacts farther away than this may be on their way to infinity.
 inline constexpr double kFarAway = 100;
-/// Of the size: farther out the rates of a contact lose their digits.
+/// Relative to the size: farther out than this the rates of a contact lose their digits.
 inline constexpr double kTooFar = 1e4;
-/// Of the size: more than what gaps are closed to.
+/// Fraction of the size: a contact is at infinity if the rounding of its coordinates alone exceeds this, so
+/// that its gap cannot be closed.
 inline constexpr double kRoundingOfGap = 1e-10;
-/// How far a follower may be guessed from its limit, of a unit of its coordinate.
+/// Largest distance of a predicted follower from its limit position, in units of its coordinate [rad, of the
+/// size].
 inline constexpr double kNearFollowerLimit = 0.3;
-/// Lever of a follower that touches at its pivot, of the size.
+/// Lever added for a turning follower, so that it is not 0 if the contact is at its pivot, as a fraction of
+/// the size.
 inline constexpr double kLeastLever = 1e-3;
-/// Limits as near as this are one, of the driver's scale.
+/// Limits that are nearer to each other than this fraction of the driver's scale are the same.
 inline constexpr double kSameLimit = 1e-9;
 
 // Beyond a limit at which the motion was lost.
 
-/// Of the leading driver's scale: how far apart the places are at which a branch that was lost is looked for.
+/// Spacing of the positions at which a lost branch is looked for, as a fraction of the leading driver's
+/// scale.
 inline constexpr double kLostBranchProbe = kPi / 576;
-/// The same: how far from a pole another stretch may end that goes on beyond it.
+/// Largest distance between a pole and the end of the stretch on its other side, as a fraction of the leading
+/// driver's scale.
 inline constexpr double kAcrossPole = kPi / 144;
-/// Of the driver's scale: beside a limit, for the first step from it.
+/// Shortest first step away from a limit, as a fraction of the driver's scale.
 inline constexpr double kNearestBegin = 1e-12;
-/// The same: a row at the limit where a stretch begins, or before where it could be followed back to.
+/// Fraction of the driver's scale: a row this near to where a stretch begins, or could be followed back to,
+/// is at its begin.
 inline constexpr double kBesideBegin = 1e-6;
-/// GroupState::sine at a limit that is too near, of its lever.
+/// Relative to a group's lever: a GroupState::sine below this is too near to a limit.
 inline constexpr double kTooNearLimit = 1e-6;
-/// Of the size: contacts that are about to run off to infinity.
+/// Relative to the size: contacts farther out than this come from infinity or are about to run off to it.
 inline constexpr double kFarOut = 1e6;
-/// Of the driver's scale: from where a limit with a row is come to.
+/// How far inside a stretch the search for the limit at its begin starts, as a fraction of the driver's
+/// scale; for a row at that limit.
 inline constexpr double kInsideLimit = 1e-3;
 
-/// Of the way between two positions: what is a little ahead.
+/// Step by which it is tested how things change beyond a position, as a fraction of the distance to the next
+/// position.
 inline constexpr double kALittleAhead = 1e-4;
-/// Of the leading driver's scale.
+/// Shortest stretch that is looked for, as a fraction of the leading driver's scale.
 inline constexpr double kShortestStretch = 1e-9;
 
 // Ends of joints.
 
-/// Of the size: rounding, so that a row may be at the very end.
+/// Fraction of the size by which rounding may put a joint beyond its end, so that a row may be exactly at it.
 inline constexpr double kBeyondJointEnd = 1e-12;
-/// A joint as near to its end is there, of the size.
+/// A joint this near to its end is at it, as a fraction of the size.
 inline constexpr double kAtJointEnd = 1e-9;
 
 // Crossings of branches.
 
-/// Of a group's lever: a sine below this is near a crossing.
+/// Relative to a group's lever: a sine below this is near a crossing.
 inline constexpr double kNearCrossing = 1e-3;
-/// Of the driver's scale: how far from a crossing of branches positions are regular, and are interpolated
-/// from.
+/// Distance from a crossing of branches, as a fraction of the driver's scale, at which positions are regular
+/// and can be interpolated from.
 inline constexpr double kCrossingReach = 4e-3;
 
 // Events.
 
-/// Velocities below this share of the step's largest are rounding, not a motion whose sense could change.
+/// Velocities below this fraction of the step's largest are rounding and do not count as a sense of motion.
 inline constexpr double kSlowestOutput = 1e-12;
-/// Of the speed at the ends of a step: a least one that may be 0 within.
+/// An estimated least speed within a step below this fraction of the speeds at its ends may be a reversal.
 inline constexpr double kMayReverse = 0.3;
-/// Of the driver's scale: change points as near as this are one.
+/// Change points that are nearer to each other than this fraction of the driver's scale are the same.
 inline constexpr double kSameChangePoint = 1e-7;
 
 // Reduction of a group's conditions to one equation.
 
-/// Of the size: last change of a solution.
+/// Last change of a solution at which Newton's method ends, as a fraction of the size.
 inline constexpr double kReductionSettled = 1e-13;
-/// Of the size: changes below this fall fast, until they are rounding.
+/// Fraction of the size: changes below this fall quadratically; once they do not, they are rounding.
 inline constexpr double kReductionNear = 1e-9;
-/// Of the size and of the unit of s: for second derivatives.
+/// Difference steps for second derivatives, as fractions of the size and of the unit of s.
 inline constexpr double kReductionDifference = 1e-5;
-/// Of the size: how far λ may lead.
+/// Largest |λ| that is followed, relative to the size.
 inline constexpr double kReductionFarthest = 2;
-/// Steps of Newton's method below this fall fast.
+/// Steps of Newton's method for the root below this fall quadratically; once they do not, they are rounding.
 inline constexpr double kReductionNearRoot = 1e-7;
-/// A step as short as this ends it.
+/// A step this short ends the iteration.
 inline constexpr double kReductionNoStep = 1e-15;
-/// Of the unit of s: a change point at the end of a step.
+/// A change point no farther outside of a step than this fraction of the unit of s belongs to the step.
 inline constexpr double kAtStepEnd = 1e-9;
-/// Of the size: an ε that is rounding.
+/// Relative to the size: an |ε| below this is 0 to within rounding.
 inline constexpr double kCrosses = 1e-13;
-/// Of the path: how far the branch may be from a parabola.
+/// Largest deviation of the branch from a parabola up to a limit, as a fraction of the distance.
 inline constexpr double kLimitParabola = 0.04;
-/// Of the step: how far a limit may lie ahead.
+/// Largest distance of a limit ahead, in steps.
 inline constexpr double kFarAhead = 64;
 
 // Coupled bodies.
 
-/// Largest step of an angle [rad], or of the size.
+/// Largest step of Newton's method [rad, of the size].
 inline constexpr double kLargestCoupledStep = 0.3;
-/// A pivot below this share of the largest one is none.
+/// Pivots below this fraction of the largest count as 0.
 inline constexpr double kCoupledRank = 1e-10;
-/// Determinant, scaled, of a coupled group that has its rank for certain.
+/// Scaled determinant above which a coupled group certainly has full rank.
 inline constexpr double kSurelyPlaced = 1e-9;
-/// Determinant, scaled, of a group that is all but singular; its last step and what is left open, of the
-/// size.
+/// A group is all but singular where its scaled determinant, the last step of Newton's method and the
+/// remaining residual are below these; the latter two as fractions of the size.
 inline constexpr double kAllButSingular = 1e-6;
 inline constexpr double kSingularStep = 1e-6;
 inline constexpr double kCoupledClosure = 1e-14;
-/// Determinant, scaled, of a coupled group that is rounding.
+/// Scaled determinant of a coupled group below which it is rounding.
 inline constexpr double kCoupledRounding = 1e-14;
-/// Of the size: steps of Newton's method below this fall fast, and conditions are met to this.
+/// As fractions of the size: steps of Newton's method below the first fall quadratically; residuals below the
+/// second meet the conditions.
 inline constexpr double kCoupledNear = 1e-9;
 inline constexpr double kCoupledResidual = 1e-9;
-/// Of the size: where the conditions of lost bodies are violated no more than this a solution is next to it.
+/// Fraction of the size: where lost bodies violate their conditions by no more than this, a solution is next
+/// to them.
 inline constexpr double kCoupledApproach = 1e-6;
-/// Changes of angles [rad] and places, of the size: for second derivatives; the last one on the way there;
-/// the farthest that a step of the driver may lead.
+/// In the search for the least violation, for angles [rad] and for places as fractions of the size: the
+/// difference step for second derivatives, the last change of the iteration, and the farthest that bodies may
+/// be led in one step of the driver.
 inline constexpr double kApproachDifference = 1e-6;
 inline constexpr double kApproachSettled = 1e-7;
 inline constexpr double kFarthestApproach = 4;
-/// Steps of Newton's method there, and of the method of Levenberg and Marquardt.
+/// Most iterations of that search, by Newton's method and by the method of Levenberg and Marquardt.
 inline constexpr int kApproachSteps = 6;
 inline constexpr int kMostApproachSteps = 200;
-/// Of the size: bodies that are lost on their way to infinity.
+/// Relative to the size: bodies that are lost farther out than this are on their way to infinity.
 inline constexpr double kCoupledFarOut = 1e3;
 
 // Overlap of bodies.
 
-/// A depth below this is a touch: ten times the precision of the distances that are asked for.
+/// Fraction of the size: an overlap less deep than this is a touch. Ten times the precision to which
+/// distances are computed.
 inline constexpr double kOverlapDepth = 1e-9;
-/// The same of boundaries, which are looked at in samples.
+/// The same for boundaries, which are sampled.
 inline constexpr double kOverlapOfBoundaries = 1e-7;
 inline constexpr double kOverlapPrecision = kOverlapDepth / 10;
-/// The common normal of bodies that need not touch yet, from which an iteration starts.
+/// Precision, as a fraction of the size, of the common normal from which an iteration starts; the bodies need
+/// not touch.
 inline constexpr double kRoughSeparation = 1e-6;
 
-// A contact that goes onto a corner where it could go over to another place, which moves the bodies in the
-// same manner, is on the corner for as long as a touch cannot be told from a depth of kOverlapDepth.
-inline constexpr double kSameRates = 1e-6;  // of the follower's unit
-inline constexpr double kAtCorner = 1e-6;   // of the driver's scale
+// Where a contact can either go onto a corner or go over to another place that gives the bodies the same
+// motion, it is on the corner until the overlap exceeds kOverlapDepth. Rates closer than kSameRates are those
+// of such a place, and a corner reached less than kAtCorner before is not reported.
+inline constexpr double kSameRates = 1e-6;  // relative to the follower's unit
+inline constexpr double kAtCorner = 1e-6;   // relative to the driver's scale
 
 // Places of contacts on boundaries.
 
-/// A contact as near as this to the end of a span has come there, of the boundary's size; on corners [rad].
+/// A contact this near to the end of a span is at it, as a fraction of the boundary's size; on corners [rad].
 inline constexpr double kAtSpanEnd = 1e-6;
-/// Of the drivers' unit: how far a step leads behind a second contact.
+/// How far beyond a second contact a step ends, as a fraction of the drivers' unit.
 inline constexpr double kBehindSecondContact = 1e-6;
-/// What a contact runs at most, of what its speeds at both ends of a step make likely.
+/// Largest distance that a contact runs in a step, relative to what its speeds at both ends suggest.
 inline constexpr double kFartherAlong = 2;
-/// Of a unit of the drivers: a place that ended where the step begins.
+/// A place at which bodies cease to touch nearer to the begin of the step than this fraction of the drivers'
+/// unit ended there.
 inline constexpr double kJustLeft = 1e-9;
-/// The same: where it goes on beyond a vertex.
+/// Distances beyond a vertex, as fractions of the drivers' unit, at which the motion is tried to go on.
 inline constexpr std::array kBeyondVertex = {0.0, 1e-14, 1e-13, 1e-12, 1e-11};
-/// A jump of a rate that is that of a mechanism whose dimensions are rounded.
+/// A smaller jump of a rate is due to rounded dimensions [1, of the size].
 inline constexpr double kNoJump = 1e-9;
-/// Of a rate: another one that is 0.
+/// Relative to the larger of two rates: a rate below this is 0.
 inline constexpr double kRateRounding = 1e-12;
 
-/// What is looked at for other places, of how far the bodies move against each other by their rates.
+/// Distance within which other places are looked for, relative to how far the bodies move against each other
+/// by their rates.
 inline constexpr double kFartherThanByRates = 1.5;
-/// Of the boundaries: a place that is that of the contact.
+/// A place this near to the contact, as a fraction of the boundaries' size, is the contact itself.
 inline constexpr double kSameMeeting = 1e-6;
-/// The same of its normal [rad]: the sides of a notch are near each other.
+/// The same for its normal [rad]: the two sides of a notch are near each other.
 inline constexpr double kSameMeetingNormal = 1e-3;
-/// Of the change by rates: a gap that may be that of the same place.
+/// Largest mismatch of a followed gap, as a fraction of its change by its rates, for it to belong to the same
+/// place.
 inline constexpr double kGapAgrees = 0.1;
-/// Of a gap: a least one within the step that may be none in truth.
+/// An estimated least gap within a step is solved for if it is below this fraction of the gaps at the step's
+/// ends.
 inline constexpr double kWorthALook = 0.5;
 
 // Gaps and residuals.
 
-/// A gap that is 0 to within rounding.
+/// Fraction of the size: a gap this small is 0 to within rounding.
 inline constexpr double kClosedGap = 1e-14;
-/// Of the size: how far beside an end a curve still meets the other one.
+/// Fraction of the size by which a curve may pass beside an end and still meet it.
 inline constexpr double kCapture = 1e-3;
-/// Of the size: of a body that is moved onto its contact.
+/// Largest shift of a body that is moved onto its contact, as a fraction of the size.
 inline constexpr double kFarthestShift = 5e-3;
-/// Of the size: a pose that touches only by that much is open.
+/// Fraction of the size: a pose that is farther from its contact than this starts open.
 inline constexpr double kStartsApart = 1e-4;
-/// Product of sines: a normal that is a sample's but for rounding.
+/// Product of sines below which a normal is that of a sample to within rounding.
 inline constexpr double kOnSample = 1e-12;
-/// Of a step: a contact that closes beside an end begins farther in.
+/// First distance, as a fraction of the drivers' unit, by which a contact that closes next to an end is moved
+/// on if the curves do not meet yet.
 inline constexpr double kFirstNudge = 1e-13;
-/// Of the radii of curvature: far out on open curves a rounding of the common normal shifts points of contact
-/// by this along the tangent.
+/// Far out on open curves, rounding of the common normal shifts contact points along the tangent by this
+/// fraction of the radii of curvature.
 inline constexpr double kNormalRounding = 4 * std::numeric_limits<double>::epsilon();
 
 // Chains of dyads, many rows at once.
 
-/// Coordinates this many times as long as a link leave its direction 1e-13 of rounding: no residual comes
-/// near 1e-9 of the size then.
+/// Largest ratio of a coordinate to the shortest link. It leaves a link's direction a rounding of 1e-13, so
+/// that no residual comes near 1e-9 of the size.
 inline constexpr double kFarthestPoint = 1e3;
-/// A body that starts as far from its pose's angle may be half a turn from it, on either side.
+/// A body whose first angle differs from its pose's by more than this may be half a turn from it, on either
+/// side.
 inline constexpr double kSureTurn = kPi - 1e-6;
-/// Of the size: a spring shorter than this has a direction made of rounding, or none.
+/// Fraction of the size: the direction of a shorter spring is made of rounding, or undefined.
 inline constexpr double kShortestSpring = 1e-6;
-/// Assemblies whose distances from the poses differ by less than this share are as near as each other.
+/// Assemblies whose distances from the poses differ by less than this fraction are equally near.
 inline constexpr double kAsNear = 1e-9;
-/// Of the size: how far a disc may be from where a Run has put it. The other mode is much farther away.
+/// Largest distance between a disc and where a Run has put it, as a fraction of the size. The other mode is
+/// much farther away.
 inline constexpr double kSameChainPlace = 1e-6;
 
-/// A sine smaller than this is near a limit; steps of a run take a crossing into account from kNearCrossing
-/// on.
+/// A smaller sine is near a limit; steps of a run take a crossing into account from kNearCrossing on.
 inline constexpr double kSafeSine = 0.02;
-/// A body that turns further from one position to the next might be whole turns off [rad].
+/// A body that turns by more than this from one position to the next might be whole turns off [rad].
 inline constexpr double kSafeTurn = 2;
-/// Of the differences of a contact's forces: how far the force may fall below its rows.
+/// How far a contact's force may fall below its values in the rows, as a multiple of their differences.
 inline constexpr double kForceDip = 0.5;
 inline constexpr double kForceDipAtEnd = 4;
 
-/// Ellipses this slender (q = 1 - e²) are nearly parabolas: their centres are too far away to say where the
-/// vertex is.
+/// More slender ellipses (q = 1 - e²) are nearly parabolas: their centres are too far away to locate the
+/// vertex.
 inline constexpr double kSlenderestOval = 1e-2;
-/// Turn of body or normal that a pass may guess [rad].
+/// Largest turn of the body or the normal in one pass of Newton's method [rad].
 inline constexpr double kFarthestOvalGuess = 0.4;
-/// Of the size: from a gap this small one more pass reaches rounding, as the curvature is known well enough.
+/// Fraction of the size: from a gap this small one more pass reaches rounding, as the curvature is known well
+/// enough.
 inline constexpr double kOvalsArrived = 1e-12;
-/// |∂gap/∂q| of the arm of the contact, below which it is near a limit.
+/// |∂gap/∂q| relative to the arm of the contact, below which it is near a limit.
 inline constexpr double kLeastOvalSine = 0.02;
-/// Of the path from row to row: where it changes by more, third derivatives are not taken from three rows.
+/// Relative change of the spacing of the rows above which third derivatives are not taken from three rows.
 inline constexpr double kUnevenRows = 1e-3;
 
 // Derivatives by dimensions.
 
-/// Slip, in the mechanism's size, by a unit change of a coordinate: one that does not matter.
+/// Change of slip, in the mechanism's size, by a unit change of a coordinate, below which the coordinate does
+/// not matter.
 inline constexpr double kNoInfluenceSlip = 1e-9;
 
-/// Largest displacement of a row for differences: what they leave, of its eighth power, is below rounding,
-/// and rounding is not enlarged much.
+/// Largest displacement of a row for differences. Their truncation error, in its eighth power, is below
+/// rounding, and rounding is not amplified much.
 inline constexpr double kLargestDisplacement = 4e-3;
-/// By so much more than what the smoother side bends are slopes of both sides apart where there is a kink or
-/// a jump; and by so much of themselves, and their changes of the values, at least.
+/// There is a kink or a jump at 0 if the slopes of its two sides differ by more than the sum of these
+/// fractions of the fourth difference on the smoother side, of the slopes and of the values.
 inline constexpr double kKinkOfBends = 100;
 inline constexpr double kKinkOfSlopes = 1e-7;
 inline constexpr double kKinkOfValues = 1e-12;
-/// Of the step: how far the radii of curvature are looked at.
+/// Fraction of the step by which a row is displaced to see how fast radii of curvature change.
 inline constexpr double kRadiiProbe = 1e-3;
-/// Share by which differences of two orders may disagree before the dimensions count as not smooth.
+/// Largest relative disagreement of differences of two orders for dimensions that count as smooth.
 inline constexpr double kDimensionsNotSmooth = 1e-6;
 
-/// Steps of a parameter, of its scale.
+/// Difference steps of a parameter that are tried, as fractions of its scale.
 inline constexpr std::array kParameterSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
-/// Disagreement of differences of two orders of boundaries that is rounding, or so little that the better
-/// ones have no other error. Disagreement that is too much. And a change of them with a parameter that is
-/// none.
+/// Disagreement of differences of two orders of boundaries: below the first it is rounding, or so little that
+/// the better ones have no other error; above the second it is too much. Changes of boundaries with a
+/// parameter below the third count as none.
 inline constexpr double kBoundariesAgree = 1e-10;
 inline constexpr double kBoundariesDisagree = 1e-8;
 inline constexpr double kBoundariesStandStill = 1e-11;

@@ -13,8 +13,8 @@
 namespace higherpair {
 namespace {
 
-// The contact from a guess; at a limit itself, where no branch is left to look for it on, the position that
-// two branches share.
+// Solves for the contact from a guess. At a limit itself, where no branch is left to search on, takes the
+// position that the two branches share.
 ContactResult contact_near(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                            double size) {
   ContactResult solved = solve_contact(pair, u, q, n_W, branch);
@@ -34,7 +34,7 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
   return {ContactStatus::kOk, extreme->at, 0};
 }
 
-// What a touching body is placed from.
+// The prediction from which a touching body is placed.
 struct Placement {
   const State& from;
   double h;
@@ -42,14 +42,14 @@ struct Placement {
   double q;
 };
 
-// The place of a contact on one boundary after h, by its speed along it; on a corner the normal's turning
-// against the body.
+// Predicted place of a contact on one boundary, from its speed along it; on a corner, from the normal's turn
+// relative to the body.
 BoundaryPlace predicted_place(const Boundary& boundary, const BoundaryPlace& place, double along,
                               double turn) {
   return boundary.advance(place, along, turn).place;
 }
 
-// The body and its contact where that has been found.
+// Sets the body and its contact to a contact that has been found.
 void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                         const BoundaryPair& pair, const BoundaryContact& found, double phi, State& to) {
   move_contact(touching, found, phi, to.contacts[static_cast<std::size_t>(touching.contact)]);
@@ -62,7 +62,7 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
   group.noise = kGapQIsZero * group.lever;
 }
 
-// \param phi  of the normal, near which it is
+// \param phi  reference angle of the normal, to select its whole turns
 void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPair& pair,
                     const ContactPosition& at, double phi, State& to) {
   to.contacts[static_cast<std::size_t>(touching.contact)] =
@@ -98,7 +98,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   return GroupStatus::kOk;
 }
 
-// The body of an open contact, which stays where it is on its joint.
+// Places the body of an open contact, which stays where it is on its joint.
 GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State& from, State& to) {
   GroupState& group = to.groups[g];
   group = from.groups[g];
@@ -147,9 +147,9 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
 
 namespace {
 
-// Of the contacts that leave the bodies free of overlap the one nearest to the coordinate at which the last
-// was lost. Positions of closed curves that are free end at a contact of either mode: one that is alone is
-// free.
+// Of the contacts without overlap, takes the one nearest to the coordinate at which the last was lost. For
+// closed curves, a range of positions without overlap is bounded by a contact of each mode: a contact that is
+// alone in its mode has no overlap.
 GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                                   const State& from, double lost, State& to) {
   const StandingPair placed = standing_pair(model, touching, to);
@@ -177,7 +177,7 @@ GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touc
   return GroupStatus::kOk;
 }
 
-// The same of conics.
+// The same for conics.
 GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                               const State& from, double lost, State& to) {
   const StandingPair placed = standing_pair(model, touching, to);
@@ -206,7 +206,8 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
                              : place_conics_anew(model, touching, g, from, lost, to);
 }
 
-// The follower's coordinate rates from n·(v2 - v1) = 0 and the same for accelerations, its carrier moving.
+// The rates of the follower's coordinate from n·(v2 - v1) = 0 and the same for accelerations, with its
+// carrier moving.
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state) {
   const CarriedBody& follower = touching.follower;
   const BodyMotion& carrier = body_in(state, follower.carrier);

@@ -14,7 +14,7 @@ const ContactPosition& position_of(const PairTrack& track) {
   return std::get<ContactTrack>(track).at;
 }
 
-// The follower and the contact from where the group's track now is.
+// Sets the follower and the contact to the present position of the group's track.
 void place_follower(const TrackedPair& tracked, const ContactPosition& at, double phi, const State& from,
                     State& to) {
   place_at(tracked.follower.freedom, at.q, tracked.follower.body, from, to);

@@ -9,7 +9,8 @@
 namespace higherpair {
 namespace {
 
-// Both bodies of a contact, seen from the one whose face ends.
+// Both bodies of a contact: the one whose face ends (faced), and the one that touches it with a corner
+// (pointed).
 struct VertexSides {
   const Boundary& faced;
   const Boundary& pointed;
@@ -18,14 +19,14 @@ struct VertexSides {
   BoundaryPlace on_face, on_point;
 };
 
-// The place on the corner at `at` that touches the other body's place, if its normals have that one.
+// The place on the corner at `at` that has the normal n_W, if the corner's normals include it.
 std::optional<BoundaryPlace> on_same_corner(const Boundary& boundary, const Pose<double>& X_WB,
                                             const BoundaryPlace& at, const Vector2d& n_W) {
   const auto place = place_with_normal(boundary, at, X_WB.R_WB.inverse() * n_W);
   return place && place->span == at.span ? place : std::nullopt;
 }
 
-// The touch of two places, the faced body being the first.
+// The touch of two places, with the faced body first.
 NearPlace touch_of(const VertexSides& sides, const BoundaryPlace& on_face, const BoundaryPlace& on_point) {
   const SpanPoint face = sides.faced.at(on_face);
   const SpanPoint point = sides.pointed.at(on_point);
@@ -37,8 +38,7 @@ NearPlace touch_of(const VertexSides& sides, const BoundaryPlace& on_face, const
       0};
 }
 
-// Of the faced and the pointed body, where the contact runs over the end of its span that is
-// `high` or not.
+// The passage at the end of the faced body's span that is `high` or not.
 std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
   const Boundary& faced = sides.faced;
   const auto joint_at = [&](int span) {

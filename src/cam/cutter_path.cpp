@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-// By halving where dκ/ds changes its sign; the ends where it does not.
+// By bisection where dκ/ds changes sign from - to +; otherwise one of the ends.
 SpanPoint least_curvature(const Span& span, double from, double to, double& at) {
   double low = from;
   double high = to;
@@ -33,7 +33,7 @@ tl::expected<Boundary, OffsetFault> offset_of(const Boundary& flank, double radi
     return tl::unexpected(spans.error());
   }
   auto path = Boundary::make(*std::move(spans), flank.is_closed(), kOffsetMeets * (flank.size() + radius));
-  // A span whose offset turns back between the probes of offset_spans.
+  // Fails for a span whose offset turns back between the samples taken by offset_spans.
   return path ? tl::expected<Boundary, OffsetFault>(*std::move(path))
               : tl::unexpected(OffsetFault{OffsetFault::Kind::kCusp});
 }
@@ -43,7 +43,7 @@ bool can_cut(const Boundary& flank, double radius) {
   return path && !find_self_crossing(*path);
 }
 
-// The largest one up to a radius that cannot.
+// The largest radius below `too_large` that can cut.
 double largest_cutter(const Boundary& flank, double too_large) {
   double good = 0;
   double bad = too_large;

@@ -18,7 +18,7 @@ using Longer = PowerSeries<double, 4>;
 using Vector = Vector2<Series>;
 
 constexpr int kMaxNewton = 50;
-constexpr int kNormals = 64;  // at which the equation is looked at
+constexpr int kNormals = 64;  // at which the sign of the equation is sampled
 
 using Relative = RelativeMotion<double, 3>;
 
@@ -41,7 +41,8 @@ Vector unit_series(const Series& phi) {
   return {cos(phi), sin(phi)};
 }
 
-// Where the follower's curve touches the cam: the point whose velocity against the cam is along the curve.
+// Finds where the follower's curve touches the cam: the point whose velocity relative to the cam is along the
+// curve.
 class Touching {
 public:
   explicit Touching(const FlankOrigin& of) : motion_(of.motion), curve_(of.curve), outer_(of.outer) {}
@@ -68,7 +69,7 @@ private:
     return Touch{{foot.x() + along * t.x(), foot.y() + along * t.y()}, {Series(n.x()), Series(n.y())}};
   }
 
-  // The normal is across the velocity of the centre.
+  // The normal is perpendicular to the velocity of the centre.
   [[nodiscard]] std::optional<Touch> touch_of_circle(const Relative& relative, const Vector2d& centre) const {
     const Vector W(relative.w.x() - centre.y() * relative.omega,
                    relative.w.y() + centre.x() * relative.omega);
@@ -84,7 +85,7 @@ private:
     return Touch{{centre.x() + r * n.x(), centre.y() + r * n.y()}, n};
   }
 
-  // Newton's method for the normal's angle, in numbers and then in series.
+  // Newton's method for the normal's angle, first in numbers and then in series.
   [[nodiscard]] std::optional<Touch> touch_of_conic(const Relative& relative) const {
     const PlacedCurve<double> placed = place(curve_, Pose<double>{});
     const Vector2d w(value_of(relative.w.x()), value_of(relative.w.y()));
@@ -124,7 +125,7 @@ private:
     placed.side = curve_.side == Side::kInside ? 1 : -1;
     Series phi(phi_at);
     Touch touch;
-    // Each pass doubles the number of right terms.
+    // Each pass doubles the number of correct terms.
     for (int pass = 0; pass < 4; ++pass) {
       touch.n = unit_series(phi);
       const Vector t(-touch.n.y(), touch.n.x());
@@ -139,7 +140,7 @@ private:
 
   [[nodiscard]] static Series dot(const Vector& a, const Vector& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-  // Where the equation changes its sign round the normals of the curve.
+  // Normals of the curve between which the equation changes sign.
   template <class F>
   [[nodiscard]] static std::vector<double> guesses(const PlacedCurve<double>& placed, const F& equation) {
     const NormalArc all = normals_of(placed).value_or(NormalArc{});
@@ -153,7 +154,7 @@ private:
       }
       last = f;
     }
-    // Of a closed curve one may lie across the cut.
+    // For a closed curve one may lie across the cut.
     found.push_back(all.middle + all.half);
     return found;
   }
@@ -180,7 +181,7 @@ private:
   bool outer_;
 };
 
-// The point p and the outward normal n of the cam as a point of a span with the parameter sense · x.
+// The contact point p of the cam, with outward normal n, as a point of a span with the parameter sense · x.
 SpanPoint point_of(const Vector& p, const Vector2d& n, double sense) {
   const auto derivative_of = [&](std::size_t k, double factor) {
     return Vector2d(factor * p.x().c[k], factor * p.y().c[k]);

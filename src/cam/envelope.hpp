@@ -7,22 +7,22 @@
 
 namespace higherpair {
 
-/// The envelope of a follower's curve in its motion against a cam: see cam_flank().
+/// The envelope of a follower's curve in its motion relative to a cam: see cam_flank().
 class Envelope {
 public:
   explicit Envelope(FlankOrigin origin) : origin_(std::move(origin)) {}
 
   [[nodiscard]] const FlankOrigin& origin() const { return origin_; }
 
-  /// The parameter that tangents and curvature rates are by is `sense` times the cam's coordinate: +1 or -1.
+  /// The parameter of tangents and curvature rates is `sense` times the cam's coordinate: +1 or -1.
   void set_sense(double sense) { sense_ = sense; }
 
   /// The point of the cam that touches at the coordinate x of the cam's joint, with the derivatives of the
   /// law on one side of it. None where no point of the follower can touch.
   [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side) const;
 
-  /// Bounds of the span by that parameter, over coordinates within one piece of the law. None where they
-  /// cannot be told.
+  /// Bounds of the span over a range of the cam's coordinate within one piece of the law. None where they
+  /// cannot be determined.
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& x) const;
 
 private:

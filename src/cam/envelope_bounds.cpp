@@ -18,7 +18,7 @@ constexpr int kMostWidenings = 8;
 using MotionOver = RelativeMotion<Interval, 1>;
 
 MotionOver motion_over(const CamMotion& motion, const Bounds& x) {
-  // Not as far as a join, where the derivatives of the next piece count as well.
+  // Keeps away from a join, where the derivatives of the next piece would count as well.
   const double beside = std::min(kBesideJoin * std::max(std::abs(x.low), std::abs(x.high)), x.width() / 2);
   PowerSeries<Interval, 2> joint(to_interval(x));
   joint.c[1] = 1;
@@ -34,8 +34,8 @@ IntervalVector term(const Vector2<MotionOver::Series>& v, std::size_t k) {
   return {v.x().c[k], v.y().c[k]};
 }
 
-// How fast the point of contact goes along the follower's t, against the cam, and its normal turns against
-// the follower.
+// Speed of the contact point along the follower's t, relative to the cam, and rate of rotation of its normal
+// relative to the follower.
 struct ContactRates {
   Interval along;
   Interval turn;
@@ -48,7 +48,7 @@ ContactRates rates_of_line(const MotionOver& motion, const Curve& line) {
   return {term(motion.w, 0).dot(exactly(perp(n))) + omega * line.vertex_B.dot(n) + h_slope.c[1], 0};
 }
 
-// The follower's curve about one of its normals.
+// The follower's curve near one of its normals.
 struct Arc {
   const Curve& curve;
   double middle;  // angle of that normal
@@ -83,8 +83,8 @@ bool is_finite(const ContactRates& rates) {
   return std::isfinite(boost::numeric::norm(rates.along)) && std::isfinite(boost::numeric::norm(rates.turn));
 }
 
-// The normal's angle is the solution of dφ/dx = rate: it stays within bounds that the rate over them does not
-// lead out of.
+// The normal's angle solves dφ/dx = rate: it stays within bounds that it cannot leave at the rates found over
+// them.
 std::optional<ContactRates> rates_of_arc_over(const MotionOver& motion, const Arc& arc,
                                               const Interval& from_middle) {
   Interval phi = around(arc.middle, kEnvelopeRounding);
@@ -123,7 +123,7 @@ std::optional<SpanBounds> bounds_by_halves(const Envelope& envelope, const Bound
   const auto middle = envelope.at(at, LawSide::kAfter);
   const auto rates = middle ? rates_over(envelope.origin(), motion, x, *middle, at) : std::nullopt;
   if (rates) {
-    // The cam's normal is the follower's, turned round: so is its t.
+    // The cam's normal is opposite to the follower's, and so is its t.
     const Interval rounding = around(1, kEnvelopeRounding);
     return SpanBounds{to_bounds(-sense * rates->along * rounding),
                       to_bounds(sense * (motion.omega.c[0] + rates->turn) * rounding)};

@@ -14,18 +14,18 @@ namespace higherpair {
 namespace {
 
 constexpr int kPartsOfSpan = 48;
-constexpr std::size_t kMostParts = 312;  // more than that, for the knots of a spline
-constexpr int kProbes = 64;              // places of a span at which a cusp is looked for
+constexpr std::size_t kMostParts = 312;  // largest number of parts added for the knots of a spline
+constexpr int kProbes = 64;              // places of a span that are checked for a cusp
 
-// A spline through many points may have a shape between any two of them, if hardly a large one.
+// A spline through many points may vary in shape between any two of them, though hardly much.
 int parts_for(std::size_t knots) {
   return kPartsOfSpan + static_cast<int>(std::min<std::size_t>(knots, kMostParts));
 }
 
-// Between two joins of the law: over the knots of a spline curvature and its rate are continuous.
+// The flank between two joins of the law; at the knots of a spline curvature and its rate are continuous.
 class FlankSpan final : public Span {
 public:
-  /// \param knots  of the law within
+  /// \param knots  number of knots of the law within it
   FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const Bounds& joint, std::size_t knots)
       : envelope_(std::move(envelope)),
         sense_(sense),
@@ -51,12 +51,12 @@ private:
   std::shared_ptr<const Envelope> envelope_;
   double sense_;
   Bounds joint_;
-  SpanPoint low_, high_;  // its ends, which steps along a boundary ask for again and again
+  SpanPoint low_, high_;  // its ends, cached because steps along a boundary need them often
   int parts_;
 };
 
-// Whether the follower's curve stays where it is: a circle or point on the follower's pivot, a face along its
-// guide.
+// Whether the joint moves the follower's curve within itself: a circle or point on the follower's pivot, a
+// face along its guide.
 bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double size) {
   if (follower.turns) {
     const auto centre = round_center(curve);
@@ -65,7 +65,7 @@ bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double s
   return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotionOnCam;
 }
 
-// Where the flank begins to run backwards: its speed is 0.
+// Where the flank begins to run backwards, at speed 0.
 double cusp_before(const Envelope& envelope, double from, double to, double speed_to) {
   const auto speed = [&](double x) {
     const auto point = envelope.at(x, LawSide::kAfter);
@@ -75,7 +75,7 @@ double cusp_before(const Envelope& envelope, double from, double to, double spee
   return root ? from + *root : to;
 }
 
-// The first place in a stretch at which the flank runs backwards, or cannot be.
+// The first place in a stretch at which the flank runs backwards, or does not exist.
 std::optional<FlankFault> fault_within(const Envelope& envelope, double from, double to, std::size_t knots) {
   const int probes = kProbes + static_cast<int>(knots);
   double last = from;

@@ -41,7 +41,7 @@ double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre) {
   const Vector2d normal = perp(centre.w);
   const Vector2d away =
       cam.motion.cam.turns ? centre.from_cam : Vector2d(cam.motion.follower_sign * centre.u);
-  // Along the curve the normal keeps its side: that on which it is where the follower rests.
+  // The normal stays on one side of the curve: the side on which it is where the follower dwells.
   const double sense = (perp(Vector2d(-centre.v)).dot(away) < 0) != cam.outer ? -1 : 1;
   const double speed2 = centre.w.squaredNorm();
   return -sense * normal.dot(centre.a) / (speed2 * std::sqrt(speed2));
@@ -75,7 +75,7 @@ Face face_at(const FlankOrigin& cam, const Lift& lift, double rest) {
   const Vector2d pivots = motion.follower.p_WO - motion.cam.p_WO;
   const double across = perp(n).dot(pivots);  // d(height)/dq
   const double h1 = q1 * across, h2 = q2 * across - q1 * q1 * n.dot(pivots);
-  const double turn = q1 - 1;  // of the normal in the cam
+  const double turn = q1 - 1;  // turning rate of the normal in the cam
   return {height, height + (h2 * turn - h1 * q2) / (turn * turn * turn)};
 }
 

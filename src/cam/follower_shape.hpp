@@ -8,57 +8,57 @@
 
 namespace higherpair {
 
-/// A size as one number y >= 0, 0 where the cam has shrunk to nothing: the follower rests at origin + sense
-/// y.
+/// A size as one number y >= 0, 0 where the cam shrinks to nothing: the follower's rest position is origin +
+/// sense y.
 struct SizeRange {
   double origin = 0;
   double sense = 1;
-  double most = std::numeric_limits<double>::infinity();  ///< y beyond which the cam does not grow
-  double step = 1;                                        ///< for a search
+  double most = std::numeric_limits<double>::infinity();  ///< y beyond which the cam does not grow any more
+  double step = 1;                                        ///< initial step of a search
 
   [[nodiscard]] double rest(double y) const { return origin + sense * y; }
 };
 
-/// A round follower: its centre and its radius, < 0 of a ring.
+/// A round follower: its centre and its radius, < 0 for a ring.
 struct Round {
   Vector2d centre_B;
   double radius = 0;
 };
 [[nodiscard]] std::optional<Round> round_of(const FlankOrigin& cam);
 
-/// The centre of a round follower in ground, for a unit rate of the cam.
+/// Motion of the centre of a round follower in ground, for a unit rate of the cam.
 struct Centre {
-  Vector2d from_cam;  ///< from the cam's pivot (a sliding cam: from ground's origin)
+  Vector2d from_cam;  ///< position relative to the cam's pivot (for a sliding cam: to the origin of ground)
   Vector2d u;         ///< velocity for a unit rate of the follower
-  Vector2d v;         ///< of the cam's material there
-  Vector2d w;         ///< against the cam
-  Vector2d a;         ///< acceleration against the cam, as seen from it
+  Vector2d v;         ///< velocity of the cam's material there
+  Vector2d w;         ///< velocity relative to the cam
+  Vector2d a;         ///< acceleration relative to the cam, in its frame
 };
 [[nodiscard]] Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest);
 
-/// What the tangent of the pressure angle is made of: the motion of the centre against the cam along the
-/// follower's path, with its sign, and across it.
+/// Components of the tangent of the pressure angle: the motion of the centre relative to the cam along the
+/// follower's path, and across it, both signed.
 struct Inclination {
   double along = 0;
   double across = 0;
 };
 [[nodiscard]] Inclination inclination_of(const Centre& centre);
 
-/// Curvature of the centre's path against the cam, > 0 where its centre of curvature is on the cam's side:
-/// κ = -n·a/|w|².
+/// Curvature of the centre's path relative to the cam, > 0 where its centre of curvature is on the cam's
+/// side: κ = -n·a/|w|².
 [[nodiscard]] double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre);
 
-/// y is the height over the cam's pivot along a guide, or the angle of the arm from the line of the pivots.
+/// y is the height above the cam's pivot along a guide, or the angle of the arm from the line of the pivots.
 [[nodiscard]] SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round);
 
-/// A flat face: its support about the cam's pivot by the angle φ of its normal in the cam's frame.
+/// A flat face: its support function about the cam's pivot, of the angle φ of its normal in the cam's frame.
 struct Face {
   double height = 0;  ///< distance from the pivot
-  double radius = 0;  ///< of curvature of the flank: height + d²height/dφ²
+  double radius = 0;  ///< radius of curvature of the flank: height + d²height/dφ²
 };
 [[nodiscard]] Face face_at(const FlankOrigin& cam, const Lift& lift, double rest);
 
-/// y is the height of the face, or the angle by which it is turned out from along the line of the pivots.
+/// y is the height of the face, or the angle by which it is turned outwards from the line of the pivots.
 [[nodiscard]] SizeRange sizes_of_flat(const FlankOrigin& cam);
 
 }  // namespace higherpair

@@ -14,7 +14,7 @@ namespace higherpair {
 struct MotionLaw::Data {
   LawPieces law;
   bool repeats = false;
-  double first = 0;  ///< value at the begin
+  double first = 0;  ///< value at the beginning
   double last = 0;   ///< and at the end
   std::vector<LawJoin> joins;
 
@@ -23,11 +23,11 @@ struct MotionLaw::Data {
   [[nodiscard]] double length() const { return end() - begin(); }
   [[nodiscard]] double advance() const { return last - first; }
 
-  // A piece and where x is in it; no piece: beyond the ends of a law that does not repeat.
+  // A piece and the position of x in it; no piece: beyond the ends of a law that does not repeat.
   struct Found {
     const LawPiece* piece = nullptr;
     double x = 0;
-    double offset = 0;  // to the value
+    double offset = 0;  // to be added to the value
   };
 
   [[nodiscard]] Found find(double x, LawSide side) const {
@@ -64,7 +64,8 @@ struct MotionLaw::Data {
   }
 
   // Calls visit(piece, from, to, offset, shift) for every piece between two coordinates, in order; from and
-  // to are in the first repetition, and x is shift on. Without a piece: the law stays.
+  // to are in the first repetition, and the actual coordinates are greater by shift. No piece: the law is
+  // constant.
   template <class Visit>
   void for_each_piece(double from, double to, const Visit& visit) const {
     const std::size_t count = law.pieces.size();
@@ -96,8 +97,7 @@ struct MotionLaw::Data {
 
   [[nodiscard]] std::vector<double> places(int k, double from, double to, double level) const;
 
-  // A bound of the size of the k-th derivative over the whole law; infinite where that leaves the range of
-  // numbers.
+  // A bound of the absolute value of the k-th derivative over the whole law; infinite if it overflows.
   [[nodiscard]] double size(int k) const {
     double largest = 0;
     for (std::size_t i = 0; i < law.pieces.size(); ++i) {

@@ -10,7 +10,8 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kMostConditions = 12;  // at each end of a polynomial: powers of higher degree cancel
+// At each end of a polynomial: powers of higher degrees would cancel.
+constexpr std::size_t kMostConditions = 12;
 
 using Fault = std::optional<LawFault>;
 
@@ -18,7 +19,7 @@ bool is_finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
-// `reached`: the value at its begin; none for the first segment.
+// `reached`: the value where the segment begins; none for the first segment.
 Fault fault_of_polynomial(const LawSegment& segment, std::optional<double> reached, double largest) {
   const auto wrong = [](const char* key, std::string rule) { return LawFault{{}, {}, key, std::move(rule)}; };
   for (const auto& [key, conditions] : {std::pair("start", &segment.start), std::pair("end", &segment.end)}) {

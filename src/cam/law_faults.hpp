@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// The first mistake in a description, if there is one.
+/// The first error in a description, if there is one.
 [[nodiscard]] std::optional<LawFault> fault_of(const LawDescription& description);
 
 }  // namespace higherpair

@@ -46,7 +46,7 @@ void LawPieces::expand(const LawPiece& piece, double x, std::span<double> out) c
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
     double even = wave.cosine * cosine + wave.sine * sine;  // the wave
-    double odd = wave.sine * cosine - wave.cosine * sine;   // its derivative by the angle
+    double odd = wave.sine * cosine - wave.cosine * sine;   // its derivative with respect to the angle
     double factor = 1;
     for (std::size_t k = 0; k < out.size(); ++k) {
       out[k] += factor * even;
@@ -78,15 +78,16 @@ double LawPieces::derivative(const LawPiece& piece, int k, double x) const {
 
 namespace {
 
-// What is known of a function within `half` of a place: two enclosures, which are added up term by term. The
-// one has the value and the size of all the rest, the other the slope by itself as well: slopes may cancel.
+// Bounds of a function within `half` of a place, by two enclosures that are summed term by term. The first
+// consists of the value and the size of all other terms; the second keeps the slope separately as well, since
+// slopes may cancel.
 struct Enclosure {
   double half = 0;
-  double low = 0, high = 0;                 // of the sum
-  double value = 0, slope = 0, beyond = 0;  // value + slope d ± beyond
-  double size = 0;                          // of the numbers that it was made of
+  double low = 0, high = 0;                 // first enclosure, of the sum
+  double value = 0, slope = 0, beyond = 0;  // second one: value + slope d ± beyond
+  double size = 0;                          // of the numbers that it was computed from
 
-  // The n-th term of a Taylor polynomial; `largest`: the sum of the sizes of what it is made of.
+  // The n-th term of a Taylor polynomial; `largest`: the sum of the sizes of the numbers it is computed from.
   void add_power(int n, double c, double power, double largest) {
     size += largest * power;
     if (n == 0) {

@@ -1,4 +1,4 @@
-// What is asked of a law as a whole: bounds, extremes, zeros, breaks.
+// Queries on a law as a whole: bounds, extremes, zeros, breaks.
 #include "law_data.hpp"
 #include "law_search.hpp"
 #include "tolerances.hpp"
@@ -80,7 +80,7 @@ LawExtremes MotionLaw::extremes(int k, double from, double to) const {
   return best;
 }
 
-// Where the k-th derivative is `level`, which is 0 but for k = 0.
+// Where the k-th derivative equals `level`, which is 0 unless k = 0.
 std::vector<double> MotionLaw::Data::places(int k, double from, double to, double level) const {
   std::vector<double> found;
   const auto add = [&](double x) {
@@ -89,7 +89,7 @@ std::vector<double> MotionLaw::Data::places(int k, double from, double to, doubl
     }
   };
   const double negligible = kLawNoise * size(k);
-  double before = 0;  // sign at the end of the piece before
+  double before = 0;  // sign at the end of the preceding piece
   const auto visit = [&](const LawPiece* piece, double low, double high, double offset, double shift) {
     const double higher_by = k == 0 ? offset - level : 0;
     const auto value = [&](double x) { return (piece ? law.derivative(*piece, k, x) : 0) + higher_by; };
@@ -101,7 +101,7 @@ std::vector<double> MotionLaw::Data::places(int k, double from, double to, doubl
     if (piece == nullptr) {
       return;
     }
-    // The piece by itself, higher by so much.
+    // A copy of the piece, shifted by higher_by.
     LawPieces own;
     LawPiece raised = *piece;
     raised.base += higher_by;

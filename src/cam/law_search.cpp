@@ -25,7 +25,7 @@ struct Search {
     }
   }
 
-  // The ends are known not to be exact zeros, or have been added.
+  // The ends are either known not to be exact zeros, or have already been added.
   void inside(double from, double to) {
     const Bounds own = law.bounds(piece, k, from, to);
     if (own.low > 0 || own.high < 0) {

@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// The follower's motion against the cam, as series of N powers of the cam's joint.
+/// The follower's motion relative to the cam, as series of N powers of the cam's joint coordinate.
 /// \tparam C  double, or an interval
 template <class C, int N>
 struct RelativeMotion {

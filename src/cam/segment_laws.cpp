@@ -1,5 +1,5 @@
-// The laws of segments. All but `harmonics` are made of two halves: the first is written about the begin of
-// the segment, the second about its end, so that what vanishes at an end does so exactly.
+// The laws of segments. All except `harmonics` consist of two halves: the first is expanded about the
+// beginning of the segment, the second about its end, so that whatever vanishes at an end does so exactly.
 #include "law_pieces.hpp"
 
 #include <array>
@@ -10,17 +10,17 @@
 namespace higherpair {
 namespace {
 
-// A stretch of acceleration, from where the one before ends to the fraction `to` of the segment:
-//     a = constant + cosine cos ωτ + sine sin ωτ,   τ from its begin.
+// A stretch of acceleration, from the end of the preceding one to the fraction `to` of the segment:
+//     a = constant + cosine cos ωτ + sine sin ωτ,   τ from its beginning.
 struct Stretch {
   double to = 0.5;
   double constant = 0;
   double cosine = 0;
   double sine = 0;
-  double omega = 0;  // τ as a fraction of the segment
+  double omega = 0;  // with τ as a fraction of the segment
 };
 
-// What acceleration does in the first half, but for its scale; the second half is the first, turned by 180°.
+// Acceleration in the first half, up to its scale; the second half is the first rotated by 180°.
 std::span<const Stretch> first_half(LawType type) {
   static constexpr std::array<Stretch, 1> kParabolic = {{{0.5, 1}}};
   static constexpr std::array<Stretch, 1> kHarmonic = {{{0.5, 0, 1, 0, kPi}}};
@@ -43,7 +43,7 @@ std::span<const Stretch> first_half(LawType type) {
   }
 }
 
-// A part of the first half as a function f of τ, from `from` to `to` after the begin of the segment.
+// A part of the first half as a function f of τ, from `from` to `to` after the beginning of the segment.
 struct HalfPart {
   double from = 0;
   double to = 0;
@@ -51,7 +51,7 @@ struct HalfPart {
   std::vector<LawWave> waves;
 };
 
-// Integrates acceleration twice, from rest. \param scale  on acceleration \param over  length of the segment
+// Integrates acceleration twice, from rest. \param scale  of acceleration \param over  length of the segment
 std::vector<HalfPart> integrated(std::span<const Stretch> stretches, double over, double scale) {
   std::vector<HalfPart> parts;
   double from = 0, s = 0, v = 0;
@@ -81,7 +81,7 @@ double value_at_half(const std::vector<HalfPart>& parts) {
   return last.derivative(last.pieces.front(), 0, parts.back().to - parts.back().from);
 }
 
-// The first half, and the same turned by 180° about the middle.
+// The first half, and the same rotated by 180° about the middle.
 void add_halves(const std::vector<HalfPart>& parts, double begin, double end, double value, double last_value,
                 LawPieces& pieces) {
   for (const HalfPart& part : parts) {
@@ -113,7 +113,7 @@ void add_by_acceleration(const LawSegment& segment, double begin, double end, do
   add_halves(integrated(stretches, over, scale), begin, end, value, value + segment.rise, pieces);
 }
 
-// c of a polynomial in u = τ/over, times rise, as one in τ.
+// Converts the coefficients c of a polynomial in u = τ/over, times rise, to those in τ.
 HalfPart half_of_polynomial(std::span<const double> c, double over, double rise) {
   HalfPart part{0, over / 2, {c.begin(), c.end()}, {}};
   double scale = rise;
@@ -160,11 +160,11 @@ std::vector<double> two_point_taylor(std::span<const double> first, std::span<co
     add(b, p, i);
   }
   c.resize(p + q);
-  std::copy(first.begin(), first.end(), c.begin());  // but for rounding it is so already
+  std::copy(first.begin(), first.end(), c.begin());  // equal already, to within rounding
   return c;
 }
 
-// Taylor coefficients in u from derivatives by x, without the value.
+// Taylor coefficients in u from derivatives with respect to x, without the value.
 std::vector<double> taylor(const std::vector<double>& derivatives, double over) {
   std::vector<double> c = derivatives;
   double scale = 1;
@@ -186,7 +186,7 @@ void add_polynomial(const LawSegment& segment, double begin, double end, LawPiec
     return half_of_polynomial(two_point_taylor(here, there), over, 1);
   };
   pieces.add({begin, begin, segment.start.front()}, half(first, last, rise).powers, {});
-  // Seen from the end, backwards: derivatives of odd order change their sign.
+  // Seen from the end, backwards: derivatives of odd order change sign.
   for (std::vector<double>* c : {&first, &last}) {
     for (std::size_t k = 1; k < c->size(); k += 2) {
       (*c)[k] = -(*c)[k];

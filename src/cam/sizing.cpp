@@ -15,7 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 60;
-constexpr double kNoCam = 1e12;  // of a condition where the cam has shrunk to a point
+constexpr double kNoCam = 1e12;  // value of a condition where the cam has shrunk to a point
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct SizeAt {
@@ -23,7 +23,7 @@ struct SizeAt {
   double at = 0;
 };
 
-// The y above this one from which on a condition g(y) <= 0 of one place holds.
+// The smallest size from y on at which a condition g(y) <= 0 of one place holds.
 std::optional<double> size_above(const std::function<double(double)>& g, double y, const SizeRange& sizes) {
   const bool bounded = std::isfinite(sizes.most);
   double step = bounded ? sizes.most / 64 : sizes.step;
@@ -43,7 +43,7 @@ std::optional<double> size_above(const std::function<double(double)>& g, double 
   return std::nullopt;
 }
 
-// The smallest size at which a condition holds on the whole law.
+// The smallest size at which a condition holds over the whole law.
 std::optional<SizeAt> smallest_size(const MotionLaw& law, const SizeRange& sizes,
                                     const std::function<double(const Lift&, double y)>& condition) {
   SizeAt size{0, law.begin()};
@@ -88,7 +88,7 @@ std::optional<CamSize> sized(const FlankOrigin& cam, const SizeRange& sizes,
   return size ? std::optional(size_at(cam, sizes.rest(size->y), size->at)) : std::nullopt;
 }
 
-// Whether the follower goes back towards the cam's pivot.
+// Whether the follower moves back towards the cam's pivot.
 bool returns(const Lift& lift, double away, double sense) {
   return away * lift.v * sense < 0;
 }
@@ -98,7 +98,7 @@ struct HalfPlane {
   double slope = 0, level = 0;
 };
 
-// The point (e, d) of all half planes next to the origin: on one border, or where two meet.
+// The point (e, d) common to all half planes that is closest to the origin: on one border, or where two meet.
 Vector2d nearest_point(const std::vector<HalfPlane>& planes) {
   Vector2d best(0, 0);
   double least = kInfinity;
@@ -204,7 +204,7 @@ std::optional<OffsetSize> smallest_with_offset(const FlankOrigin& cam, const Pre
     return std::nullopt;
   }
   const SizeRange sizes = sizes_of_round(cam, *round);
-  const double rise = sizes.sense;  // of the height by the law
+  const double rise = sizes.sense;  // sign of the change of height with the law
   const double out = std::tan(limits.out), back = std::tan(limits.back);
   const double turn = cam.motion.follower_sign * cam.motion.cam_sign;
   std::vector<HalfPlane> planes;

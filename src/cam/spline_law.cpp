@@ -6,13 +6,14 @@ namespace higherpair {
 void add_spline(const LawDescription& description, LawPieces& pieces) {
   const std::vector<Vector2d>& points = description.points;
   const bool periodic = description.ends == SplineEnds::kPeriodic;
-  const bool closing = periodic && description.period == 0;  // the last point is the first, a period on
+  // The last point is the first one, a period later.
+  const bool closing = periodic && description.period == 0;
   SplineTask task;
   task.degree = description.degree;
   task.smoothing = description.smoothing;
   const double period = closing ? points.back().x() - points.front().x() : description.period;
   task.period = periodic ? period : 0;
-  // The spline is what remains over a straight line, along which every repetition begins higher.
+  // The spline is the deviation from a straight line, along which every repetition begins at a higher value.
   const double slope = closing ? (points.back().y() - points.front().y()) / period : 0;
   const std::size_t count = points.size() - (closing ? 1 : 0);
   task.values.resize(static_cast<Eigen::Index>(count), 1);

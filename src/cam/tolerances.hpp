@@ -2,59 +2,61 @@
 
 #include <limits>
 
-// The tolerances of this room. Those of motion laws are relative to the values or derivatives that are
-// compared, those of cams to their size.
+// Tolerances of cams. Those of motion laws are relative to the values or derivatives that are compared, those
+// of cams to their size.
 
 namespace higherpair {
 
 // Motion laws.
 
-/// A change of a derivative at a join that is smaller, relative to its largest size in the law, is rounding.
+/// A smaller change of a derivative at a join, relative to its largest size in the law, is rounding.
 inline constexpr double kNoLawJump = 1e-9;
-/// Where the last repetition ends higher by less than this, relative to the largest value, it is rounding.
+/// A smaller advance of one repetition over the one before, relative to the largest value, is rounding.
 inline constexpr double kNoAdvance = 1e-14;
 /// Derivatives below this, relative to their largest size, are rounding.
 inline constexpr double kLawNoise = 1e-13;
-/// Values that ought to be the same may differ by the rounding of sums, relative to the largest of them.
+/// Values that should be equal may differ by the rounding of sums, relative to the largest of them.
 inline constexpr double kSameLawValue = 1e-9;
-/// What rounding adds to bounds, relative to the numbers that they are made of.
+/// Rounding of bounds, relative to the numbers that they are computed from.
 inline constexpr double kLawBoundsRounding = 16 * std::numeric_limits<double>::epsilon();
-/// What a law is near a join: within so many units in the last place.
+/// A coordinate this close to a join, relative to it, is at the join.
 inline constexpr double kAtJoin = 8 * std::numeric_limits<double>::epsilon();
-/// Of the law: where a jump lies is known to that.
+/// Precision of the position of a jump, as a fraction of the law's length.
 inline constexpr double kJumpWidth = 1e-13;
-/// Of the piece: shorter intervals are a place.
+/// Shorter intervals, as a fraction of the piece, are a single place.
 inline constexpr double kShortestLawInterval = 0x1p-40;
 
 // Flanks.
 
-/// Of a turn: a law that is longer goes more than once round.
+/// Excess over a whole turn, as a fraction of it, that is rounding: a longer law exceeds one turn.
 inline constexpr double kTurnRounding = 1e-14;
-/// Of the size: a motion against the cam that is none.
+/// Smaller motions relative to the cam, as a fraction of the size, count as none.
 inline constexpr double kNoMotionOnCam = 1e-12;
-/// A law that goes round exactly once [rad].
+/// Deviation from exactly one turn that is rounding [rad].
 inline constexpr double kOnceRound = 1e-12;
 
 // Envelopes.
 
-/// Last step to an angle of the normal [rad].
+/// Last step of the angle of the normal [rad].
 inline constexpr double kEnvelopeSettled = 1e-14;
-/// Of a speed or an angle.
+/// Rounding of a speed or an angle, relative to it.
 inline constexpr double kEnvelopeRounding = 1e-13;
-/// Of a coordinate: a law is not looked at as near to a join, where derivatives of the next piece count too.
+/// Distance from a join, relative to the coordinate, within which a law is not evaluated, because derivatives
+/// of the next piece would count as well.
 inline constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon();
 
 // Sizes and cutters.
 
-/// Relative change of a size that is none.
+/// Smaller relative changes of a size count as none.
 inline constexpr double kSameCamSize = 4e-16;
-/// Of the radius: where a cutter begins to undercut.
+/// Precision of the radius at which a cutter begins to undercut, relative to the radius.
 inline constexpr double kBisectedRadius = 1e-9;
-/// Of the size: an offset's ends meet as exactly as those of the flank.
+/// Largest gap between spans of an offset, relative to the size; the offset's ends meet as exactly as the
+/// flank's.
 inline constexpr double kOffsetMeets = 1e-3;
-/// Of the limit: a hollow arc of the cutter's own radius.
+/// Tolerance, relative to the limit, for a cutter with the radius of a concave arc.
 inline constexpr double kSameCutterRadius = 1e-9;
-/// Of the limit: where a path still has no cusp.
+/// Distance below the limit, relative to it, at which a path certainly has no cusp.
 inline constexpr double kJustBelowCutter = 1e-6;
 
 }  // namespace higherpair

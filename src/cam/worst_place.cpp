@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kManyPieces = 100;  // a law with more needs no samples within each
+constexpr std::size_t kManyPieces = 100;  // a law with more pieces needs no samples within each
 
 Lift lift_at(const MotionLaw& law, double x, LawSide side) {
   std::array<double, 3> c{};

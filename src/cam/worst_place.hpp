@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// A law and its first two derivatives by its coordinate.
+/// A law and its first two derivatives with respect to its coordinate.
 struct Lift {
   double s = 0, v = 0, a = 0;
 };
@@ -18,7 +18,8 @@ struct Worst {
   Lift lift;
 };
 
-/// On the whole law; at jumps on both sides. Places where the function is a NaN do not count; nowhere: -inf.
+/// Over the whole law; both sides count at jumps. Places where the function is a NaN are ignored; -inf if
+/// there are no others.
 [[nodiscard]] Worst worst_of(const MotionLaw& law, const std::function<double(const Lift&)>& f);
 
 }  // namespace higherpair

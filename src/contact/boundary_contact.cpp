@@ -12,7 +12,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxBoundaryPasses = 40;
-constexpr double kFlat = 1e12;  // [m per rad] two flat curves: a turn takes a contact as far as it may go
+constexpr double kFlat = 1e12;  // [m per rad] z of two flat curves: a turn takes a contact as far as allowed
 
 struct End {
   SpanPoint point;
@@ -29,7 +29,7 @@ bool are_flat(const End& end1, const End& end2) {
   return !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
 }
 
-// How two ends lie relative to each other, with t = n1 turned.
+// Position of two ends relative to each other, with t = n1 turned +90°.
 struct Offset {
   Vector2d n_W, t_W;
   double g = 0, s = 0;  // [m]
@@ -47,12 +47,12 @@ double limited(double x, double most) {
   return std::clamp(x, -most, most);
 }
 
-// Stops an iteration: where the error is rounding, or has become small and falls no longer.
+// Stops an iteration where the error is rounding, or is small and no longer decreases.
 class Closure {
 public:
   explicit Closure(double extent) : extent_(extent) {}
 
-  // \param stopped  by an end, so that what is left of the error may be the distance beyond it
+  // \param stopped  by an end: the remaining error may then be the distance beyond it
   [[nodiscard]] bool is_reached(double error, bool stopped = false) {
     const bool reached =
         error <= 4 * kEps * extent_ || (!stopped && error <= kNoiseOfClosure * extent_ && error >= last_ / 2);
@@ -75,8 +75,8 @@ BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offse
           0};
 }
 
-// The nearer end of a flat span, on the span that goes on from there, where this is no flat one; none if both
-// ends are those of the curve.
+// The nearer end of a flat span that leads on to a span that is not flat, as a place on that one; none if
+// neither end does.
 std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
   std::optional<SpanEnd> best;
   for (const bool forward : {false, true}) {
@@ -88,9 +88,10 @@ std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const Boundar
   return best ? std::optional(best->behind) : std::nullopt;
 }
 
-// Two flat parts that are not parallel touch beyond an end of one of them: it goes there, to the nearer end
-// that way, the place on the other one opposite. A step of any other length might lead over a short rounding
-// to the next flat part, and from there back again. False where the curves end.
+// Two flat parts that are not parallel touch beyond an end of one of them. Goes there: past the end that
+// comes first in that direction, and on the other boundary to the opposite place. A step of any other length
+// might jump across a small fillet to the next flat part, and from there back again. False where the curves
+// end.
 bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundary& boundary2,
                  BoundaryPlace& place2, double turn, double slip) {
   const bool forward = turn > 0;  // along t
@@ -110,7 +111,8 @@ bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundar
   return false;
 }
 
-// One pass along both boundaries; `turn` is E, `slip` is Σ. Which of them an end has stopped: 0, 1 or 2.
+// One pass along both boundaries; `turn` is E, `slip` is Σ. Returns which one was stopped by an end: 0
+// (neither), 1 or 2.
 int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
                const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
   if (are_flat(end1, end2) && leave_flats(boundary1, place1, boundary2, place2, turn, slip)) {
@@ -128,8 +130,8 @@ int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1
   return next1.stopped ? 1 : next2.stopped ? 2 : 0;
 }
 
-// Where two flat curves lie on each other they touch all along: the contact is held at the end of one of
-// them, where everything about it is defined.
+// Two flat curves that lie on each other touch along a stretch: the contact is held at the end of one of
+// them, where all of its quantities are defined.
 void hold_at_end_of_flat(const Boundary& boundary1, BoundaryPlace& place1, const Pose<double>& X_W1,
                          const Boundary& boundary2, BoundaryPlace& place2, const Pose<double>& X_W2) {
   const auto along = [&] {

@@ -15,12 +15,12 @@ int sign_of(double x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-// A part of a step between changes of sign, in the order of its curve.
+// A part of a step between changes of sign, in the direction of its curve.
 struct Bit {
   SheetStep step;
-  double from = 0, to = 1;  // shares
+  double from = 0, to = 1;  // fractions of the step
   SheetPoint at_from, at_to;
-  int gap_q = 0, bend = 0;  // signs between them; bend 0: u does not change
+  int gap_q = 0, bend = 0;  // signs between the ends; bend 0: u does not change
 
   [[nodiscard]] int sense() const { return gap_q * bend; }
 };
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  // The bits of a step: between the zeros of ∂gap/∂q and of κ1 + κ2.
+  // Cuts a step into bits at the zeros of ∂gap/∂q and of κ1 + κ2.
   void add_bits(const TangencySheet& sheet, const SheetStep& step, std::vector<Bit>& bits) {
     const auto first = place_on(sheet, step, 0);
     const auto last = place_on(sheet, step, 1);
@@ -99,7 +99,7 @@ private:
       }
       add_bits(sheet, step, bits);
     }
-    // Where faces or corners meet u does not change: they belong to no branch.
+    // Where two faces or two corners meet, u does not change: such bits belong to no branch.
     std::vector<Bit> moving;
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(moving),
                  [](const Bit& bit) { return bit.sense() != 0; });
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  // Angles continuous along the curve.
+  // Makes angles continuous along the curve.
   void unwrap(std::vector<Bit>& bits) const {
     SheetPoint last = bits.front().at_from;
     for (Bit& bit : bits) {
@@ -140,7 +140,7 @@ private:
     }
   }
 
-  // One draft for each run of bits of one sense, in their order.
+  // One draft for each run of bits of the same sense, in order.
   [[nodiscard]] std::vector<BranchDraft> parts_of(const std::vector<Bit>& bits, bool opposed) {
     std::vector<BranchDraft> drafts;
     for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -163,7 +163,7 @@ private:
     return drafts;
   }
 
-  // Orders the legs of the drafts of a curve, and says where and why they begin and end.
+  // Orders the legs of the drafts of a curve, and sets where and why they begin and end.
   void set_ends(const SheetCurve& curve, const std::vector<Bit>& bits, std::vector<BranchDraft>& drafts) {
     const std::size_t count = drafts.size();
     const bool closed = curve.closed && count == 1;

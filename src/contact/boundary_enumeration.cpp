@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kBoxesOfPair = 20000;  // of two pieces: then it is left open what is between them
+constexpr int kBoxesOfPair = 20000;  // for two pieces: beyond it, what is between them is left open
 constexpr int kOpenUntilCoarser = 8;
 
 bool holds(const std::vector<Stretch>& parts, const BoundaryPlace& place) {
@@ -67,21 +67,22 @@ public:
   }
 
 private:
-  // A contact, and the parts of both boundaries among which it is the only one; none where it is not seen to
-  // be alone.
+  // A contact, and the parts of both boundaries within which it is the only one; empty where it is not proven
+  // to be alone.
   struct Found {
     BoundaryContact contact;
     std::vector<Stretch> around1, around2;
   };
 
-  // Of one pair of pieces: where more and more is left open, stretches may be the longer.
+  // Effort for one pair of pieces: the more is left open, the longer are the stretches that are not halved.
   struct Budget {
     int boxes = kBoxesOfPair;
     int left_open = 0;
     double finest = kFinestStretch;
   };
 
-  // Pieces that are near each other in the second coordinate, which has no period, by a sweep along it.
+  // Searches the pieces that are near each other in the second coordinate, which has no period, by a sweep
+  // along it.
   void for_pairs_near(const std::vector<Stretch>& pieces1, const std::vector<Stretch>& pieces2) {
     std::vector<std::pair<const Stretch*, bool>> all;
     for (const Stretch& piece : pieces1) all.emplace_back(&piece, false);
@@ -113,7 +114,7 @@ private:
     open_pairs_ += undecided_.size() > before ? 1 : 0;
   }
 
-  // False where the budget is used up.
+  // False if the budget is used up.
   bool search(const Stretch& a, const Stretch& b, Budget& budget) {
     if (budget.boxes-- == 0) {
       return false;
@@ -138,7 +139,7 @@ private:
     return search(a, halves[0], budget) && search(a, halves[1], budget);
   }
 
-  // Of the angle of normals, in which turns mean nothing.
+  // Whole turns in the first coordinate where it is an angle of normals, to be ignored.
   [[nodiscard]] Interval turns_between(const Stretch& a, const Stretch& b) const {
     if (pair_.motion2.turns) {
       return 0;
@@ -147,7 +148,7 @@ private:
     return 2 * std::round(away / (2 * kPi * scale_)) * scale_ * half_turn();
   }
 
-  // By their boxes, and across the one or the other: near each other they may run side by side.
+  // By their boxes, or across the direction of either one: close to each other they may run side by side.
   [[nodiscard]] bool are_apart(const Stretch& a, const Stretch& b) const {
     const Interval turns = turns_between(a, b);
     IntervalVector all = a.range - b.range;
@@ -156,7 +157,7 @@ private:
       return true;
     }
     if (!pair_.motion2.turns && !(boost::numeric::width(all.x) < kPi * scale_)) {
-      return false;  // another turn may fit
+      return false;  // they may meet after another turn
     }
     IntervalVector middle = a.middle - b.middle;
     middle.x -= turns;
@@ -174,7 +175,7 @@ private:
     });
   }
 
-  // Where there is one contact at most, and its place by the tangents is not far away.
+  // Searches where there is one contact at most, and the tangents place it not far away.
   void look_for_contact(const Stretch& a, const Stretch& b) {
     const Interval passing = cross(a.slope, b.slope);
     if (holds_zero(passing) || a.span < 0 || b.span < 0) {
@@ -203,7 +204,7 @@ private:
     for (double reach = kFarthestAround * scale_; reach > kNearestAround * scale_; reach /= 2) {
       std::vector<Stretch> around1 = one_.parts_near(contact.place1, reach);
       std::vector<Stretch> around2 = two_.parts_near(contact.place2, reach);
-      // Where they pass so slowly that they meet only by rounding it is not said that they do.
+      // Curves that cross at so small an angle that they may meet by rounding only are not claimed to meet.
       if (reach * least_sine(around1, around2) > error_of(around1[0]) + error_of(around2[0])) {
         made.around1 = std::move(around1);
         made.around2 = std::move(around2);
@@ -232,7 +233,7 @@ private:
     undecided_.push_back(to_bounds(q));
   }
 
-  // Those that touch each other as one.
+  // The undecided intervals; those that touch each other are merged.
   [[nodiscard]] std::vector<Bounds> merged() {
     const double near = kOneOpen * (pair_.motion2.turns ? 1 : scale_);
     std::sort(undecided_.begin(), undecided_.end(),
@@ -250,7 +251,7 @@ private:
 
   const BoundaryPair& pair_;
   double u_;
-  bool every_;  // tangency
+  bool every_;  // tangency, also where the bodies cut each other
   double scale_;
   FeatureCurve one_, two_;
   std::vector<Found> found_;

@@ -25,7 +25,7 @@ std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d&
     const auto next = boundary.advance(place, stretch > kLeastFootStretch ? along / stretch : along, turn);
     stopped = next.at_end;
     if (next.place.span == place.span && next.place.t == place.t) {
-      break;  // it goes no farther
+      break;  // it cannot move on
     }
     place = next.place;
   }

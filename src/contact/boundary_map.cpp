@@ -10,12 +10,12 @@
 #include <cmath>
 #include <utility>
 
-// Maps of boundaries: the branches that the curves of their tangencies are cut into, brought into the range.
+// Maps of boundaries: the curves of their tangencies, cut into branches and shifted into the range.
 
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kMostParts = 10000;  // pairs of spans: of two whole gears there are more
+constexpr std::size_t kMostParts = 10000;  // pairs of spans; two whole gears have more
 
 class BoundaryMapper {
 public:
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  // By rising u, within the range.
+  // Shifts the events into the range and sorts them by rising u.
   void sort_events() {
     std::vector<int> order(map_.events.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -118,7 +118,7 @@ private:
   [[nodiscard]] double low() const { return std::min(range_.start, range_.end); }
   [[nodiscard]] double high() const { return std::max(range_.start, range_.end); }
 
-  // Of a sliding driver: what lies beside the range.
+  // Drops branches of no length, and those outside of a sliding driver's range.
   void drop_outside() {
     const auto is_outside = [&](const BranchDraft& draft) {
       const MapBranch& branch = draft.branch;
@@ -196,7 +196,7 @@ private:
     branch.end.q = branch.points.back().q;
   }
 
-  // dq/du = gap_u/gap_q changes its sign: at a zero, or over a stretch along which the follower is at rest.
+  // dq/du = gap_u/gap_q changes its sign: at a zero, or over a dwell.
   void add_extremes(BranchDraft& draft) {
     const TracePath& path = draft.path;
     const double unit = unit2_ / unit1_;
@@ -204,7 +204,7 @@ private:
       return std::abs(at.gap_u) > kSlowestOnBoundaries * unit * std::abs(at.gap_q);
     };
     double before = 0;
-    const TraceLeg* resting = nullptr;  // since then, and no mere touch of rest
+    const TraceLeg* resting = nullptr;  // a dwell's last leg since then; an instant of rest does not count
     const TraceLeg* turning = nullptr;
     for (int round = path.turn_u > 0 ? 0 : 1; round < 2; ++round) {
       for (const TraceLeg& leg : path.legs) {
@@ -235,7 +235,7 @@ private:
               [](const MapPoint& one, const MapPoint& two) { return one.u < two.u; });
   }
 
-  // Where the follower turns back on a leg, or behind one along which it rests.
+  // Adds the point where the follower turns back on a leg, or the end of a leg along which it rests.
   void add_extreme(BranchDraft& draft, const TraceLeg& leg, bool rests) {
     double share = leg.share_b;
     if (!rests) {

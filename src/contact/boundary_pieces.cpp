@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kBlock = 8;  // pieces
+constexpr std::size_t kBlock = 8;  // pieces in a block
 
 NormalCone cone_about(const Vector2d& sum, double slack) {
   const double norm = sum.norm();
@@ -47,14 +47,15 @@ void close_block(const std::vector<BoundaryPiece>& pieces, std::size_t begin,
   blocks.push_back(block);
 }
 
-// Whether two pieces may hold points of a common normal, not farther from each other than `reach`.
+// Whether two pieces may have points with a common normal, at most `reach` apart.
 bool may_face(const BoundaryPiece& a, const BoundaryPiece& b, double reach) {
   if (!are_opposed(a.normals, b.normals)) {
     return false;
   }
   const double lengths = a.length() + b.length();
   const Vector2d apart = b.middle() - a.middle();
-  // Over the cones of normals the tangent turns, and what is along the normal comes to count along it.
+  // Within the cones of normals the tangent turns, so that part of the offset along the normal counts along
+  // it.
   const double turned = a.normals.chord + b.normals.chord;
   const double along = std::abs(apart.dot(perp(a.normals.middle)));
   return apart.norm() <= reach + lengths && along <= (0.5 + kSlackOfChord) * lengths + turned * apart.norm();
@@ -74,7 +75,7 @@ BoundaryPieces boundary_pieces(const Boundary& boundary, const Pose<double>& X_1
     if (a.place.span != b.place.span) {
       continue;
     }
-    // Most are far: these are left out without roots.
+    // Most are far away: they are rejected without square roots.
     const double length2 = (b.point.p_B - a.point.p_B).squaredNorm();
     const double away2 = (a.point.p_B - center_B).squaredNorm();
     if (away2 > 2 * reach * reach + 2 * (1 + kSlackOfChord) * (1 + kSlackOfChord) * length2 ||

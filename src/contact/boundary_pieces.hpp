@@ -10,11 +10,12 @@
 #include <optional>
 #include <vector>
 
-// Two boundaries in short pieces, in blocks by circles and cones of normals: what lies near what.
+// Two boundaries as short pieces, grouped into blocks with bounding circles and cones of normals: finds which
+// parts are near each other.
 
 namespace higherpair {
 
-/// A round cone of unit vectors, by its middle and the longest chord to it.
+/// A cone of unit vectors: its axis and the longest chord from there to one of them.
 struct NormalCone {
   Vector2d middle = Vector2d::Zero();
   double chord = 0;
@@ -28,7 +29,7 @@ struct BoundaryPiece {
 
   [[nodiscard]] double length() const { return (to - from).norm(); }
   [[nodiscard]] Vector2d middle() const { return (from + to) / 2; }
-  /// What is next to a point, along the chord.
+  /// Fraction of the chord at which it is nearest to a point.
   [[nodiscard]] double share_at(const Vector2d& p) const {
     const double squared = (to - from).squaredNorm();
     return squared > 0 ? std::clamp((p - from).dot(to - from) / squared, 0.0, 1.0) : 0.5;
@@ -58,14 +59,14 @@ struct BoundaryPieces {
 [[nodiscard]] BoundaryPieces boundary_pieces(const Boundary& boundary, const Pose<double>& X_1B,
                                              const Vector2d& center, double reach);
 
-/// Calls `found` with places on all pairs of pieces that may hold points of a common normal, not farther from
-/// each other than `reach`.
+/// Calls `found` with a place on either piece for all pairs of pieces that may have points with a common
+/// normal at most `reach` apart.
 void for_each_facing(
     const BoundaryPieces& one, const BoundaryPieces& two, double reach,
     const std::function<void(const BoundaryPlace& place1, const BoundaryPlace& place2)>& found);
 
-/// The place of the pieces that is next to a point, along their chords; none where all are farther than
-/// `reach`.
+/// The place nearest to a point, measured to the chords of the pieces; none if all blocks are farther away
+/// than `reach`.
 [[nodiscard]] std::optional<BoundaryPlace> nearest_place(const BoundaryPieces& all, const Vector2d& p,
                                                          double reach);
 

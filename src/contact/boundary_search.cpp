@@ -8,12 +8,12 @@
 #include <cmath>
 #include <limits>
 
-// All contacts of two boundaries, as common points of two plane curves that are known by samples.
+// All contacts of two boundaries, as common points of two plane curves that are sampled.
 
 namespace higherpair {
 namespace {
 
-// Angles continuous along the boundary.
+// Makes angles continuous along the boundary.
 class Unwrapped {
 public:
   double operator()(const Vector2d& n) {
@@ -27,7 +27,7 @@ private:
   bool known_ = false;
 };
 
-// sense: +1 for body 1, -1 for body 2, whose normals are opposed.
+// \param sense  +1 for body 1, -1 for body 2, whose normals are reversed
 Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const OneFreedom& follower,
                      double sense, double scale) {
   Features features;
@@ -43,7 +43,8 @@ Features features_of(const Boundary& boundary, const Pose<double>& X_WB, const O
   return features;
 }
 
-// The follower's coordinate that puts a place of body 2 onto one of body 1.
+// The follower's coordinate that brings a place of body 2 to one of body 1: opposes their normals if it
+// turns, else closes their distance along the slide.
 double coordinate_of(const BoundaryPair& pair, const Pose<double>& X_W1, const BoundaryPlace& place1,
                      const BoundaryPlace& place2) {
   const SpanPoint one = pair.boundary1->at(place1);

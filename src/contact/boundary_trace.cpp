@@ -30,7 +30,7 @@ std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) con
   const double wanted = u - round * path.turn_u - path.shift_u;
   auto leg = std::partition_point(path.legs.begin(), path.legs.end(),
                                   [&](const TraceLeg& one) { return one.u_b < wanted; });
-  // Rounding of the ends.
+  // u may be past the last leg by rounding.
   leg = leg == path.legs.end() ? leg - 1 : leg;
   const double from = leg->share_a;
   const double way = leg->share_b - from;

@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// A part of a step on which u rises, or falls, all along; a is where u is less.
+/// A part of a step along which u is monotonic, with u_a <= u_b.
 struct TraceLeg {
   SheetStep step;
   double share_a = 0, share_b = 1;
@@ -19,22 +19,23 @@ struct TraceLeg {
 struct TracePath {
   bool opposed = true;
   std::vector<TraceLeg> legs;       ///< by rising u
-  double turn_u = 0, turn_q = 0;    ///< of a closed one: what u and q grow by once round; else 0
-  double shift_u = 0, shift_q = 0;  ///< whole turns that are added to the coordinates of the legs
+  double turn_u = 0, turn_q = 0;    ///< of a closed path: increments of u and q per round; else 0
+  double shift_u = 0, shift_q = 0;  ///< whole turns added to the coordinates of the legs
 
   [[nodiscard]] double begin_u() const { return legs.front().u_a + shift_u; }
 };
 
-/// Two boundaries and the ways of their contacts, from which every point of a map follows.
+/// Two boundaries and the paths of their contacts, from which every point of a map can be computed.
 class BoundaryTrace {
 public:
   explicit BoundaryTrace(const BoundaryPair& pair) : opposed_(pair, true), equal_(pair, false) {}
 
   [[nodiscard]] const TangencySheet& sheet(bool opposed) const { return opposed ? opposed_ : equal_; }
 
-  /// The tangency of a path at u, q continuous along it; none beyond its ends.
+  /// The tangency of a path at u, with q continuous along it; beyond an end, that of the end; none if no
+  /// point is found.
   [[nodiscard]] std::optional<SheetPoint> at(const TracePath& path, double u) const;
-  /// At a share of a leg, continuous with its ends and moved by the path's shifts.
+  /// At a fraction of a leg, continuous with its ends and shifted as its path is.
   [[nodiscard]] std::optional<SheetPoint> at(const TracePath& path, const TraceLeg& leg, double share) const;
 
   /// Whether the interiors of the bodies are disjoint.

@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-// Contacts that the list takes to be at infinity, such as of parabolas whose axes are parallel but for
+// Contacts that the list takes to be at infinity, such as those of parabolas whose axes are parallel but for
 // rounding.
 bool is_far(const TangencyProblem& problem, const Extended& q) {
   const Coordinate at = problem.motion.turns ? Coordinate{Extended(cos(q)), Extended(sin(q))}
@@ -28,8 +28,7 @@ double distance(const CurveContact& contact, const DecidedRoot& root, bool turns
   return std::abs(turns ? std::remainder(contact.q - middle, 2 * kPi) : contact.q - middle);
 }
 
-// How far rounding of the numbers of the pair can move a contact: what it does to the gap, divided by
-// ∂gap/∂q.
+// How far rounding of the numbers of the pair can move a contact: its effect on the gap, divided by ∂gap/∂q.
 double widening(const ContactPair& pair, const CurveContact& contact) {
   const Vector2d& p = contact.p_W;
   const double size = p.norm() + (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() +
@@ -46,13 +45,13 @@ std::array<double, 2> interval_of(const ContactPair& pair, const CurveContact& c
   return {root.q[0] + turn - margin, root.q[1] + turn + margin};
 }
 
-// Holds a list of contacts against the roots that exact arithmetic has decided.
+// Compares a list of contacts with the roots that exact arithmetic has decided.
 class Comparison {
 public:
   Comparison(const ContactPair& pair, double u, const std::vector<DecidedRoot>& roots)
       : pair_(pair), problem_(make_problem(pair, u)), roots_(roots), matched_(roots.size(), 0) {}
 
-  // The interval of a contact whose root is found; none where the decision is another one.
+  // The interval of the root that a contact belongs to; none if no root agrees with it.
   [[nodiscard]] std::optional<std::array<double, 2>> certified(const CurveContact& contact) {
     const auto k = nearest_root(contact);
     if (!k) {
@@ -67,7 +66,8 @@ public:
 
   [[nodiscard]] bool agrees() const { return agrees_; }
 
-  // Whether every root has as many contacts in the list as were decided, but next to fragile ones.
+  // Whether the list has as many contacts at every root as were decided, except next to fragile ones, in
+  // degenerate cases and at infinity.
   [[nodiscard]] bool accounts_for_all(const std::vector<CurveContact>& contacts) const {
     for (std::size_t k = 0; k < roots_.size(); ++k) {
       const DecidedRoot& root = roots_[k];
@@ -105,7 +105,7 @@ private:
     return best;
   }
 
-  // Next to another contact rounding decides which of the two cuts in.
+  // Close to another contact, rounding decides at which of the two the bodies overlap.
   [[nodiscard]] bool is_crowded(const CurveContact& contact, const DecidedRoot& root) const {
     return std::any_of(roots_.begin(), roots_.end(), [&](const DecidedRoot& other) {
       return &other != &root && other.decision.contacts > 0 &&
@@ -116,7 +116,7 @@ private:
   const ContactPair& pair_;
   TangencyProblem problem_;
   const std::vector<DecidedRoot>& roots_;
-  std::vector<int> matched_;  // contacts of the list, of each root
+  std::vector<int> matched_;  // contacts of the list matched to each root
   bool agrees_ = true;
 };
 

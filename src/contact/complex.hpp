@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// A complex number over any ring or field T: std::complex promises nothing for other types than the built-in
-/// ones.
+/// A complex number over any ring or field T: std::complex is specified for the built-in floating-point types
+/// only.
 template <class T>
 struct Complex {
   T re{0};
@@ -103,7 +103,7 @@ template <class T>
   return product;
 }
 
-/// tr(a bᵀ); of two symmetric matrices the trace of their product.
+/// tr(a bᵀ); for two symmetric matrices the trace of their product.
 template <class T>
 [[nodiscard]] Complex<T> product(const Matrix3c<T>& a, const Matrix3c<T>& b) {
   return product(a[0], b[0]) + product(a[1], b[1]) + product(a[2], b[2]);

@@ -38,7 +38,7 @@ struct Segment {
   std::array<double, 2> S2{};
 };
 
-// Largest S of a point with w > 0.
+// Largest S of points with w > 0.
 double largest(const Curve& curve) {
   return curve.q > 0 ? 1 : (1 - kFarthestNormal) / (1 - curve.q);
 }
@@ -72,7 +72,7 @@ std::optional<Segment> equal_radii(const Curve& first, const Curve& second) {
   return Segment{{low, high}, {S2(low), S2(high)}};
 }
 
-// The pose that two elements of equal curvature give, and how far the joints are from allowing it.
+// The pose at which two elements of equal curvature coincide, and how far the joints are from allowing it.
 struct Fit {
   double error = 0;
   double u = 0, q = 0;
@@ -97,7 +97,7 @@ Fit fit_turning(const ContactPair& pair, const Element& one, const Element& two)
   return fit;
 }
 
-// One body turns about O, the other slides: {angle of the turning, displacement of the sliding one}.
+// One body turns about O, the other slides: u is the angle of the former, q the displacement of the latter.
 Fit fit_mixed(const OneFreedom& turning, const Element& on_turning, const OneFreedom& sliding,
               const Element& on_sliding) {
   Fit fit;
@@ -117,7 +117,7 @@ Fit fit_sliding(const ContactPair& pair, const Element& one, const Element& two)
   const Vector2d N2_W = pair.motion2.R_WB * two.N_B;
   const Vector2d way = pose_at(pair.motion2, 0) * two.p_B - pose_at(pair.motion1, 0) * one.p_B;
   const double size = way.norm() + size_of(pair.curve1) + size_of(pair.curve2);
-  // Opposite normals are no fit: where they would pass for one the error jumps.
+  // Opposite normals do not fit: the error is made to jump there instead of passing through 0.
   const double sine = cross(fit.N_W, N2_W);
   fit.error = (fit.N_W.dot(N2_W) > 0 ? sine : std::copysign(2 - std::abs(sine), sine)) * size * size;
   // p1 + u d1 = p2 + q d2
@@ -143,11 +143,11 @@ Fit fit_of(const ContactPair& pair, const Element& one, const Element& two) {
   return fit_sliding(pair, one, two);
 }
 
-// One of the mirror images of the segment, by an angle χ in [0, π/2] in which everything is smooth.
+// One of the mirror images of the segment, by an angle χ in [0, π/2] on which everything depends smoothly.
 struct Arc {
   const ContactPair& pair;
   Segment segment;
-  std::array<double, 4> signs;  // N_x and N_y on curve 1, on curve 2
+  std::array<double, 4> signs;  // of N_x and N_y on curve 1, then on curve 2
 
   [[nodiscard]] Fit at(double chi) const {
     const double share = std::sin(chi) * std::sin(chi);
@@ -157,7 +157,7 @@ struct Arc {
   }
 };
 
-// Without a change of sign an end is the root, to within rounding.
+// Without a change of sign the better end is the root, to within rounding.
 double bracketed_root(const std::function<double(double)>& f, double low, double high) {
   const double f_low = f(low);
   const double f_high = f(high);
@@ -165,7 +165,7 @@ double bracketed_root(const std::function<double(double)>& f, double low, double
   return x ? low + *x : std::abs(f_low) < std::abs(f_high) ? low : high;
 }
 
-// The roots of the arc's condition.
+// The roots of the condition along an arc.
 std::vector<double> roots_on(const Arc& arc) {
   const auto f = [&](double chi) { return arc.at(chi).error; };
   const double step = kPi / 2 / kSamples;
@@ -186,7 +186,7 @@ std::vector<double> roots_on(const Arc& arc) {
         std::abs(b) > std::abs(values[i + 2])) {
       continue;
     }
-    // |f| has a least value here: two roots may hide about it.
+    // |f| has a minimum here, about which there may be two roots.
     const double sign = b > 0 ? 1 : -1;
     const auto [lowest, value] = boost::math::tools::brent_find_minima(
         [&](double chi) { return sign * f(chi); }, low, low + 2 * step, 40);
@@ -210,7 +210,7 @@ public:
     for (int i = 0; segment && i < 16; ++i) {
       const auto sign = [&](int bit) { return (i >> bit & 1) != 0 ? 1.0 : -1.0; };
       const Arc arc{pair_, *segment, {sign(0), sign(1), sign(2), sign(3)}};
-      // An open curve has normals on its near half only.
+      // The normals of an open curve have N_x < 0.
       const bool exists =
           (pair_.curve1.q > 0 || arc.signs[0] < 0) && (pair_.curve2.q > 0 || arc.signs[2] < 0);
       if (!exists) {
@@ -239,7 +239,7 @@ private:
     const PlacedCurve<double> first = place_on(pair_.curve1, pair_.motion1, position.u);
     position.p_W = support_point(first, position.n_W).p_W;
     position.opposed = opposed_;
-    // The mirror images share their edges.
+    // The mirror images share their edges: a root there is found more than once.
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const CriticalPosition& other) {
       const double u = position.u - other.u;
       return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSameConforming * unit1 &&
@@ -251,7 +251,8 @@ private:
     }
   }
 
-  // Two conics have at most four such contacts at one position, or coincide; then one represents all.
+  // Two conics have at most four such contacts at one position, unless they coincide; then one represents
+  // all.
   void drop_coincident() {
     std::vector<CriticalPosition> kept;
     for (const CriticalPosition& at : found_) {

@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-// Whether moving the follower leaves the distance of the curves as it is.
+// Whether the follower's motion leaves the distance of the curves unchanged.
 bool is_independent(const ContactPair& pair, double u, double size) {
   const OneFreedom& motion = pair.motion2;
   const Pose<double> X_W1 = pose_at(pair.motion1, u);
@@ -43,7 +43,7 @@ Polynomial parallel_parabolas(const TangencyProblem& problem, const Extended& s)
           {Extended(s * dy * dy), zero}};
 }
 
-// The common point of such parabolas: y = -s ℓ1 y2/(ℓ2 - s ℓ1).
+// The common point of parabolas with parallel axes: y = -s ℓ1 y2/(ℓ2 - s ℓ1).
 std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Extended& s,
                                         const Extended& q) {
   const PlacedCurve<double>& first = problem.first_W;
@@ -87,7 +87,7 @@ std::optional<Coordinate> real_coordinate(const Complex<Extended>& root, bool tu
 void add(const TangencyProblem& problem, const Tangency& tangency, std::vector<Tangency>& found) {
   for (Tangency& other : found) {
     if (auto middle = merged(problem, tangency, other)) {
-      // The same one again, or a second one that rounding cannot tell from it?
+      // The same one found again, or a second one that rounding cannot separate from it?
       const bool again = norm(tangency.w - other.w) + norm(tangency.at - other.at) <= Extended(kSameTangency);
       if (!again) {
         middle->exact = false;
@@ -110,9 +110,9 @@ Complex<Extended> root_of_unit(const Complex<Extended>& a) {
 }
 
 // Two parabolas, one of which turns, are tangent at infinity wherever their axes are parallel: double roots
-// on the unit circle, at which the iteration for all roots takes a hundred sweeps. They are divided out where
-// the condition has them: e^{2iq} is the ratio of the squares of the axes, which are the forms' first
-// entries.
+// on the unit circle, for which the iteration for all roots would take a hundred sweeps. They are divided out
+// at their known values: e^{2iq} is the ratio of the squares of the axes, which are the first entries of the
+// forms.
 Polynomial without_parallel_axes(const TangencyProblem& problem, Polynomial polynomial) {
   const bool conics = problem.first.kind == FormKind::kConic && problem.second.kind == FormKind::kConic;
   if (!conics || problem.first_W.q != 0 || problem.second_at_0.q != 0 || !problem.motion.turns) {
@@ -128,7 +128,8 @@ Polynomial without_parallel_axes(const TangencyProblem& problem, Polynomial poly
   return polynomial;
 }
 
-// All tangencies, of hyperbolas also those on the wrong branches; none if the condition of contact is empty.
+// All tangencies, including those on the wrong branches of hyperbolas; none if every q satisfies the
+// condition.
 std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& problem) {
   std::vector<Tangency> found;
   const Polynomial polynomial =
@@ -194,9 +195,9 @@ struct Finder {
     return on_branch(problem.first_W, point(tangency.w)) && on_branch(second, point(tangency.w));
   }
 
-  // Whether the interiors of two bodies with opposed normals are disjoint. The line between two convex bodies
-  // parts them. With one concave: f2 >= -λ₀ f1 everywhere if M = λ₀ Q1 + Q2 >= 0, and only then (S-lemma);
-  // a hyperbola has a branch that does not count, there the distance is taken.
+  // Whether the interiors of two bodies with opposed normals are disjoint. Two convex bodies are separated by
+  // their common tangent. With one concave: f2 >= -λ₀ f1 everywhere if and only if M = λ₀ Q1 + Q2 >= 0
+  // (S-lemma); a hyperbola has a branch that does not count, so that the distance is computed instead.
   [[nodiscard]] bool is_free(const Tangency& tangency, double kappa_sum, double q) const {
     if (const auto always = always_free(pair.curve1, pair.curve2)) {
       return *always;

@@ -14,7 +14,7 @@
 namespace higherpair {
 namespace {
 
-// The other opposed branch that crosses `branch` between two of its points, and where: there the bodies touch
+// The point between two points of `branch` at which another opposed branch crosses it: there the bodies touch
 // twice.
 std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoint& from,
                                  const MapPoint& to) {
@@ -32,7 +32,7 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
       };
       const double a = distance(from.u);
       const double b = distance(to.u);
-      // Where angles go round the sign changes as well.
+      // The sign changes also where angles wrap around.
       if (map.pair.motion2.turns && std::abs(a - b) > 3) {
         continue;
       }
@@ -45,7 +45,7 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
   return std::nullopt;
 }
 
-// Where `free` changes between two points, by bisection: as good as the tolerance of the overlap allows.
+// Where `free` changes between two points, by bisection: as precise as the tolerance of the overlap allows.
 std::optional<MapPoint> bisected(const ContactMap& map, int branch, const MapPoint& from,
                                  const MapPoint& to) {
   double low = from.u;
@@ -83,7 +83,7 @@ void add_free_changes(ContactMap& map) {
   }
 }
 
-// What is left of a map that was stopped.
+// The map; nothing of it is kept if it was stopped.
 ContactMap finished(ContactMap map) {
   if (is_stopped(map.range)) {
     map.status = MapStatus::kStopped;

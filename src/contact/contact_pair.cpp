@@ -18,8 +18,9 @@ double twice_arc_tangent(double x) {
   return x2 < kArcTangentSeries ? 2 * x * (1 - x2 * (1 / 3.0 - x2 * (1 / 5.0 - x2 / 7.0))) : 2 * std::atan(x);
 }
 
-// Velocities and accelerations for du/dt = 1: the equivalent link written without radii, so that flat faces
-// and points need no cases. With ω_r = ω2 - ω1 and the speeds u1, u2 of the contact along each curve,
+// Velocities and accelerations for du/dt = 1, by the equivalent link written without radii, so that flat
+// faces and points are no special cases. With ω_r = ω2 - ω1 and the speeds u1, u2 of the contact along each
+// curve,
 //     n·(v2 - v1) = 0,   n·(a2 - a1) = ω2 u2 - ω1 u1 - v_s φ̇,   φ̇ = ω1 + w1 ω_r + w v_s.
 void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosition& at) {
   const Vector2d p = points.p_W();
@@ -37,7 +38,7 @@ void add_rates(const ContactPair& pair, const ContactPoints& points, ContactPosi
   const ContactRates rates =
       contact_rates(points.link, at.sliding, pair.motion1.turns ? 1 : 0, pair.motion2.turns ? at.dq : 0);
   at.dphi = rates.phi_dot;
-  // n·(velocity per q), where n turns by φ̇ and the point moves on by v1 + u1 t.
+  // Rate of n·(velocity per q), as n turns at φ̇ and the contact point moves at v1 + u1 t.
   at.dgap_q = at.dphi * per_q_t - (pair.motion2.turns ? v1_t + rates.along1 : 0);
   const Vector2d a1 = acceleration_per_q(pair.motion1, p);
   const double a2_n = at.dq * at.dq * acceleration_per_q(pair.motion2, p).dot(points.n_W);  // centripetal
@@ -52,7 +53,8 @@ void set_position(const ContactPair& pair, const ContactPoints& points, double u
   add_rates(pair, points, at);
 }
 
-// One osculating pass: the follower, its curve and the normal after it; false where the circles cannot touch.
+// One osculating pass: the follower's coordinate, its curve and the normal afterwards; not possible where the
+// circles cannot touch.
 struct Moved {
   PlacedCurve<double> second;
   double q = 0;
@@ -77,8 +79,8 @@ Moved osculating_pass(const ContactPair& pair, const ContactPoints& at, PlacedCu
   return {second, q, step.n_W.normalized(), possible};
 }
 
-// Whether the two points coincide as far as their rounding allows. Along nearly straight curves that may be
-// more than the rounding of all lengths; there they have to be near enough for the closing step.
+// Whether the two points coincide to within their rounding. Along nearly straight curves that may be more
+// than the rounding of all lengths; there they have to be close enough for the closing step.
 bool is_closed(const ContactPoints& points, double extent) {
   const double s = std::abs(points.s);
   if (!(std::abs(points.g) <= 2 * kEps * extent)) {

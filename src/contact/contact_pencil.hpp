@@ -51,7 +51,7 @@ template <class T>
 }
 
 /// The body side (y² + q x² - 2 ℓ x) < 0 with x along the axis u from the vertex v and y across, side = ±1.
-/// Only the ratio of ℓ and |u| counts.
+/// Up to a positive factor it depends only on the ratio of ℓ and |u|.
 template <class T>
 [[nodiscard]] Form<T> vertex_form(const T& side, const T& q, const T& l, const Complex<T>& v,
                                   const Complex<T>& u) {
@@ -98,8 +98,8 @@ struct PencilMotion {
   Complex<T> direction;
 };
 
-/// A matrix whose entries are polynomials: matrix of x^k at place k. Turning: x = z and everything times z²;
-/// sliding: x = q.
+/// A matrix whose entries are polynomials, as a list of matrices: that at index k is the coefficient of x^k.
+/// Turning: x = z, and everything is multiplied by z²; sliding: x = q.
 template <class T>
 using MatrixPolynomial = std::vector<Matrix3c<T>>;
 
@@ -171,7 +171,8 @@ template <class T>
   return product(conic.S[0], conic.A[0]).re;
 }
 
-/// det(λ S1 + S2(q)) = a λ³ + b λ² + c λ + d; a and d as polynomials of the same kind as b and c.
+/// det(λ S1 + S2(q)) = a λ³ + b λ² + c λ + d; the constants a and d are stored as polynomials of the same
+/// kind as b and c.
 template <class T>
 struct Pencil {
   ComplexPolynomial<T> a, b, c, d;
@@ -191,7 +192,7 @@ template <class T>
   return pencil;
 }
 
-/// a + s b, the shorter one filled up with zeros.
+/// a + s b, the shorter one padded with zeros.
 template <class T>
 [[nodiscard]] ComplexPolynomial<T> sum(ComplexPolynomial<T> a, int s, const ComplexPolynomial<T>& b) {
   a.resize(std::max(a.size(), b.size()));
@@ -213,7 +214,7 @@ template <class T>
   return sum(result, -27, ad * ad);
 }
 
-/// lᵀ p for a line and a point, one of them moving; in z times z.
+/// lᵀ p for a line and a point, one of which moves; as a polynomial in z it is multiplied by z.
 template <class T>
 [[nodiscard]] ComplexPolynomial<T> incidence(const Form<T>& first, const Form<T>& second,
                                              const PencilMotion<T>& motion) {

@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// Both curves as they are placed, in ground.
+/// Both curves in ground, placed at the positions of their bodies.
 struct PlacedPair {
   PlacedCurve<double> first;
   PlacedCurve<double> second;
@@ -29,13 +29,13 @@ struct PlacedPair {
   return {place_on(pair.curve1, pair.motion1, u), place_on(pair.curve2, pair.motion2, q)};
 }
 
-/// solve_contact() from bodies that have been placed at u and at the guess q.
+/// solve_contact() with the bodies already placed at u and at the guess q.
 [[nodiscard]] ContactResult solve_contact(const ContactPair& pair, const PlacedPair& guess, double u,
                                           double q, const Vector2d& n_W, int branch);
 
-/// The points with outward normals n and -n, and what the osculating iteration makes of them. Where a body is
-/// a line, n is that of the face, its point the foot of the other body's point, its radius 0. The link is not
-/// finite where ρ1 + ρ2 = 0.
+/// The points with outward normals n and -n, and what the osculating iteration derives from them. Where a
+/// body is a line, n is the normal of its face, its point is the foot of the perpendicular from the other
+/// body's point, and its radius is 0. The link is not finite where ρ1 + ρ2 = 0.
 struct ContactPoints : CommonNormal {
   Vector2d t_W = Vector2d::UnitY();
   EquivalentLink link;

@@ -20,7 +20,7 @@ ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d
   return side;
 }
 
-// Between the lines along two vectors [rad], 0 … π/2.
+// Acute angle between two directions [rad], 0 … π/2.
 double acute_angle(const Vector2d& a, const Vector2d& b) {
   return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
 }

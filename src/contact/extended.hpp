@@ -9,12 +9,12 @@
 
 namespace higherpair {
 
-/// A number of 100 decimal digits. The polynomials whose roots are the contacts have up to 16 roots that
-/// crowd together where levers are long against the bodies (a ratio of 1000 costs 24 digits), and every
-/// double or nearly double root halves the digits that are left: doubles would lose the roots altogether.
+/// A number of 100 decimal digits. The polynomials whose roots are the contacts have up to 16 roots, which
+/// cluster where levers are long compared with the bodies (a ratio of 1000 costs 24 digits), and every double
+/// or nearly double root halves the digits that are left: in doubles the roots would be lost altogether.
 ///
-/// A class around Boost's number whose operations are compiled once; as templates they took seconds in every
-/// source.
+/// A wrapper of Boost's number whose operations are compiled once: as templates they would cost seconds in
+/// every source file.
 class Extended {
 public:
   using Number = boost::multiprecision::number<
@@ -54,7 +54,7 @@ private:
   Number x_;
 };
 
-/// |a| to the digits of the machine's own numbers, of whose exponents those of long double reach far enough.
+/// |a| to the precision of long double, whose range of exponents is wide enough.
 [[nodiscard]] long double magnitude(const Complex<Extended>& a);
 
 }  // namespace higherpair

@@ -55,7 +55,7 @@ std::optional<Complex<Extended>> finite_point(const Vector3c<Extended>& v) {
   }
   const Complex<Extended> w = v[0] * inverse(v[2]);
   const Complex<Extended> w_bar = v[1] * inverse(v[2]);
-  // The real point nearest to a pair that rounding has made complex.
+  // The nearest real point, if rounding has made the coordinates not quite conjugate.
   return Extended(0.5) * (w + conj(w_bar));
 }
 

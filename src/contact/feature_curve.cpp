@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-// The joint behind a span, and back again.
+// The bridge at the joint after a span, by its index as a span; and vice versa.
 int bridge_at(int joint) {
   return -1 - joint;
 }
@@ -70,7 +70,7 @@ std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {
   const Interval phi =
       around(angle_of(n_W), kErrorOfPoints) + to_interval(bounds->turn) * stretch.from_middle;
   const IntervalVector n = unit_interval(phi);
-  const Interval way = sense_ * to_interval(bounds->speed) * stretch.from_middle;  // along n turned
+  const Interval way = sense_ * to_interval(bounds->speed) * stretch.from_middle;  // along n turned +90°
   const Interval error = around(0, error_at(m));
   const IntervalVector p = {m.x() + error - way * n.y, m.y() + error + way * n.x};
   if (follower_.turns) {
@@ -90,7 +90,7 @@ void FeatureCurve::enclose_turning(const Middle& at, const IntervalVector& p, co
   const Interval error = around(0, 2 * error_at(at.m));
   stretch.middle = {at.m.dot(at.n) + error, at.m.dot(perp(at.n)) + error};
   stretch.range = {p.dot(n), p.dot(n.turned())};
-  // Twice: from the range by points a smaller one by its slope, and from that a better slope.
+  // Twice: the slope narrows the range, and the narrower range improves the slope.
   for (int pass = 0; pass < 2; ++pass) {
     stretch.slope = {turn * stretch.range.y, speed - turn * stretch.range.x};
     const IntervalVector by_slope = {stretch.middle.x + stretch.slope.x * stretch.from_middle,
@@ -154,7 +154,7 @@ Stretch FeatureCurve::bridge(int joint, const Bounds& t) const {
   return stretch;
 }
 
-// The bridge over a joint whose spans do not quite meet.
+// The bridge across a joint whose spans do not quite meet; none if they do.
 std::optional<Stretch> FeatureCurve::gap_at(int joint) const {
   const SpanJoint kind = boundary_->joint_after(joint);
   if (kind == SpanJoint::kEnd || kind == SpanJoint::kNotch) {
@@ -165,7 +165,7 @@ std::optional<Stretch> FeatureCurve::gap_at(int joint) const {
                                                                 : std::nullopt;
 }
 
-// How much further the parameter is there, but no more than half of the span.
+// Change of the parameter over `reach` along the boundary, but at most half of the span.
 double FeatureCurve::step_along(const BoundaryPlace& from, double reach) const {
   const IntervalVector slope = at(from).slope;
   const double speed = std::max(boost::numeric::norm(slope.x), boost::numeric::norm(slope.y));

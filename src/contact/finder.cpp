@@ -13,9 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMaxListSteps = 2000;  // the list of all contacts costs no more than so many
+constexpr int kMaxListSteps = 2000;  // a list of all contacts costs no more than these
 
-// How fast the signed distance can change with q: at most by the speed of the bounded body's fastest point.
+// Bound of the rate of the signed distance with q: the speed of the fastest point of a bounded body.
 std::optional<double> speed_bound(const ContactPair& pair, double u) {
   if (!pair.motion2.turns) {
     return 1.0;
@@ -29,7 +29,7 @@ Separation separation_at(const ContactPair& pair, double u, double q, double tol
   return separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2, pose_at(pair.motion2, q), tolerance);
 }
 
-// The signed distance, known to a share of itself or to `finest`.
+// The signed distance, to within a fraction of itself or `finest`.
 struct Distance {
   Separation separation;
   double tolerance = 0;
@@ -47,7 +47,7 @@ Distance distance_at(const ContactPair& pair, double u, double q, double guess, 
   }
 }
 
-// The contact that the two nearly touching bodies have here; it must be one where they touch nowhere else.
+// The contact of two nearly touching bodies near this position; none if they overlap there elsewhere.
 std::optional<FindResult> touch(const ContactPair& pair, double u, double q, const Vector2d& n_W, int branch,
                                 double size) {
   const ContactResult result = solve_contact(pair, u, q, n_W, branch);
@@ -62,7 +62,7 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
   return FindResult{FindStatus::kFound, result.at, branch};
 }
 
-// \param farthest  a contact farther than this from q is of no interest
+// \param farthest  contacts farther than this from q are not wanted
 FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
                   ListedContacts& listed, double farthest = std::numeric_limits<double>::infinity()) {
   const double size = size_at(pair, u, q);
@@ -96,7 +96,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
       }
     }
     if (std::abs(here.gap) <= kTouching * size) {
-      // Coming from the gap the distance falls with q·direction; out of an overlap it grows.
+      // Coming from a gap, the distance falls with q·direction; coming out of an overlap, it grows.
       const int branch = overlapping ? direction : -direction;
       if (const auto found = touch(pair, u, q, here.n_W, branch, size)) {
         return *found;

@@ -97,7 +97,7 @@ std::vector<Foot> sliding_feet(const Curve& curve, const Vector2d& direction_B) 
   return feet;
 }
 
-// What replaces curve 2: a fixed circle (or point) about O2, or a fixed line along d.
+// The curve that replaces curve 2: a fixed circle (or point) about O2, or a fixed line along d.
 std::optional<Curve> stand_in(const OneFreedom& motion, const Vector2d& foot_B, double size) {
   if (!motion.turns) {
     const auto line = make_line(pose_at(motion, 0) * foot_B, perp(motion.direction_W));
@@ -139,7 +139,7 @@ private:
       result_.everywhere = true;
     }
     for (const CurveContact& contact : list.contacts) {
-      // Outward normal of curve 1; of a point that which curve 2 will give it.
+      // Outward normal of curve 1; if that is a point, add() takes it from curve 2.
       const bool fixed_is_point = fixed.kind == CurveKind::kPoint;
       const Vector2d n_W = fixed_is_point || contact.opposed ? Vector2d(-contact.n_W) : contact.n_W;
       CriticalPosition at;
@@ -163,7 +163,7 @@ private:
       add(foot, at);
       return;
     }
-    // Curve 2 passes through its pivot, which lies on curve 1: it may lie along it either way.
+    // Curve 2 passes through its pivot, which is on curve 1: it may be tangent there in either direction.
     for (const double turn : {0.0, kPi}) {
       at.q = wrapped(angle_of(at.n_W) - angle_of(foot.n_B) + turn);
       add(foot, at);
@@ -179,7 +179,7 @@ private:
       at.opposed = at.n_W.dot(n2_W) < 0;
     }
     const Vector2d v1 = velocity_per_q(pair_.motion1, at.p_W);
-    // Where a round curve 1 lies on its substitute, every q is a contact.
+    // Where a round curve 1 coincides with its substitute, every q is a contact.
     at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kGapQMayVanish * v1.norm() ? CriticalType::kCrossing
                                                                                     : CriticalType::kFold;
     result_.found.push_back(at);
@@ -187,7 +187,7 @@ private:
 
   const ContactPair& pair_;
   double size_ = 0;
-  bool coincident_ = false;  // the contact at hand: of equal circles
+  bool coincident_ = false;  // whether the current contact is of equal circles
   CriticalPositions result_;
 };
 

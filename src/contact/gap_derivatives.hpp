@@ -4,7 +4,7 @@
 
 namespace higherpair {
 
-/// Second derivatives of the gap g(φ, q, u) at a contact; φ drops out where a body is a line.
+/// First and second derivatives of the gap g(φ, q, u) at a contact; φ drops out where a body is a line.
 struct GapDerivatives {
   double g_u = 0, g_q = 0;
   double g_phiphi = 0, g_phiq = 0, g_phiu = 0;

@@ -9,16 +9,16 @@
 
 #include <cmath>
 
-// One step of a track: predicted, solved, compared, accepted.
+// One step of a track: predicted, solved, compared with the prediction, and accepted.
 
 namespace higherpair {
 
-// What counts as one unit of a coordinate: a radian, or the size of the mechanism.
+// One unit of a coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] inline double unit_of(const OneFreedom& freedom, const ContactTrack& track) {
   return freedom.turns ? 1 : track.size;
 }
 
-// The rotation by an angle; for small ones without trigonometric functions.
+// The rotation by an angle; without trigonometric functions if the angle is small.
 [[nodiscard]] inline Rotation<double> predicted_turn(double angle) {
   return angle * angle <= kSmallTurn2 ? Rotation<double>{1 - small_versine(angle), small_sine(angle)}
                                       : Rotation<double>::from_angle(angle);
@@ -31,13 +31,14 @@ struct Step {
   bool solved = false;
 };
 
-// Over a very short step the higher derivatives are known with much rounding: not for long ones after it.
+// Derivatives taken over a very short step are dominated by rounding: they are not used for much longer
+// steps.
 [[nodiscard]] inline bool reaches(const ContactTrack& track, double h) {
   return std::abs(h) <= kFarthestReach * track.last_step;
 }
 
-// The normal after a step h, to third order like the follower; not for long steps, which a jump of the normal
-// could then seem to agree with.
+// The normal after a step h, to third order as for the follower; long steps leave out the third derivative,
+// with which a jump of the normal could seem to agree.
 [[nodiscard]] inline Vector2d predicted_normal(const ContactTrack& track, double h) {
   const double half_h2 = h * h / 2;
   const double d2phi = reaches(track, h) ? track.d2phi : 0;
@@ -46,7 +47,7 @@ struct Step {
   return predicted_turn(turn) * track.at.n_W;
 }
 
-// place_pair() by the rotations that the track knows.
+// place_pair() with the rotations that the track has stored.
 [[nodiscard]] inline PlacedPair placed_near(const ContactTrack& track, double u, double q) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;
   const Rotation<double> R_W1 = motion1.turns ? track.driver.at(u) : motion1.R_WB;
@@ -56,7 +57,7 @@ struct Step {
 
 [[nodiscard]] inline Step try_step(const ContactTrack& track, double h, int branch) {
   const ContactPosition& from = track.at;
-  // Summed so that what is known last is added last.
+  // The least accurate terms are added last.
   const double half_h2 = h * h / 2;
   const double d3q = reaches(track, h) ? track.d3q : 0;
   const double q = from.q + h * from.dq + half_h2 * from.d2q + half_h2 * h * (1 / 3.0) * d3q;
@@ -85,15 +86,15 @@ struct Step {
   return step.solved && step.mismatch <= share * step.change + kInnerMismatch;
 }
 
-// Long steps would not come back to a known rotation.
+// Not renewed for long steps, after which the motion would not come back near the stored rotation.
 inline void renew(KnownRotation& known, double from, double to) {
   if (!known.is_near(to) && std::abs(to - from) <= kShortTurn) {
     known = KnownRotation(to);
   }
 }
 
-// The higher derivatives over the last step h, whose normal has turned by `turn`. Over a very short one they
-// are rounding: those before stay. Where branches cross they begin anew.
+// The higher derivatives over the last step h, in which the normal turned by `turn`. Over a very short step
+// they would be rounding: the previous ones are kept. At a change of branch they are reset.
 inline void renew_derivatives(ContactTrack& track, const ContactPosition& at, int branch, double turn) {
   if (branch != track.branch) {
     track.d3q = track.d2phi = track.d3phi = 0;
@@ -107,7 +108,7 @@ inline void renew_derivatives(ContactTrack& track, const ContactPosition& at, in
   track.last_step = std::abs(h);
   const double per_h = 1 / h;
   track.d3q = per_h * (at.d2q - track.at.d2q);
-  // What the rates at both ends say of the turn is too much by h³ φ‴/12.
+  // The turn computed from the rates at both ends is too large by h³ φ‴/12.
   const double excess = (at.dphi + track.at.dphi) / 2 - per_h * turn;
   track.d3phi = std::abs(h) > kShortestForThird * unit ? 12 * per_h * per_h * excess : 0;
   track.d2phi = per_h * (at.dphi - track.at.dphi) + h / 2 * track.d3phi;

@@ -13,7 +13,7 @@ double radius_rate(const Curve& curve, const BodyMotion& body, double rho, const
   return is_curved(curve) ? radius_slope(place(curve, body.X_WB), rho, n_W) : 0;
 }
 
-// Without the jerks of the body's frame.
+// Velocity, acceleration and jerk of a material point, the latter without that of the body's frame.
 struct MaterialPoint {
   Vector2d v_W, a_W, jerk_W;
 };
@@ -39,7 +39,7 @@ ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonN
   const double radius1 = radius_rate(curve1, body1, at.rho1, at.n_W) * nu1 * nu1;
   const double radius2 = radius_rate(curve2, body2, at.rho2, -at.n_W) * nu2 * nu2;
 
-  // Of the frozen linkage; what the rates of the radii add follows.
+  // Of the linkage with constant lengths; the terms of the radii's rates are added below.
   const double along1 = link.z * alpha_r + link.w2 * a_s;
   const double along2 = link.z * alpha_r - link.w1 * a_s;
   const double phi_ddot = body1.alpha + link.w1 * alpha_r + link.w * a_s;

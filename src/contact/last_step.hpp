@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-// The end of the osculating iteration: one step to second order that is exact to within rounding, so that no
-// further pass has to confirm it.
+// The end of the osculating iteration: one second-order step that is exact to within rounding, so that no
+// further pass is needed to confirm it.
 
 namespace higherpair {
 
@@ -15,7 +15,7 @@ namespace higherpair {
   return std::abs(v.x()) + std::abs(v.y());
 }
 
-// The lengths that have gone into the two points: their rounding is that of these.
+// Sum of the lengths from which the two points are computed: their rounding is proportional to it.
 [[nodiscard]] inline double extent(const ContactPair& pair, const PlacedPair& placed,
                                    const ContactPoints& points) {
   const Vector2d& p = points.p1_W;
@@ -34,8 +34,8 @@ struct LastStep {
   double psi = 0;
   double slope1 = 0;  // dρ/dφ
   double slope2 = 0;
-  bool sound = false;  // it is small enough for second order
-  bool exact = false;  // and what it leaves out is rounding
+  bool sound = false;  // small enough for second order
+  bool exact = false;  // and what it leaves out is below rounding
 };
 
 [[nodiscard]] inline LastStep last_step(const ContactPair& pair, const PlacedPair& placed,
@@ -62,18 +62,19 @@ struct LastStep {
   if (!face2) step.slope2 = radius_slope(placed.second, points.rho2, -points.n_W);
   const double turn = std::max(std::abs(step.phi), std::abs(step.psi));
   const double slopes = std::abs(step.slope1) + std::abs(step.slope2);
-  // Of the first order's step: the second order may undo a large one.
+  // Tested with the first-order step: in delta, the second-order term may cancel a large one.
   step.sound = turn <= kLastTurn && std::abs(g_qq * first) <= kLastTurn * std::abs(slope);
-  // From far away the follower would bring the rounding of that place along.
+  // A long step of the follower would carry over the rounding error of its distant start.
   const bool short_way = 8 * std::abs(delta) * manhattan(v2) <= extent;
-  const double left_out = slopes * turn * turn;  // against the arm 1/w or the extent, the shorter
+  const double left_out = slopes * turn * turn;  // compared with the shorter of the arm 1/w and the extent
   step.exact = step.sound && short_way && left_out <= kLeftOut * extent && left_out * std::abs(w) <= kLeftOut;
   return step;
 }
 
-// The same with the follower at rest: the two points come together along their curves, φ = ψ = w s. For
-// points that are closed already where δ would be noise: far out on two branches the normal fixes the points
-// only to a rounding of it times their radii, which may be much more than the rounding of the gap.
+// The same with the follower held fixed: the two points come together along their curves, φ = ψ = w s. For
+// contacts that are already closed but where δ would be noise: far out on two open curves the normal
+// determines the points only to within its rounding times their radii, which may be much more than the
+// rounding of the gap.
 [[nodiscard]] inline LastStep closing_step(const ContactPoints& points, const LastStep& last) {
   const double turn = points.link.w * points.s;
   if (!(std::abs(turn) <= kLastTurn)) {
@@ -86,8 +87,8 @@ struct LastStep {
   return step;
 }
 
-// Moves normal, points and radii by the last step. Points are moved along the osculating circles:
-// c1 stays, c2 moves with body 2.
+// Moves normal, points and radii by the last step. Points move along the osculating circles: the centre c1 is
+// fixed, c2 moves with body 2.
 [[nodiscard, gnu::always_inline]] inline ContactPoints moved(const ContactPair& pair,
                                                              const PlacedPair& placed, const LastStep& step,
                                                              double extent, ContactPoints points) {
@@ -96,7 +97,7 @@ struct LastStep {
   const Vector2d n = points.n_W;
   const Vector2d t = points.t_W;
   points.n_W = n + phi * t - phi * phi / 2 * n;
-  points.n_W *= 1.5 - points.n_W.squaredNorm() / 2;  // a unit vector also after a million steps
+  points.n_W *= 1.5 - points.n_W.squaredNorm() / 2;  // stays a unit vector even after a million steps
   points.t_W = perp(points.n_W);
   points.p1_W += points.rho1 * (phi * t - phi * phi / 2 * n);
   const Vector2d along2 = points.rho2 * psi * ((phi + turns2 * delta) / 2 * n - t);

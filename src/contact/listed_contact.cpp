@@ -12,8 +12,9 @@
 namespace higherpair {
 namespace {
 
-// How far the follower moves from q in the sense of `direction` to a contact; a turning one less than a turn.
-// \param near  as far behind it is here
+// How far the follower moves from q in the sense of `direction` to a contact; if it turns, less than a
+// whole turn.
+// \param near  a contact that is behind q by less than this counts as at q
 double way_to(const ContactPair& pair, double q, int direction, const CurveContact& contact, double near) {
   const double way = direction * (contact.q - q);
   const double turn = 2 * kPi;
@@ -50,7 +51,7 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
     result.status = FindStatus::kOverlapAtStart;
     return result;
   }
-  // Coming from the gap the distance falls with q·direction; out of an overlap it grows.
+  // Coming from a gap, the distance falls with q·direction; coming out of an overlap, it grows.
   const int branch = overlapping ? direction : -direction;
   double shortest = INFINITY;
   for (const CurveContact& contact : list_->contacts) {

@@ -7,17 +7,18 @@
 
 namespace higherpair {
 
-/// What distances at a position are measured against [m]: size_of_pair() with the distance of the bodies.
+/// Length against which distances at a position are measured [m]: size_of_pair() with the distance of the
+/// bodies instead of that of the joints.
 [[nodiscard]] double size_at(const ContactPair& pair, double u, double q);
 
-/// What find_contact looks for, taken from the list of all contacts: for pairs on which no safe step exists,
-/// and where marching comes to rest. The list is made when it is first asked for, and then kept: it is the
-/// same for every start and sense, and dearer than all the rest.
+/// Answers find_contact from the list of all contacts: for pairs without a safe step length, and where the
+/// march of find_contact gets stuck. The list is made on first use and kept: it is the same for every start
+/// and sense, and costs more than all the rest.
 class ListedContacts {
 public:
   ListedContacts(const ContactPair& pair, double u) : pair_(pair), u_(u) {}
 
-  /// The arguments and the answer of find_contact; kUnbounded where there is no such list.
+  /// Arguments and result as of find_contact; kUnbounded where there is no such list.
   [[nodiscard]] FindResult find(double q, int direction, bool from_overlap);
   /// Whether the list has been made.
   [[nodiscard]] bool is_known() const { return list_.has_value(); }

@@ -29,7 +29,7 @@ public:
     const int intervals = static_cast<int>(network_.intervals.size());
     for (const bool closed : {false, true}) {
       for (std::size_t i = 0; i < network_.nodes.size() && !is_stopped(range_); ++i) {
-        // A closed one from the last interval, which holds the start of the range.
+        // A closed branch begins in the last interval, which contains the start of the range.
         const bool first = closed ? node(static_cast<int>(i)).interval + 1 == intervals
                                   : node(static_cast<int>(i)).before.node < 0;
         if (!taken_[i] && first) {
@@ -57,7 +57,7 @@ private:
     double q_turn = 0;
   };
 
-  // From `first` to the end of its branch, or until it is back; then `first` once more.
+  // From `first` to the end of its branch; a closed branch ends with `first` once more.
   std::vector<Link> chain_from(int first) {
     std::vector<Link> chain{{first, 0, 0}};
     for (;;) {
@@ -84,7 +84,7 @@ private:
       branch.turns = static_cast<int>(std::lround(last.u_turn / kTurn));
       branch.begin = {MapEndType::kClosed, range_.start};
       branch.end = {MapEndType::kClosed, range_.start + branch.turns * kTurn};
-      // So that the first interval holds the start.
+      // Shifted so that the first interval contains the start.
       const MapInterval& interval = interval_of(chain.front());
       shift(chain, interval.low > range_.start ? -kTurn : 0);
     } else {
@@ -111,14 +111,14 @@ private:
     return network_.intervals[static_cast<std::size_t>(node(link.node).interval)];
   }
 
-  // Each interval's targets are reached from its own node; where branches cross at its side, those next to it
-  // are interpolated.
+  // The targets in each interval are reached from its own node; next to a crossing of branches at its side,
+  // they are interpolated.
   void sample(MapBranch& branch, const std::vector<Link>& chain) {
     const std::vector<SampleTarget> targets = sample_targets(branch, range_, network_.cyclic, network_.size);
     auto next = targets.begin();
     const auto index = [&](auto at) { return static_cast<std::size_t>(at - targets.begin()); };
     std::vector<ContactTrack> tracks;
-    std::optional<ContactPosition> before;  // at the end of the last interval
+    std::optional<ContactPosition> before;  // at the end of the previous interval
     for (const Link& link : chain) {
       const MapInterval& interval = interval_of(link);
       const double margin = std::min(kNearMapCrossing * (network_.cyclic ? 1 : network_.size),
@@ -189,7 +189,7 @@ private:
     }
   }
 
-  // By the cubic through two contacts and their slopes.
+  // By the cubic with the positions and slopes of two contacts.
   [[nodiscard]] MapPoint between(const MapBranch& branch, const ContactPosition& a, const ContactPosition& b,
                                  double u) const {
     const double h = b.u - a.u;
@@ -209,7 +209,7 @@ private:
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
       const double fastest = std::max(std::abs(tracks[i].at.dq), std::abs(tracks[i + 1].at.dq));
       const double unit = unit_of(pair_.motion2, tracks[i]) / unit_of(pair_.motion1, tracks[i]);
-      // A follower at rest moves by rounding.
+      // Rates of a follower at rest are rounding.
       if (tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kSlowestMotion * unit) {
         const bool smooth = tracks[i].branch == tracks[i + 1].branch;
         if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u) : std::nullopt) {

@@ -27,14 +27,14 @@ public:
   }
 
 private:
-  // Into the range; false outside of it.
+  // Shifts u into the range; false if it is outside.
   [[nodiscard]] bool bring_in(double& u) const {
     if (!map_.cyclic) {
       return u > map_.start && u < map_.end;
     }
     u -= kTurn * std::floor((u - map_.start) / kTurn);
     if (u - map_.start > kTurn - kCrossingResolution) {
-      u -= kTurn;  // so that what belongs together stays together
+      u -= kTurn;  // so that positions about the start are not separated by rounding
     }
     return true;
   }

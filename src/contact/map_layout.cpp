@@ -8,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-constexpr int kFewest = 9;  // points within a branch, however short it is
+constexpr int kFewest = 9;  // fewest points of a branch, however short it is
 
 }  // namespace
 

@@ -76,7 +76,7 @@ private:
     }
   }
 
-  // The node of an interval that a followed contact has come to.
+  // The node of an interval at which a followed contact has arrived; -1: none.
   [[nodiscard]] int node_at(int interval, bool opposed, const ContactPosition& at) const {
     for (std::size_t i = 0; i < network_.nodes.size(); ++i) {
       const MapNode& node = network_.nodes[i];
@@ -90,7 +90,7 @@ private:
     return -1;
   }
 
-  // The node in the neighbouring interval to which a contact leads.
+  // The node in the neighbouring interval that a contact leads to.
   [[nodiscard]] NodeSide neighbour(const MapNode& node, bool forward) const {
     NodeSide side;
     const int n = static_cast<int>(network_.intervals.size());
@@ -114,7 +114,7 @@ private:
     return side;
   }
 
-  // Only neighbours that lead to each other are one branch.
+  // Only nodes that lead to each other are on one branch.
   void link() {
     std::vector<NodeSide> forward;
     std::vector<NodeSide> backward;
@@ -150,7 +150,7 @@ private:
       network_.complete = network_.complete && !network_.cyclic;
       return;
     }
-    // The cut as seen from the node, which may be a turn away.
+    // The cut's position next to the node, which may be a turn away.
     const double middle = network_.intervals[static_cast<std::size_t>(node.interval)].middle;
     const double u = forward ? cut->low : cut->high;
     const double turn = forward && u < middle ? kTurn : 0;
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  // The event of a cut that a node's contact comes to; -1: none.
+  // The event of a cut at which a node's contact ends; -1: none.
   [[nodiscard]] int event_at(const MapCut& cut, const MapNode& node, double u) const {
     ContactTrack track = node.track;
     const double way = u - track.at.u;
@@ -200,8 +200,8 @@ private:
     return -1;
   }
 
-  // Two branches merge at a fold or cusp, or none that can be told apart; more may meet at a crossing. A fold
-  // and a cusp that cannot be told apart have one each.
+  // Two branches merge at a fold or cusp, or none if they are too close to be resolved; more may meet at a
+  // crossing. A fold and a cusp that are too close to be resolved have one branch each.
   void check_events() {
     std::vector<int> ends(network_.events.size(), 0);
     for (const MapNode& node : network_.nodes) {

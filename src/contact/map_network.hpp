@@ -6,23 +6,24 @@
 
 #include <vector>
 
-// The contacts in the middles of the intervals between critical positions, and which of them are one branch.
+// The contacts at the middles of the intervals between critical positions, and which of them are on one
+// branch.
 
 namespace higherpair {
 
-/// Where a node's branch ends beyond one side of its interval.
+/// What follows a node on one side of its interval: the next node, or the end of the branch.
 struct NodeSide {
-  int node = -1;  ///< the next one on this side; -1: the branch ends here
+  int node = -1;  ///< the next node on this side; -1: the branch ends here
   MapEndType type = MapEndType::kLost;
   int event = -1;   ///< index into MapNetwork::events
   double u = 0;     ///< of the end
-  double turn = 0;  ///< what the next one's q lacks to be continuous with this one's: whole turns [rad]
+  double turn = 0;  ///< whole turns to add to the next node's q to make it continuous with this one's [rad]
 };
 
 /// One contact in the middle of an interval.
 struct MapNode {
   int interval = 0;
-  ContactTrack track;  ///< of the pair whose normals are opposed here
+  ContactTrack track;  ///< of the pair with its sides chosen so that the normals are opposed here
   bool opposed = true;
   NodeSide before, behind;
 };

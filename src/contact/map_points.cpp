@@ -10,7 +10,8 @@
 namespace higherpair {
 namespace {
 
-// Whether the interiors of the bodies are disjoint; the line between two convex ones parts them.
+// Whether the interiors of the bodies are disjoint; those of two convex bodies are separated by the common
+// tangent.
 bool is_free(const ContactPair& pair, bool opposed, const ContactPosition& at, double tolerance) {
   if (!opposed) {
     return false;

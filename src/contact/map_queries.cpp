@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-// What a map is asked once it is made.
+// Queries of a finished map.
 
 namespace higherpair {
 namespace {
 
-// A point of a branch of boundaries. Whether it is free is looked for where the points next to it differ.
+// A point of a branch of boundaries. Whether it is free is worked out only if its neighbours differ in that.
 std::optional<MapPoint> traced_point(const ContactMap& map, int index,
                                      std::vector<MapPoint>::const_iterator above, double u) {
   const auto i = static_cast<std::size_t>(index);
@@ -29,7 +29,7 @@ std::optional<MapPoint> traced_point(const ContactMap& map, int index,
   return point;
 }
 
-// Whether an end of the branch lies at `from`, or a place where branches cross at it or before `to`.
+// Whether the branch ends at an event at `from`, or branches cross near it or between it and `to`.
 bool is_singular(const ContactMap& map, const MapBranch& branch, double from, double to) {
   if ((from == branch.begin.u && branch.begin.event >= 0) ||
       (from == branch.end.u && branch.end.event >= 0)) {
@@ -58,7 +58,7 @@ std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
   if (map.trace) {
     return traced_point(map, index, above, u);
   }
-  // From a point next to it, the nearest first; not from where the contact is singular, nor past it.
+  // Followed from a neighbouring point, the nearest first; not from a singular contact, nor past one.
   std::vector<const MapPoint*> starts;
   const auto first = above - std::min<std::ptrdiff_t>(2, above - branch.points.begin());
   const auto last = above + std::min<std::ptrdiff_t>(2, branch.points.end() - above);

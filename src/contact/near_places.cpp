@@ -16,7 +16,7 @@ double curvature_of(double rho) {
   return std::isinf(rho) ? 0 : 1 / rho;
 }
 
-// Whether the gap along a common normal is less than beside it.
+// Whether the gap along a common normal is a minimum.
 bool is_least(const CommonNormal& at) {
   const double g = at.gap();
   if (at.rho1 == 0 || at.rho2 == 0) {
@@ -37,7 +37,8 @@ std::optional<NearPlace> common_normal_near(const Boundary& boundary1, const Pos
   return NearPlace{found->at, found->place1, found->place2, 0};
 }
 
-// Whether an end is an edge on which an outward normal lies: then it is touched at a common normal.
+// Whether an end is a corner whose normals include an outward normal: then the contact is one of a common
+// normal.
 bool is_on_edge(const Boundary& boundary, const BoundaryPlace& end, const Vector2d& n_B) {
   if (!boundary.is_corner(end)) {
     return false;
@@ -46,7 +47,7 @@ bool is_on_edge(const Boundary& boundary, const BoundaryPlace& end, const Vector
   return std::abs(nearest_turn(angle_of(n_B) - (range.low + range.high) / 2, 0)) <= range.width() / 2;
 }
 
-// An end of boundary `end` over the other boundary.
+// Boundary `own`, whose number is `end`, with its ends opposite the boundary `other`.
 struct EndOver {
   const Boundary* own;
   const Pose<double>* X_WO;
@@ -73,8 +74,8 @@ std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end,
   return NearPlace{place.at.exchanged(), place.place2, place.place1, 2};
 }
 
-// The ends of an open boundary that are near the other one. \param others  pieces of that, in the frame of
-// body 1
+// Adds the ends of an open boundary that are near the other one. \param others  pieces of the other one, in
+// the frame of body 1
 void add_ends(const EndOver& over, const Pose<double>& X_1O, const BoundaryPieces& others, double reach,
               std::vector<NearPlace>& places) {
   const Boundary& own = *over.own;

@@ -7,8 +7,8 @@
 // For the normal n out of body 1, with t = n turned +90°, p1 and p2 the points of the curves with outward
 // normals n and -n, w1, w2, w and z of the equivalent link, g = (p2 - p1)·n and s = (p2 - p1)·t:
 //     C = 2 g + w (g² + s²)
-// C = 0 says that the two osculating circles touch. Moving body 2 by δ changes C into a quadratic whose root
-// of the wanted branch is taken; then n goes along the new line of centres.
+// C = 0 means that the two osculating circles touch. If body 2 is moved by δ, C becomes a quadratic, of which
+// the root on the wanted branch is taken; the next n is along the new line of centres.
 
 namespace higherpair {
 
@@ -21,7 +21,7 @@ struct PassStep {
   Vector2d n_W;
 };
 
-// The root -C/(B + β√D) or (-B + β√D)/A', whichever does not cancel; A' x² + 2 B x + C = 0.
+// The root -C/(B + β√D) or (-B + β√D)/A' of A' x² + 2 B x + C = 0, whichever is free of cancellation.
 [[nodiscard]] inline double branch_root(double A, double B, double C, double D, double beta) {
   const double root = std::sqrt(D > 0 ? D : 0);
   return beta * B >= 0 ? -C / (B + beta * root) : (beta * root - B) / A;
@@ -37,7 +37,7 @@ struct PassStep {
   const double B = 2 * (w * (at.s * m_n - at.g * m_t) + w1 * at.s - m_t);
   const double A = 2 * (w * m.dot(m1) + w1 * m1.dot(at.n_W) - w2 * m_n - z);
   const double D = B * B - C * (C + 2 * A);
-  // Half of B, so that the quadratic in tan(δ/2) is A' x² + 2 (B/2) … written with B and 2x: x = tan(δ/2).
+  // x = tan(δ/2) solves (C + 2 A) x² + 2 B x + C = 0.
   const double x = branch_root(C + 2 * A, B, C, D, beta);
   const double scale = 1 / (1 + x * x);
   const double sin = 2 * x * scale;

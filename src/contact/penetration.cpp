@@ -13,15 +13,15 @@
 namespace higherpair {
 namespace {
 
-// Depth of a point in a body [m]: to the nearest place of its boundary; < 0 outside. An open boundary says
-// nothing of points beside it.
+// Depth of a point in a body [m], to the nearest place of its boundary; < 0 outside. -∞ beside the ends of an
+// open boundary, where it is not defined.
 struct Depth {
   double depth = -std::numeric_limits<double>::infinity();
   BoundaryPlace place;
 };
 
-// Where the foot of a point is looked for from the nearest place between samples. At a corner what lies in
-// front of none of its normals belongs to the neighbour on that side.
+// Start of the search for the foot of a point, from the nearest place between samples. At a corner, a point
+// in front of none of its normals belongs to the neighbouring span on that side.
 BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, const Vector2d& p_B) {
   const int span = nearest.place.span;
   if (!boundary.is_corner(nearest.place)) {
@@ -49,7 +49,7 @@ Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d
   return {(point.p_B - p_B).dot(point.n_B), *foot};
 }
 
-// A body of which points are asked how deep they are in it.
+// A body, prepared for queries of how deep points are in it.
 class Inside {
 public:
   Inside(const Boundary& boundary, const Pose<double>& X_WB)
@@ -80,7 +80,7 @@ private:
 
 using Places = std::vector<BoundaryPlace>;
 
-// Where the outlines of two bodies cross: places of either.
+// Where the outlines of two bodies cross, as places on each.
 std::array<Places, 2> crossings_of(const Inside& one, const Inside& two) {
   const Pose<double> X_12{one.X_WB().R_WB.inverse() * two.X_WB().R_WB,
                           one.X_WB().inverse_times(two.X_WB().p_WB)};
@@ -96,8 +96,8 @@ std::array<Places, 2> crossings_of(const Inside& one, const Inside& two) {
   return crossings;
 }
 
-// The samples of a body, and a point of every part into which the other one's outline cuts the way between
-// two of them: such a part is in the other body or is not, as a whole, whatever its ends are.
+// The samples of a body, and one point of each part into which the other body's outline cuts the boundary
+// between two of them: such a part is inside or outside of the other body as a whole, whatever its ends are.
 Features points_between(const Inside& own, Places cuts) {
   const auto is_before = [](const BoundaryPlace& a, const BoundaryPlace& b) {
     return a.span != b.span ? a.span < b.span : a.t < b.t;
@@ -126,7 +126,7 @@ Features points_between(const Inside& own, Places cuts) {
   return points;
 }
 
-// Points of a boundary, in their order, with their depth in another one; of those far from it none.
+// Points of a boundary, in order, with their depth in another body; -∞ far from it.
 struct PointDepth {
   Feature point;
   Depth depth;
@@ -143,7 +143,8 @@ std::vector<PointDepth> depths_of(const Inside& own, const Places& cuts, const I
   return depths;
 }
 
-// Calls f for every point that is deeper than its neighbours, where the curve may be in the other body.
+// Calls f for every point that is deeper than its neighbours and near which the curve may be in the other
+// body.
 template <class F>
 void for_deepest(const std::vector<PointDepth>& depths, const F& f) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -170,7 +171,7 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
     Penetration here{found, place1, place2};
     const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (normal && -normal->at.gap() > here.depth) {
-      // Behind a face is not in its body, where that is thin.
+      // Behind one face of a thin body a point may be out of the body again.
       const double depth = std::min(-normal->at.gap(), one.depth_of(normal->at.p2_W).depth);
       here = depth > here.depth ? Penetration{depth, normal->place1, normal->place2} : here;
     }

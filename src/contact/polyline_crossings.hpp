@@ -11,12 +11,11 @@
 #include <optional>
 #include <vector>
 
-// Plane curves that are known by points along them: where two of them cross, or nearly do, and which point is
-// nearest.
+// Plane curves given by points along them: where two of them cross, or nearly do, and the nearest point.
 
 namespace higherpair {
 
-/// Of one boundary: a point of its plane curve, scaled to lengths, and the place that it belongs to.
+/// A point of a boundary's plane curve, scaled to lengths, and the place on the boundary that it belongs to.
 struct Feature {
   Vector2d at;
   BoundaryPlace place;
@@ -28,7 +27,7 @@ using Features = std::vector<Feature>;
   return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
 }
 
-/// Where two short lines cross, or nearly do: shares of both.
+/// Where two short segments cross, or nearly do, as fractions of both.
 [[nodiscard]] inline std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da,
                                                                 const Vector2d& b, const Vector2d& db) {
   const double det = cross(da, db);
@@ -41,7 +40,7 @@ using Features = std::vector<Feature>;
   return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
 }
 
-/// Around the part from a to b, widened by its slack; or around several parts.
+/// Box around the part from a to b, widened by its slack, or around several parts.
 struct PartBox {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
@@ -56,7 +55,7 @@ struct PartBox {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
   }
-  /// \param shift  of the other one
+  /// \param shift  of the other box
   [[nodiscard]] bool meets(const PartBox& other, const Vector2d& shift) const {
     return (low.array() <= (other.high + shift).array()).all() &&
            ((other.low + shift).array() <= high.array()).all();
@@ -67,7 +66,7 @@ struct PartBox {
   [[nodiscard]] double extent() const { return (high - low).sum(); }
 };
 
-/// The parts between neighbouring features of one span in boxes, these in boxes of two, and so on up to all.
+/// Binary tree of boxes around the parts, each between two neighbouring features of one span.
 class PartTree {
 public:
   explicit PartTree(const Features& features) : features_(features) {
@@ -82,7 +81,8 @@ public:
 
   struct Node {
     std::size_t begin = 0, end = 0;  ///< parts
-    std::size_t second = 0;          ///< the node of its second half; the first one follows; 0: none
+    /// Index of the node of the second half, that of the first half being the next one; 0: a leaf.
+    std::size_t second = 0;
     PartBox box;
   };
   [[nodiscard]] const Node& node(std::size_t i) const { return nodes_[i]; }
@@ -90,7 +90,7 @@ public:
   [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
   [[nodiscard]] PartBox box_of(std::size_t part) const { return {from(part).at, to(part).at}; }
 
-  /// The place nearest to a point on all parts, on the first of those that are equally near.
+  /// The place nearest to a point on all parts; of equally near ones, that on the first part.
   [[nodiscard]] Feature nearest(const Vector2d& p) const {
     Nearest nearest;
     look_at(0, p, nearest);
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  // The place of a part that is nearest to a point; its ends without rounding, for neighbours share them.
+  // The place of a part that is nearest to a point; its ends without rounding, because neighbours share them.
   [[nodiscard]] Feature foot_on(std::size_t part, const Vector2d& p) const {
     const Vector2d along = to(part).at - from(part).at;
     const double share = along.dot(p - from(part).at) / along.squaredNorm();
@@ -161,7 +161,7 @@ private:
   std::vector<Node> nodes_;
 };
 
-/// Pairs of parts whose boxes meet, those of the second one shifted.
+/// Collects the pairs of parts whose boxes meet, those of the second tree shifted.
 class MeetingParts {
 public:
   MeetingParts(const PartTree& one, const PartTree& two, std::vector<std::array<std::size_t, 2>>& found)
@@ -196,8 +196,8 @@ private:
   std::vector<std::array<std::size_t, 2>>& found_;
 };
 
-/// Calls found(place1, place2) for the crossings of two polylines, in their order. Costs about as much as
-/// there are parts and crossings. \param period  of the first coordinate; 0: none
+/// Calls found(place1, place2) for each crossing of two polylines, in their order. The cost grows about in
+/// proportion to the numbers of parts and of crossings. \param period  of the first coordinate; 0: none
 template <class F>
 void for_each_crossing(const Features& features1, const Features& features2, double period, const F& found) {
   const PartTree one(features1), two(features2);

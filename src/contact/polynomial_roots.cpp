@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMaxSweeps = 100;
 
-// Numbers of the machine of the widest range: a power of 16 of a root is among them.
+// The built-in number of the widest range, which includes a root to the power of 16.
 using Rough = long double;
 using RoughComplex = Complex<Rough>;
 using RoughComplexes = std::vector<RoughComplex>;
@@ -25,7 +25,8 @@ RoughComplex rough(const Complex<Extended>& a) {
   return {to_long_double(a.re), to_long_double(a.im)};
 }
 
-// Starting values: on each edge of the upper hull of (k, log|c_k|) as many points on a circle as it is long.
+// Starting values: for each edge of the upper hull of (k, log|c_k|), as many points on a circle as the edge
+// is long.
 RoughComplexes starting_values(const Polynomial& c) {
   std::vector<double> height;
   for (const auto& coefficient : c) {
@@ -71,7 +72,7 @@ std::pair<Complex<T>, Complex<T>> evaluate(const std::vector<Complex<T>>& c, con
 }
 
 // Aberth's correction of root i: Newton's, with the other roots divided out. Near a simple root these matter
-// in proportion to the correction itself, so that a rough sum of theirs costs no digits.
+// only in proportion to the correction itself, so that a rough sum over them costs no digits.
 template <class T>
 Complex<T> correction(const std::vector<Complex<T>>& c, const std::vector<Complex<T>>& x, std::size_t i) {
   const auto [value, slope] = evaluate(c, x[i]);
@@ -85,7 +86,7 @@ Complex<T> correction(const std::vector<Complex<T>>& c, const std::vector<Comple
   return norm(divisor) == 0 ? Complex<T>{} : inverse(divisor);
 }
 
-// \param done  roots that are left as they are
+// \param done  roots to leave as they are
 template <class T>
 void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const T& converged_squared,
              std::vector<bool> done) {
@@ -102,7 +103,7 @@ void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const
   }
 }
 
-// The starting values, led so near to the roots as numbers of the machine can tell them.
+// The starting values, improved as far as the precision of long double allows.
 std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
   const RoughComplexes start = starting_values(c);
   RoughComplexes rough_c;
@@ -117,7 +118,8 @@ std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
   return values;
 }
 
-// Of a disc that holds a root of p: n |p(x_i)| / (|c_n| Π |x_i - x_j|) with what rounding makes of p(x_i).
+// Radius of a disc that contains a root of p: n |p(x_i)| / (|c_n| Π |x_i - x_j|), including the rounding of
+// p(x_i).
 Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& x, std::size_t i) {
   const Rough at = magnitude(x[i]);
   Rough terms = 0, product = magnitude(c.back());
@@ -127,8 +129,8 @@ Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& 
   return static_cast<Rough>(x.size()) * value / product;
 }
 
-// Which roots are not where they are asked for: connected discs hold as many roots as they are (Gershgorin),
-// so those are not that no chain of discs connects with one that reaches there.
+// Which roots are proven not to be where roots are wanted: connected discs contain as many roots as discs
+// (Gershgorin), so a root is elsewhere if no chain of discs connects it with one that reaches there.
 std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex<Extended>>& x,
                                   RootsAsked asked) {
   std::vector<bool> elsewhere(x.size(), asked != RootsAsked::kAll);
@@ -138,7 +140,7 @@ std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Rough at = magnitude(x[i]);
     const Rough off = asked == RootsAsked::kOfUnitSize ? std::abs(at - 1) : std::abs(to_long_double(x[i].im));
-    elsewhere[i] = off > radii[i] + kNearbyRoots * (1 + at);  // false for what is no number
+    elsewhere[i] = off > radii[i] + kNearbyRoots * (1 + at);  // false for NaN
   }
   for (bool changed = true; changed;) {
     changed = false;

@@ -19,15 +19,15 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxRollSteps = 60;
-constexpr double kMostRollSteps = 1e15;  // that a count of them can hold
+constexpr double kMostRollSteps = 1e15;  // largest number of steps, which an integer can still count
 
-using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance, third condition; by q and φ
+using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance and third condition, by q and φ
 
 double size_of(const ContactPair& pair, const ContactPosition& at) {
   return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + kNeverZero;
 }
 
-// Change of a point of contact with q at the given normal, and with the normal.
+// Residuals of the three conditions, and their derivatives by q and φ.
 struct Equations {
   Eigen::Vector3d r = Eigen::Vector3d::Zero();
   Jacobian J = Jacobian::Zero();
@@ -64,7 +64,8 @@ void add_arcs(const RollingTrack& track, double phi, Equations& equations) {
   }
 }
 
-// v1 and v2 per unit of u and q are parallel at p: the contact point can be an instant centre.
+// Third condition: v1 and v2 per unit of u and q are parallel at p, so that the contact can be an instant
+// centre.
 void add_instant_centre(const ContactPair& pair, const ContactPosition& at, Equations& equations) {
   const Vector2d t = perp(at.n_W);
   const Vector2d v1 = velocity_per_q(pair.motion1, at.p1_W);
@@ -90,8 +91,8 @@ void add_instant_centre(const ContactPair& pair, const ContactPosition& at, Equa
   }
 }
 
-// The least-squares solution of J x = -r; by the normal equations where their rank is not in doubt, else by a
-// decomposition that leaves alone what the conditions do not set.
+// The least-squares solution of J x = -r: by the normal equations if their rank is not in doubt, else by a
+// decomposition that leaves unchanged what the conditions do not determine.
 Eigen::Vector2d least_squares(const Jacobian& J, const Eigen::Vector3d& r) {
   const double a = J.col(0).squaredNorm();
   const double b = J.col(0).dot(J.col(1));
@@ -105,7 +106,7 @@ Eigen::Vector2d least_squares(const Jacobian& J, const Eigen::Vector3d& r) {
   return LeastNormSolver(J, kRollingRank).solve(-r);
 }
 
-// Gauss-Newton on the three conditions; false where a curve has no such point.
+// Gauss-Newton on the three conditions; not converged where a curve has no such point.
 template <class AddThird>
 RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   RollingResult result;
@@ -119,7 +120,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   if (!place()) {
     return result;
   }
-  // Angles far out have no more digits than this.
+  // Large angles have no more digits than this.
   const double far = std::abs(track.phi) + (track.pair.motion1.turns ? std::abs(at.u) : 0) +
                      (track.pair.motion2.turns ? std::abs(at.q) : 0);
   const double near = std::max(kNewtonQuadratic, kRollingUlps * std::numeric_limits<double>::epsilon() * far);
@@ -127,7 +128,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   for (int i = 0; i < kMaxRollSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
     add_third(track.phi, equations);
-    // Columns of one unit: a turn of φ and q or a displacement moves points by lengths.
+    // Both unknowns in comparable units: radians, or displacements relative to the size.
     const double size = size_of(track.pair, at);
     Jacobian J = equations.J / size;
     if (!track.pair.motion2.turns) {
@@ -150,7 +151,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
       return result;
     }
     if (length < kRollingSettled && length < kRollingQuadratic * last) {
-      // The next step would be of the size of rounding, and leave what the linear equations leave.
+      // The next step would be of rounding size, and leave the residual of the linear equations.
       result.mismatch = (equations.r + size * (J * step)).cwiseAbs().maxCoeff();
       result.converged = true;
       return result;

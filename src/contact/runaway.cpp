@@ -57,7 +57,7 @@ void add_sliding(const ContactPair& pair, const Opening& one, const Opening& two
   }
 }
 
-// The driver turns until its opening is parallel to a fixed direction, one way or the other.
+// The driver turns until its opening is parallel to a fixed direction, in either sense.
 void add_parallel(const Opening& one, const Vector2d& direction_W, std::vector<double>& found) {
   const double u = angle_of(direction_W) - angle_of(one.direction_B);
   found.push_back(u);

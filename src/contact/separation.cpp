@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxArcs = 20000;
 
-// F is g for two convex bodies, -g for a body in a ring: the extreme wanted is always a maximum of F.
+// F is g for two convex bodies, -g for a body in a ring, so that a maximum of F is wanted in both cases.
 struct Value {
   double f = 0;
   double slope = 0;
@@ -36,7 +36,7 @@ Value value_at(const GapProblem& problem, const Vector2d& n) {
   return {problem.sign * d.dot(n), problem.sign * d.dot(perp(n)), s1.rho + s2.rho};
 }
 
-// A bound R >= -sign (ρ1 + ρ2) on the normals within `half` of n.
+// A bound R >= -sign (ρ1 + ρ2) for all normals within `half` of n.
 double curvature_bound(const GapProblem& problem, const Vector2d& n, const Rotation<double>& half) {
   const Bounds rho1 = radius_bounds(problem.first, n, half);
   const Bounds rho2 = radius_bounds(problem.second, -n, half);
@@ -57,7 +57,7 @@ double bound_of(const Value& value, const Rotation<double>& half, double R) {
   }
   const double a = value.f - R;
   const double b = std::abs(value.slope);
-  // R + √(a² + b²) or R + a cos + b sin, written so that a huge R does not cancel.
+  // R + √(a² + b²) or R + a cos + b sin, rearranged to avoid cancellation for a huge R.
   if (b * half.cos <= a * half.sin) {
     return a > 0 ? value.f + b * b / (std::sqrt(a * a + b * b) + a) : R;
   }
@@ -73,7 +73,7 @@ ArcPiece make_piece(const GapProblem& problem, const NormalArc& arc) {
   return piece;
 }
 
-// A few Newton steps uphill; the best value seen.
+// A few Newton steps uphill; returns the best value and its angle.
 std::pair<double, double> climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
   double best_phi = phi;
   double best = value.f;
@@ -125,7 +125,7 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
   return {problem.sign * best, unit_vector(best_phi)};
 }
 
-// Discs, and points: along the line of centres.
+// Discs and points: along the line of centres.
 std::optional<Separation> between_discs(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                                         const Pose<double>& X_W2) {
   const auto center1 = round_center(curve1);
@@ -145,9 +145,9 @@ std::optional<Vector2d> middle_of_convex(const Curve& curve) {
                                        : std::nullopt;
 }
 
-// Two bounded convex bodies that are apart: no two of their points are nearer to each other than they are, so
-// that √(F² + F′²), the distance of the points of any normal, is a bound of the maximum. Newton's method from
-// the line of centres until F itself reaches it.
+// Two bounded convex bodies that are apart: the distance √(F² + F′²) of the points with any given normal is
+// at least that of the bodies, and so an upper bound of the maximum of F. Newton's method from the line of
+// centres until F reaches it to within the tolerance.
 std::optional<Separation> between_apart(const GapProblem& problem, const Vector2d& center1,
                                         const Vector2d& center2, double tolerance) {
   constexpr int kMostSteps = 8;
@@ -167,7 +167,7 @@ std::optional<Separation> between_apart(const GapProblem& problem, const Vector2
   return std::nullopt;
 }
 
-// The only normal is that of the face.
+// The normal of the face is the only one.
 Separation from_face(const PlacedCurve<double>& face, const PlacedCurve<double>& other, bool face_is_first) {
   const Vector2d n_face = face_normal(face);
   const Vector2d inward = -n_face;
@@ -232,7 +232,8 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
   bool empty = false;
   std::optional<NormalArc> domain = intersection(normals1, normals2, empty);
   if (ring1 || ring2) {
-    // Only the normals of the ring bound the other body; if that one reaches further, it crosses the ring.
+    // Every normal of the ring limits the body inside; where that one has no point with such a normal, it
+    // crosses the ring.
     problem.sign = -1;
     const std::optional<NormalArc>& of_ring = ring1 ? normals1 : normals2;
     const std::optional<NormalArc>& of_body = ring1 ? normals2 : normals1;

@@ -3,8 +3,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMostCellHalvings = 60;  // 30 of either parameter
-constexpr int kMostLooks = 2000;       // into one cell
+constexpr int kMostCellHalvings = 60;  // 30 of each parameter
+constexpr int kMostLooks = 2000;       // at parts of one cell
 
 class CellSearch {
 public:
@@ -25,7 +25,7 @@ public:
     if (one.is_place() && two.is_place()) {
       return {};
     }
-    // Least at one end of a stretch along which it falls or rises; on the rim there is no zero.
+    // Along a stretch on which F is monotonic, sign·F is least at one end; on the rim there is no zero.
     if (range.slope1 != 0 && !one.is_place()) {
       StretchNode& least = one.end(sign_ * range.slope1 < 0);
       return is_end(rim1_, least) ? CellLook{} : look(least, two, halvings);

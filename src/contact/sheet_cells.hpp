@@ -6,12 +6,11 @@
 #include <memory>
 #include <optional>
 
-// Proofs that a sheet's function has no zero in a cell that has none on its rim.
+// Proofs that a sheet's function has no zero in a cell without zeros on its rim.
 
 namespace higherpair {
 
-/// A stretch of a boundary, what encloses it, and the two halves and two ends of it, worked out when they are
-/// asked for.
+/// A stretch of a boundary with its enclosure; its two halves and its two ends are computed on demand.
 class StretchNode {
 public:
   StretchNode(const TangencySheet& sheet, bool first, int span, const Bounds& t);
@@ -34,15 +33,15 @@ private:
   std::array<std::unique_ptr<StretchNode>, 4> children_;  // halves, ends
 };
 
-/// Whether F - level is 0 somewhere in a cell.
+/// What a search of a cell for zeros of F - level has found.
 struct CellLook {
-  std::optional<Vector2d> place;  ///< the two parameters of a place where it has the other sign
-  bool proven = true;             ///< false: there is no such place, but a zero could not be excluded
+  std::optional<Vector2d> place;  ///< the two parameters of a point where it has the opposite sign
+  bool proven = true;             ///< false: no such point was found, but a zero could not be excluded
 };
 
-/// Looks into the cell of two stretches on whose rim F - level has the sign of `sign`: parts of it are
-/// left out where their bounds exclude a zero, or where F rises or falls with one parameter throughout and
-/// has none on the side on which it is least; the others are halved.
+/// Searches the cell of two stretches on whose rim F - level has the sign of `sign`. Parts of it are
+/// discarded where their bounds exclude a zero, or where F is monotonic in one parameter and has no zero at
+/// the end where sign·F is least; the others are halved.
 [[nodiscard]] CellLook look_into_cell(const TangencySheet& sheet, StretchNode& one, StretchNode& two,
                                       double level, double sign);
 

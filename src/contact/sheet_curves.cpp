@@ -13,7 +13,9 @@ namespace higherpair {
 namespace {
 
 constexpr int kDeepest = 40;
-constexpr int kMostForGraph = 16;  // a curve next to a crossing of two is none over either parameter
+// Below this depth a curve need not be proven to be a graph over a parameter: next to a crossing of two it is
+// not.
+constexpr int kMostForGraph = 16;
 constexpr std::size_t kMostSheetSteps = 200000;  // of all curves: more are noise
 
 enum class Rim { kLow1, kHigh1, kLow2, kHigh2 };
@@ -29,7 +31,7 @@ struct Rect {
   Bounds t1, t2;
 };
 
-// A step between two zeros, by their ids.
+// A step between two zeros, given by their ids.
 struct Link {
   int from = 0, to = 0;
   SheetStep step;
@@ -80,7 +82,7 @@ private:
     }
   }
 
-  // A closed curve in a cell without zeros on its rim is cut by the lines through a place in it.
+  // A cell without zeros on its rim that has a closed curve in it is split at a place inside of that curve.
   void find_within(const Rect& cell, const CellLook& look, int depth) {
     if (!look.place || depth == kDeepest) {
       found_.complete = found_.complete && !look.place && look.proven;
@@ -106,8 +108,8 @@ private:
     return Vector2d(-slopes.y() * width_.y(), slopes.x() * width_.x()).normalized();
   }
 
-  // Whether the curve between two zeros is a graph over its chord: by its directions at both ends and
-  // between.
+  // Whether the curve between two zeros is nearly straight, by its directions at both ends and in between,
+  // and the bodies turn little along it.
   [[nodiscard]] bool is_straight(const Zero& a, const Zero& b) const {
     const Vector2d chord((b.t1 - a.t1) / width_.x(), (b.t2 - a.t2) / width_.y());
     const double length = chord.norm();
@@ -131,7 +133,7 @@ private:
            (!pair.motion2.turns || std::abs(nearest_turn(to.q - from.q, 0)) < kMostSheetTurn);
   }
 
-  // The nearest zero of F itself to one of the lifted F.
+  // The zero of F itself that is nearest to one of the lifted F.
   [[nodiscard]] Zero polished(Zero at) const {
     for (int pass = 0; pass < 2; ++pass) {
       const Vector2d slopes = sheet_.slopes(one(at.t1), two(at.t2)).cwiseProduct(width_);
@@ -148,7 +150,7 @@ private:
     return {{span1_, a.t1}, {span2_, a.t2}, {span1_, b.t1}, {span2_, b.t2}, width_};
   }
 
-  // Whether F rises or falls with one of the two parameters: then no curve is closed within the cell.
+  // Whether F is monotonic in one of the two parameters: then the cell has no closed curve.
   [[nodiscard]] bool is_graph(const Rect& cell) const {
     const SheetRange range =
         sheet_.range(sheet_.stretch1(span1_, cell.t1), sheet_.stretch2(span2_, cell.t2), 0);
@@ -175,7 +177,7 @@ private:
     }
   }
 
-  // The four parts of a cell, each with the zeros on its rim.
+  // Splits a cell into four, each with the zeros on its rim, and connects these.
   void halve(const Rect& cell, const std::vector<Zero>& zeros, double split1, double split2, int depth) {
     const double m1 = cell.t1.low + split1 * cell.t1.width();
     const double m2 = cell.t2.low + split2 * cell.t2.width();
@@ -222,7 +224,7 @@ private:
     }
   }
 
-  // The steps in their order.
+  // Joins the steps into curves.
   void chain() {
     std::vector<std::array<int, 2>> at_zero(static_cast<std::size_t>(grid_.ids()), {-1, -1});
     for (std::size_t k = 0; k < links_.size(); ++k) {
@@ -273,8 +275,8 @@ private:
   const TangencySheet& sheet_;
   const MapRange& range_;
   SheetGrid grid_;
-  int span1_ = 0, span2_ = 0;  // of the cell
-  Vector2d width_;             // of the cell
+  int span1_ = 0, span2_ = 0;  // of the current cell
+  Vector2d width_;             // of the current cell
   std::array<std::array<std::vector<Zero>, 2>, 2> quarters_;
   std::array<std::array<Rect, 2>, 2> rects_;
   std::vector<Link> links_;
@@ -310,7 +312,7 @@ std::optional<SheetPlaces> place_on(const TangencySheet& sheet, const SheetStep&
       return std::nullopt;
     }
     const double size = std::abs(change);
-    // Where a curve turns sharply the last digit of its parameter moves F by more than F's own rounding.
+    // Where a curve turns sharply, the last digit of its parameter changes F by more than F's own rounding.
     const double rounding = kEps * slopes.cwiseProduct(t).lpNorm<1>();
     if (std::abs(value) <= kEps * sheet.size() || size == 0 || (pass > 2 && size >= last / 2)) {
       places.at = sheet.point(at1, at2);

@@ -10,9 +10,9 @@
 namespace higherpair {
 namespace {
 
-constexpr int kLeastParts = 4;  // of a span, also where it is straight
+constexpr int kLeastParts = 4;  // of a span, even if it is straight
 constexpr int kMostHalvings = 24;
-constexpr int kMostEdgeParts = 60;  // that the side of a cell is cut into in search of its zeros
+constexpr int kMostEdgeParts = 60;  // into which a side of a cell is cut in search of zeros
 
 std::int64_t key_of(int a, int b) {
   return (static_cast<std::int64_t>(a) << 32) | b;
@@ -71,7 +71,7 @@ SheetGrid::Side SheetGrid::side_of(const Boundary& boundary, double length) {
       add_parts(boundary, static_cast<int>(s), {end(k), end(k + 1)}, length, kMostHalvings, side.parts);
     }
   }
-  // A node at the end of every part, and one where a part has none before it.
+  // A node at the end of every part, and one at the beginning of a part that follows no other.
   const int count = static_cast<int>(side.parts.size());
   for (int k = 0; k < count; ++k) {
     side.parts[static_cast<std::size_t>(k)].last = k;
@@ -190,7 +190,7 @@ std::vector<double> SheetGrid::zeros_between(StretchNode& one, StretchNode& two)
   return zeros;
 }
 
-// Halved until F rises or falls along the rest, or is not 0 there.
+// Halved until F is monotonic along a part, or is not 0 there.
 void SheetGrid::add_zeros(StretchNode& one, StretchNode& two, double low, double high, int& parts,
                           std::vector<double>& zeros) const {
   ++parts;
@@ -210,7 +210,7 @@ void SheetGrid::add_zeros(StretchNode& one, StretchNode& two, double low, double
   }
 }
 
-// The zero of F itself, where it is next to that of the lifted one; none that is no tangency.
+// The zero of F itself, if it is next to that of the lifted F, else the latter; none if it is no tangency.
 std::optional<double> SheetGrid::zero_along(const StretchNode& one, const StretchNode& two, double low,
                                             double high) const {
   const bool along1 = two.is_place();

@@ -16,18 +16,18 @@
 namespace higherpair {
 namespace {
 
-// The chains that a curve consists of; none of one with cusps.
+// The chains of spans that a curve consists of; none for a curve with cusps.
 std::vector<Boundary> chains_of(const Curve& curve, double reach) {
   return curve.support == nullptr ? std::vector{boundary_of(curve, reach)}
                                   : support_chains(*curve.support, reach);
 }
 
-// How far its points are from its joint; of an open one how large it is near its vertex [m].
+// Largest distance of its points from its joint; for an open curve its size near the vertex [m].
 double extent_of(const Curve& curve, const OneFreedom& freedom) {
   return reach_from(curve, freedom.p_BO).value_or(size_of(curve));
 }
 
-// How far points may be from where they are said to be [m].
+// Largest error of a curve's points [m].
 double error_of_points(const Curve& curve) {
   double error = 0;
   for (std::size_t i = 0; curve.support != nullptr && i < curve.support->pieces().size(); ++i) {

@@ -27,8 +27,8 @@ Extended determinant(const Columns& J) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// Newton's method for f1 = f2 = ∇f1 × ∇f2 = 0 in (w, q). Double roots gain nothing by it; the step is refused
-// if it leads away. \pre two conics
+// Newton's method for f1 = f2 = ∇f1 × ∇f2 = 0 in (w, q). It does not improve double roots: a step that
+// increases the distance is rejected. \pre two conics
 void refine(const TangencyProblem& problem, Tangency& tangency) {
   const Form<Extended>& first = problem.first;
   double distance = shape_at(problem, tangency).distance;
@@ -37,7 +37,7 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     const Complex<Extended>& w = tangency.w;
     const Complex<Extended> G1 = gradient_at(first, w);
     const Complex<Extended> G2 = gradient_at(second, w);
-    // The material of body 2 passes w with this velocity.
+    // Velocity of the material of body 2 at w.
     const Complex<Extended> v =
         problem.motion.turns ? Complex<Extended>{Extended(-w.im), w.re} : problem.motion.direction;
     Complex<Extended> dG2_dq = -hessian_times(second, v);
@@ -57,7 +57,7 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     if (det == 0) {
       return;
     }
-    // Cramer's rule: there are digits to spare.
+    // Cramer's rule: extended numbers have digits to spare.
     const Column step{determinant({r, J[1], J[2]}) / det, determinant({J[0], r, J[2]}) / det,
                       determinant({J[0], J[1], r}) / det};
     const double length = to_double(abs(step[0]) + abs(step[1]) + abs(step[2]));
@@ -122,13 +122,13 @@ bool touches(const TangencyProblem& problem, const Tangency& tangency) {
   return reach <= kFarthestFinite && shape.distance <= kOnCurve * reach && shape.misalignment <= kAligned;
 }
 
-// d dᵀ for d = (z̄, z, 1), by which a turn multiplies the entries of a form.
+// d dᵀ for d = (z̄, z, 1): a rotation multiplies the entries of a form by its entries.
 Matrix3c<Extended> turn_of_pairs(const Coordinate& z) {
   const Complex<Extended> one{Extended(1), Extended(0)}, square = z * z, length{norm(z), Extended(0)};
   return {{{conj(square), length, conj(z)}, {length, square, z}, {conj(z), z, one}}};
 }
 
-// Of symmetric matrices, entry by entry.
+// Product of symmetric matrices, entry by entry.
 Matrix3c<Extended> times_each(const Matrix3c<Extended>& a, const Matrix3c<Extended>& b) {
   Matrix3c<Extended> product;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -141,8 +141,8 @@ Matrix3c<Extended> value_of(const MatrixPolynomial<Extended>& m, const Extended&
   return m[0] + q * (m[1] + q * m[2]);
 }
 
-// The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to
-// them. One of 1e-40 of the length is not, and moves no contact in the digits of a double.
+// Enlarges a tiny conic to 1e-40 of the length, which moves no contact in the digits of a double: the square
+// of a size below 1e-50 is lost in the digits of the extended numbers, to which the curve would be a point.
 Curve resolvable(Curve curve, double length) {
   if (is_conic(curve)) {
     const double size = curve.q == 0 ? curve.semi_latus : std::max(semi_axes(curve)[0], semi_axes(curve)[1]);
@@ -303,7 +303,7 @@ std::optional<Tangency> merged(const TangencyProblem& problem, const Tangency& a
   middle.at = a.at + b.at;
   const Extended scale = problem.motion.turns ? Extended(sqrt(norm(middle.at))) : Extended(2);
   middle.at = Extended(1 / scale) * middle.at;
-  // From the chord onto the curve.
+  // From the middle of the chord onto the curve.
   for (int i = 0; i < 2 && problem.first.kind != FormKind::kPoint; ++i) {
     const Complex<Extended> G = gradient_at(problem.first, middle.w);
     middle.w = middle.w - Extended(value_at(problem.first, middle.w) / norm(G)) * G;

@@ -24,7 +24,8 @@ SheetPlace place_at(const Boundary& boundary, const BoundaryPlace& at, const Pos
   place.corner = boundary.is_corner(at);
   place.p_W = X_WB * point.p_B;
   place.n_W = side * (X_WB.R_WB * point.n_B);
-  // On the other side of a curve t and κ change their signs, so that only dp/dt does.
+  // With the normal reversed, t is reversed too: `along` changes its sign, the rate of the normal's angle
+  // does not.
   place.along = place.corner ? 0 : side * point.speed;
   place.turn = place.corner ? 1 : point.kappa * point.speed;
   return place;
@@ -55,7 +56,7 @@ SheetStretch stretch_at(const Boundary& boundary, int span, const Bounds& t, con
   return stretch;
 }
 
-// A number or a vector, and how far others may be from it.
+// All numbers or vectors within a radius of one.
 template <class T>
 struct Around {
   T middle;
@@ -82,18 +83,18 @@ Around<Vector2d> perp(const Around<Vector2d>& a) {
   return {higherpair::perp(a.middle), a.radius};
 }
 
-// How far a unit vector moves that turns by so much, at most.
+// The largest distance by which a unit vector moves when it turns by an angle.
 double chord_of(double turn) {
   return std::min(turn, 2.0);
 }
 
-// Turned by R and by no more than `turn` to either side.
+// The vectors turned by R and by at most `turn` more to either side.
 Around<Vector2d> turned(const Rotation<double>& R, const Around<Vector2d>& a, double turn) {
   return {R * a.middle, a.radius + a.middle.norm() * chord_of(turn)};
 }
 
-// turn·m - along·n over a stretch of a body that turns, m being its points from the pivot: turn times the
-// centre of curvature from there, so that it stands still along an arc.
+// turn·m - along·n over a stretch of a body that turns, m being its points from the pivot: `turn` times the
+// vector from there to the centre of curvature, which is constant along an arc.
 Around<Vector2d> turned_center(const SheetStretch& stretch, const Vector2d& m) {
   const Around<double> along = around(stretch.along);
   const Around<double> turn = around(stretch.turn);
@@ -102,8 +103,8 @@ Around<Vector2d> turned_center(const SheetStretch& stretch, const Vector2d& m) {
               stretch.half * (std::abs(turn.middle) * along.radius + std::abs(along.middle) * turn.radius)};
 }
 
-// What is known of a function with these slopes that has this value at the middle of both stretches, and is
-// no farther from it than `reach`.
+// What is known about a function with these slopes that has this value at the middle of both stretches, and
+// differs from it by at most `reach`.
 SheetRange range_of(const SheetStretch& one, const SheetStretch& two, const Around<double>& slope1,
                     const Around<double>& slope2, double value, double reach) {
   const auto largest = [](const Around<double>& a) { return std::abs(a.middle) + a.radius; };
@@ -165,7 +166,7 @@ double TangencySheet::value(const SheetPlace& one, const SheetPlace& two) const 
   return cross(one.n_W, two.n_W) * size_;
 }
 
-// As n1 turns by δ, R(ψ) turns by δ; as n2 does, by -δ; R t2 = -t1.
+// When n1 turns by δ, R(ψ) turns by δ; when n2 does, by -δ; R t2 = -t1.
 Vector2d TangencySheet::slopes(const SheetPlace& one, const SheetPlace& two) const {
   const Vector2d& O1 = pair_.motion1.p_WO;
   const Vector2d& O2 = pair_.motion2.p_WO;
@@ -199,8 +200,8 @@ SheetStretch TangencySheet::stretch2(int span, const Bounds& t) const {
   return stretch_at(*pair_.boundary2, span, t, X_W2_, side2_);
 }
 
-// With e = turn·m - along·n of a turning body (m from its pivot) the slopes are products of e and of what the
-// pivots miss each other by: e1·w⊥ and w·(R e2)⊥ (of O1O2) between two pivots, -d⊥·(R e)⊥ beside a slide.
+// With e = turn·m - along·n of a turning body (m from its pivot) the slopes are e1·w⊥ and w·(R e2)⊥, w in
+// units of O1O2, for two pivots, and -d⊥·(R e)⊥ for the turning body of a pair with a slide.
 SheetRange TangencySheet::range(const SheetStretch& one, const SheetStretch& two, double level) const {
   const SheetPlace& p1 = one.middle;
   const SheetPlace& p2 = two.middle;
@@ -234,7 +235,7 @@ SheetRange TangencySheet::range(const SheetStretch& one, const SheetStretch& two
     return range_of(one, two, first ? of_turning : of_sliding, first ? of_sliding : of_turning, above,
                     Rm.radius + sliding.reach);
   }
-  // The tangencies of other normals are none.
+  // Zeros with the normals the other way are not tangencies.
   const double apart = std::abs(angle(rotation_between(p1.n_W, -p2.n_W)));
   const Around<double> cosine{size_ * std::cos(apart), size_ * chord_of(turn)};
   const Around<double> none{0, 0};

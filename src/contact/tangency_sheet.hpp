@@ -4,29 +4,29 @@
 
 namespace higherpair {
 
-/// A place of a boundary, its body at the coordinate 0.
+/// A point of a boundary, with its body at the coordinate 0.
 struct SheetPlace {
   Vector2d p_W = Vector2d::Zero();  ///< [m]
-  Vector2d n_W =
-      Vector2d::UnitX();  ///< the normal that takes part: of body 2 inwards where normals are equal
-  double along = 0;       ///< dp/dt = along·t, t = n turned +90° [m per unit of the parameter]
-  double turn = 0;        ///< d(angle of n)/dt [rad per unit of the parameter]
+  /// Outward unit normal; of body 2 the inward one for tangencies of equal outward normals.
+  Vector2d n_W = Vector2d::UnitX();
+  double along = 0;  ///< dp/dt = along·t, t = n turned +90° [m per unit of the parameter]
+  double turn = 0;   ///< d(angle of n)/dt [rad per unit of the parameter]
   bool corner = false;
 };
 
-/// What encloses the places of a stretch of a span.
+/// Enclosure of the points along a stretch of a span.
 struct SheetStretch {
   SheetPlace middle;
-  double half = 0;     ///< half of its parameters' range
-  double reach = 0;    ///< of the points from that of the middle [m]
-  double tilt = 0;     ///< of the normals from that of the middle [rad]
+  double half = 0;     ///< half the width of its parameter interval
+  double reach = 0;    ///< largest distance of its points from the middle one [m]
+  double tilt = 0;     ///< largest angle between its normals and the middle one [rad]
   Bounds along, turn;  ///< of SheetPlace::along and turn
 };
 
-/// What is known of F in the cell of two stretches.
+/// What is known about F in the cell of two stretches.
 struct SheetRange {
-  bool zero = true;            ///< F may be at the level that was asked for
-  int slope1 = 0, slope2 = 0;  ///< the sign of ∂F by the parameter throughout; 0: not known, or there is none
+  bool zero = true;            ///< F may reach the given level
+  int slope1 = 0, slope2 = 0;  ///< sign of ∂F by the parameter throughout; 0: unknown or not constant
 };
 
 /// A tangency of the pair; vectors in ground W.
@@ -38,48 +38,50 @@ struct SheetPoint : TangentPosition {
 
 /// All tangencies of two moving boundaries, as the zeros of one function of the two places.
 ///
-/// Opposed normals and a common point are three equations in u, q and the two places, and u and q leave them
-/// in closed form. With m the points from the pivots O, d the directions of slides, d⊥ = d turned +90°:
+/// Opposed normals and a common point are three equations in u, q and the two places, from which u and q are
+/// eliminated in closed form. With m the points relative to the pivots O, d the directions of slides, d⊥ = d
+/// turned +90°:
 ///
-/// | driver, follower | u, q                                                | F [m] | | ---------------- |
-/// --------------------------------------------------- | ------------------------------ | | turns, turns | q
-/// - u = ψ turns n2 into -n1; R(u) w = O2 - O1       | (w² - O1O2²)/(2 O1O2)          | |                  |
-/// with w = m1 - R(ψ) m2                               |                                | | turns, slides | u
-/// turns n1 into -n2; q = (O1 + R(u) m1 - p2)·d      | (O1 + R(u) m1 - p2)·d⊥         | | slides, turns    |
-/// q turns n2 into -n1; u = (O2 + R(q) m2 - p1)·d      | (O2 + R(q) m2 - p1)·d⊥         | | slides, slides |
-/// u d1 - q d2 = p2 - p1                               | (n1 × n2) times the size       |
+///     driver, follower   u, q                                             F [m]
+///     turns, turns       q - u = ψ turns n2 into -n1; R(u) w = O2 - O1    (w² - O1O2²)/(2 O1O2)
+///                        with w = m1 - R(ψ) m2
+///     turns, slides      u turns n1 into -n2; q = (O1 + R(u) m1 - p2)·d   (O1 + R(u) m1 - p2)·d⊥
+///     slides, turns      q turns n2 into -n1; u = (O2 + R(q) m2 - p1)·d   (O2 + R(q) m2 - p1)·d⊥
+///     slides, slides     u d1 - q d2 = p2 - p1                            (n1 × n2) size()
 ///
-/// F and its slopes are continuous over joints of spans, and have no singularity at folds, at conforming
+/// F and its slopes are continuous across joints of spans, and have no singularity at folds, at conforming
 /// contacts, on faces or on corners.
 class TangencySheet {
 public:
   /// \param opposed  false: the tangencies of equal outward normals
   TangencySheet(const BoundaryPair& pair, bool opposed);
 
-  /// Whether u and q follow from the places: not with one pivot for both bodies, or parallel slides.
+  /// Whether the places determine u and q: not with one pivot for both bodies, or parallel slides.
   [[nodiscard]] bool is_regular() const;
   [[nodiscard]] bool opposed() const { return side2_ > 0; }
   [[nodiscard]] const BoundaryPair& pair() const { return pair_; }
-  /// What F is of the order of [m].
+  /// Order of magnitude of F [m].
   [[nodiscard]] double size() const { return size_; }
 
   [[nodiscard]] SheetPlace place1(const BoundaryPlace& at) const;
   [[nodiscard]] SheetPlace place2(const BoundaryPlace& at) const;
 
-  /// Of a span that gives no bounds by its values at the middle and both ends, and not proven.
+  /// For a span that gives no bounds, by its values at the middle and both ends: not proven.
   [[nodiscard]] SheetStretch stretch1(int span, const Bounds& t) const;
   [[nodiscard]] SheetStretch stretch2(int span, const Bounds& t) const;
 
   /// F [m].
   [[nodiscard]] double value(const SheetPlace& one, const SheetPlace& two) const;
-  /// ∂F by the parameters of the two places.
+  /// Derivatives of F by the parameters of the two places.
   [[nodiscard]] Vector2d slopes(const SheetPlace& one, const SheetPlace& two) const;
-  /// F - level and its slopes over a cell, from the values at its middle. Rounding is left out: a zero by
-  /// less than that is none. \pre 0 <= level < size()/100
+  /// Whether F - level may be 0 in a cell, and the signs of its slopes, from the values at its middle.
+  /// Rounding is not included: a zero that only rounding would make is not reported.
+  /// \pre 0 <= level < size()/100
   [[nodiscard]] SheetRange range(const SheetStretch& one, const SheetStretch& two, double level) const;
-  /// Whether a zero is a tangency: between two slides F vanishes for the other normals as well.
+  /// Whether a zero is a tangency of these normals: between two slides F vanishes also where they are
+  /// reversed.
   [[nodiscard]] bool faces(const SheetPlace& one, const SheetPlace& two) const;
-  /// The tangency of a zero; angles in (-π, π], q of two turning bodies in (-2π, 2π]. \pre is_regular()
+  /// The tangency at a zero; angles in (-π, π], q of two turning bodies in (-2π, 2π]. \pre is_regular()
   [[nodiscard]] SheetPoint point(const SheetPlace& one, const SheetPlace& two) const;
 
 private:

@@ -12,7 +12,7 @@
 namespace higherpair {
 namespace {
 
-// Whether the normal has turned as predicted, to within a share of the step's change.
+// Whether the normal has turned as predicted, to within a fraction of the step's change.
 bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
   return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + kInnerMismatch;
 }

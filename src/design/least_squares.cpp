@@ -5,12 +5,12 @@
 namespace higherpair {
 namespace {
 
-// So heavy is a constraint that does not hold, in the first of two passes and in the second.
+// Weight of a violated constraint, in the first and the second pass.
 constexpr double kWeights[] = {10, 1e3};
 
-constexpr int kMostIterations = 150;  // Jacobians of one pass
+constexpr int kMostIterations = 150;  // in one pass, counted in Jacobians
 
-// The residuals and, for each constraint, what it misses by.
+// The residuals, followed by the weighted violation of each constraint.
 LeastSquaresProblem squares_of(Search& search, double weight) {
   LeastSquaresProblem squares;
   squares.low = Eigen::VectorXd::Zero(search.size());

@@ -17,7 +17,7 @@ DesignMethod method_for(const DesignProblem& problem, DesignMethod method) {
   return method == DesignMethod::kLeastSquares && problem.has_cost ? DesignMethod::kSlsqp : method;
 }
 
-// Again from the best point, as long as that gains: a new start forgets a bad model of the surroundings.
+// Starts again from the best point as long as that brings a gain: a new start discards a bad local model.
 void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
   constexpr int kMostRounds = 4;
   for (int round = 0; round < kMostRounds && !search.stopped(); ++round) {
@@ -49,7 +49,8 @@ void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod metho
     if (search.problem().constraints == 0) {
       return;
     }
-    // The best point of the way may be inside of what the squares at its end press against.
+    // The best point seen may be inside the constraints although the end of the least squares lies against
+    // one.
     const bool inside = search.best().violation <= -kActiveConstraint;
     if (inside && violation_of(search.evaluate(end)) > -kActiveConstraint) {
       search_by_nlopt(search, end, DesignMethod::kSlsqp, seed);
@@ -63,8 +64,8 @@ void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod metho
   repeat(search, chosen == DesignMethod::kIsres ? DesignMethod::kCobyla : chosen, seed);
 }
 
-// One variable after the other, the nearest to a multiple of its step first: both neighbours are tried, the
-// free variables follow, and the better one stays.
+// One variable after the other, beginning with the one nearest to a multiple of its step: both neighbouring
+// multiples are tried, the free variables are optimised again for each, and the better one is kept.
 DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMethod method) {
   const std::vector<DesignVariable>& variables = search.problem().variables;
   std::vector<std::size_t> left;
@@ -100,8 +101,9 @@ DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMet
   return at;
 }
 
-// At an optimum the gradient of the objective is -Σ λ times those of what is active, constraints and bounds,
-// with λ >= 0: by least squares, constraints with λ < 0 left out one after the other.
+// At an optimum the gradient of the objective is -Σ λ times the gradients of the active constraints and
+// bounds, with λ >= 0. Solved by least squares; constraints with λ < 0 are dropped, the most negative one
+// first.
 std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
   const Eigen::VectorXd u = search.unit_of(point.x);
   search.use_branch(point.branch);

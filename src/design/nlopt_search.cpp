@@ -7,18 +7,19 @@
 #include <nlopt.h>
 #include <span>
 
-// NLopt's C interface: its C++ one turns every outcome but success into an exception, and passes exceptions
-// of ours on as a failure without a reason. What it returns is not looked at: SLSQP may give a point that
-// violates a constraint, COBYLA one that is not its best. The search keeps the best of all that were
-// evaluated.
+// This uses NLopt's C interface: the C++ one turns every outcome but success into an exception, and reports
+// exceptions of the callbacks as a failure without a reason. The point that NLopt returns is ignored: SLSQP
+// may return one that violates a constraint, COBYLA one that is not its best. Search keeps the best of all
+// candidates that were evaluated.
 
 namespace higherpair {
 namespace {
 
-constexpr int kMostEvaluations = 500;       // of SLSQP, gradients apart
-constexpr int kMostWithoutGradients = 100;  // of the methods without gradients, for each variable
-constexpr int kMostOfEvolution = 2000;      // the same, of ISRES
-constexpr double kPenalty = 1e3;            // of a violation, for a method without constraints
+constexpr int kMostEvaluations = 500;       // for SLSQP, not counting gradients
+constexpr int kMostWithoutGradients = 100;  // for the methods without gradients, per variable
+constexpr int kMostOfEvolution = 2000;      // the same for ISRES
+constexpr double kPenalty = 1e3;            // per unit of violation, for methods that do not support
+                                            // constraints
 
 struct Bridge {
   Search& search;
@@ -61,8 +62,8 @@ void constraints(unsigned m, double* result, unsigned n, const double* x, double
 
 struct Method {
   nlopt_algorithm algorithm;
-  bool constraints;  // it takes them
-  int most;          // evaluations
+  bool constraints;  // whether it supports them
+  int most;          // limit of evaluations
 };
 
 Method method_of(DesignMethod method, Eigen::Index variables) {

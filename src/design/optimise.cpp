@@ -18,11 +18,11 @@
 namespace higherpair {
 namespace {
 
-// Searches between which the best so far is made known: so many whatever the number of threads, so that it
-// makes no difference to the result.
+// The best so far becomes known to further searches after every batch of this many. The size does not depend
+// on the number of threads, which therefore does not affect the result.
 constexpr int kBatch = 16;
 
-// Random candidates of which the best is where a search begins: most linkages cannot turn at all.
+// A search begins at the best of this many random candidates, since most linkages cannot turn at all.
 constexpr int kCandidates = 40;
 
 // Every third search begins near the best so far.
@@ -30,7 +30,7 @@ constexpr int kNearBest = 3;
 
 constexpr std::size_t kMostOptima = 10;
 
-// Random numbers that are the same on every machine, for each start its own.
+// Random numbers that are the same on every machine, with a sequence of its own for each start.
 class Random {
 public:
   Random(std::uint64_t seed, int start) {
@@ -68,7 +68,7 @@ public:
         take(one);
         end = end ? end : end_after();
         if (end && *end != DesignEnd::kTime && *end != DesignEnd::kStopped) {
-          break;  // what a batch has found beyond the end would depend on its size
+          break;  // what the batch found beyond the end is dropped: it would depend on the batch's size
         }
       }
       report();
@@ -77,10 +77,10 @@ public:
   }
 
 private:
-  // Ends of searches in their order; without any evaluations where there was no time.
+  // Results of the searches in order; one that was not run for lack of time has 0 evaluations.
   std::vector<DesignSearchEnd> run_batch(int first, int count) {
     std::vector<DesignSearchEnd> ends(static_cast<std::size_t>(count));
-    // More threads than there are would only make oneTBB print a warning.
+    // More threads than oneTBB allows would only make it print a warning.
     const auto most =
         static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, most) : most);
@@ -99,7 +99,7 @@ private:
     return ends;
   }
 
-  // A search that was stopped would have ended elsewhere.
+  // Not after a stop: a search that was stopped would have ended elsewhere.
   void tell(const DesignSearchEnd& end) {
     if (options_.ended && !is_stopped()) {
       const std::lock_guard lock(telling_);
@@ -233,7 +233,7 @@ private:
     return outcome;
   }
 
-  // With numbers of the steps of the variables.
+  // The design rounded to the steps of the variables.
   [[nodiscard]] DesignPoint made(const DesignPoint& point, const std::atomic<bool>* stop,
                                  std::int64_t& evaluations) const {
     const bool stepped = std::any_of(problem_.variables.begin(), problem_.variables.end(),

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// What stands for values that are not finite: far from any that is.
+// Replaces values that are not finite; far larger than any real one.
 constexpr double kRefused = 1e30;
 
 }  // namespace
@@ -156,7 +156,7 @@ const DesignJacobian& Search::differentiate(const Eigen::VectorXd& u) {
   return jacobian_;
 }
 
-// Central, at a bound one-sided of the second order.
+// Central differences; at a bound one-sided ones of second order.
 void Search::by_differences(const Eigen::VectorXd& u) {
   jacobian_.cost.setZero(size());
   jacobian_.residuals.setZero(problem_.residuals, size());

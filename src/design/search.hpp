@@ -9,11 +9,11 @@
 
 namespace higherpair {
 
-/// Whether a is a better design than b.
+/// Whether a ranks before b.
 [[nodiscard]] bool is_better(const DesignPoint& a, const DesignPoint& b);
 
-/// Candidates in unit variables, u from 0 to 1 over the range of each, and the best that was ever seen of
-/// them.
+/// Evaluates candidates in unit variables, u from 0 to 1 over the range of each, and keeps the best of all
+/// that it has seen.
 class Search {
 public:
   Search(const DesignProblem& problem, int branch, const std::atomic<bool>* stop);
@@ -21,9 +21,9 @@ public:
   [[nodiscard]] const DesignProblem& problem() const { return problem_; }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(problem_.variables.size()); }
 
-  /// Values at u, which is moved into its range; what is not finite becomes a violation.
+  /// Values at u, which is clamped to its range; values that are not finite become a violation.
   const DesignValues& evaluate(const Eigen::VectorXd& u);
-  /// Derivatives by u of the values there.
+  /// Derivatives of the values at u with respect to u.
   const DesignJacobian& differentiate(const Eigen::VectorXd& u);
 
   [[nodiscard]] const DesignPoint& best() const { return best_; }
@@ -31,10 +31,10 @@ public:
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
   [[nodiscard]] bool stopped() const { return is_raised(stop_); }
 
-  /// Keeps a variable at a value of its own from now on.
+  /// Fixes a variable at a value for all further evaluations.
   void fix(std::size_t variable, double value);
   [[nodiscard]] bool is_fixed(std::size_t variable) const { return fixed_[variable]; }
-  /// Goes on in another branch; the best so far is forgotten.
+  /// Switches to a branch; the best so far is forgotten.
   void use_branch(int branch);
 
   [[nodiscard]] Eigen::VectorXd unit_of(const std::vector<double>& x) const;
@@ -55,7 +55,8 @@ private:
   DesignValues values_, near_values_;
   DesignJacobian jacobian_;
   Eigen::VectorXd values_at_,
-      jacobian_at_;  // the u of both; empty: none. Methods ask for one u several times
+      jacobian_at_;  // the u of values_ and jacobian_, which are cached as methods ask for one u several
+                     // times; empty: none
   DesignPoint best_;
   std::int64_t evaluations_ = 0;
 };
@@ -63,21 +64,21 @@ private:
 [[nodiscard]] double objective_of(const DesignValues& values);
 [[nodiscard]] double violation_of(const DesignValues& values);
 
-/// The x of a unit variable, and back.
+/// The value of a variable from its unit variable, and back.
 [[nodiscard]] double from_unit(const DesignVariable& variable, double u);
 [[nodiscard]] double to_unit(const DesignVariable& variable, double x);
 
 /// One local search from u; its result is search.best().
 void search_locally(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed);
 
-/// Levenberg-Marquardt from u, constraints that do not hold as further residuals. Where it ends.
+/// Levenberg-Marquardt from u, with violated constraints as further residuals. Returns where it ends.
 Eigen::VectorXd fit_least_squares(Search& search, const Eigen::VectorXd& u);
 
 /// One of NLopt's methods from u.
 void search_by_nlopt(Search& search, const Eigen::VectorXd& u, DesignMethod method, std::uint64_t seed);
 
-/// The design of the search's branch nearest to `point` whose numbers are of the steps of their variables,
-/// the other variables following.
+/// A design near `point`, in its branch, whose stepped variables are multiples of their steps, with the
+/// others optimised again.
 [[nodiscard]] DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMethod method);
 
 /// DesignOutcome::multipliers.

@@ -1,25 +1,27 @@
 #pragma once
 
-// The tolerances of this room. Variables are scaled to their ranges, constraints and objectives to the order
-// of 1.
+// The tolerances of this folder. Variables are scaled to their ranges, constraints and objectives to the
+// order of 1.
 
 namespace higherpair {
 
-/// Central differences: the step of u that loses least, of the cube root of the rounding in the values.
+/// Step of u for central differences: of the order of the cube root of the rounding in the values, where the
+/// error is least.
 inline constexpr double kDesignDifference = 1e-6;
-/// A constraint, or a distance from a bound, as small as this is active.
+/// A constraint is active if it is within this of its limit, a bound if u is within this of it.
 inline constexpr double kActiveConstraint = 1e-6;
-/// Of the objective: a gain for which a search begins again from its best point.
+/// Gain, as a fraction of the objective, for which a search begins again from its best point.
 inline constexpr double kWorthwhileGain = 1e-6;
-/// Last change of the variables, and of the objective, that ends a search.
+/// A search ends when the relative change of the variables, or of the objective, is below these.
 inline constexpr double kVariablesSettled = 1e-12;
 inline constexpr double kObjectiveSettled = 1e-14;
-/// Of a variable's step: a value that lies on a multiple of it.
+/// Fraction of a variable's step within which a value counts as a multiple of it.
 inline constexpr double kOnDesignStep = 1e-9;
-/// Every third search begins near the best so far; how far is drawn from this range, as shares.
+/// Every third search begins near the best so far, at a distance drawn from this range (fractions of the
+/// range of each variable).
 inline constexpr double kNearBestLeast = 0.003;
 inline constexpr double kNearBestMost = 0.3;
-/// Of the range of each variable: ends of two searches are one.
+/// Fraction of the range of each variable within which the results of two searches count as the same.
 inline constexpr double kSameOptimum = 1e-3;
 
 }  // namespace higherpair

@@ -11,10 +11,11 @@ namespace higherpair {
 namespace {
 
 constexpr double kLongestArrow = 14;        // [units]
-constexpr double kLongestTurn = 1.5 * kPi;  // of the arc of a torque
+constexpr double kLongestTurn = 1.5 * kPi;  // largest angle of the arc of a torque
 
-// By which the longest arrow of all rows has the length `longest`, or where some are out of proportion, as
-// near a limit position, four times the middle one of the rows: those go beyond.
+// The scale by which the longest arrow of all rows has the length `longest`. Where a few rows are out of
+// proportion, as near a limit position, it is four times the median of the rows that has this length, and
+// those arrows are longer.
 double scale_for(std::vector<double> of_rows, double longest) {
   std::erase_if(of_rows, [](double size) { return !(size > 0); });
   if (of_rows.empty()) {

@@ -11,10 +11,10 @@
 namespace higherpair {
 namespace {
 
-// In units.
+// Sizes in units.
 constexpr double kWedgeSlope = 0.35;
 
-// A line that holds a pin from both sides is the middle of a slot.
+// A line that encloses a pin from both sides is the centre line of a slot.
 void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   const auto& samples = named.boundary->samples();
   std::vector<double> path;
@@ -27,7 +27,7 @@ void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   sketch.add(Role::kJoint, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);
 }
 
-// What is no plate has a rim of material behind it.
+// A chain that is not a plate is drawn as a strip of material behind it.
 void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
   std::vector<double> path;
   for (const Vector2d& p : outline_of(*named.boundary)) {
@@ -80,7 +80,7 @@ void add_curve(Sketch& sketch, int body, std::size_t index) {
              true);
 }
 
-// Whether a body turns about this point of ground: other points of it need no name in a picture.
+// Whether a body turns about this point of ground; only such points of ground have their names in a picture.
 bool is_pivot(const Mechanism& mechanism, int point) {
   const auto is_it = [&](const PointRef& ref) { return ref.body == 0 && ref.point == point; };
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {

@@ -13,10 +13,10 @@ namespace higherpair {
 namespace {
 
 constexpr double kFont = 14;        // [px]
-constexpr double kInkEvery = 5;     // [px]
-constexpr double kNarrowest = 240;  // picture, with room on both sides [px]
+constexpr double kInkEvery = 5;     // distance of the points that labels keep clear of [px]
+constexpr double kNarrowest = 240;  // least width of a picture, including room on both sides [px]
 
-// Widths in px; lines are told apart by their dashes where there are no colours.
+// Widths in px; dashes distinguish the lines where there are no colours.
 constexpr const char* kStyle = R"(
 svg { background: #fff; }
 path, circle, line { fill: none; stroke: #111; stroke-width: 1.4; stroke-linejoin: round; stroke-linecap: round; }
@@ -45,17 +45,18 @@ text.name { font-style: italic; }
 
 using Kind = Shape::Kind;
 
-// From millimetres of the mechanism to px.
+// Maps millimetres of the mechanism to px.
 struct Screen {
   double scale = 1;  // [px/mm]
-  Vector2d origin;   // of ground [px]
+  Vector2d origin;   // position of ground's origin [px]
 
   [[nodiscard]] Vector2d operator()(const Vector2d& p_mm) const {
     return {origin.x() + scale * p_mm.x(), origin.y() - scale * p_mm.y()};
   }
 };
 
-// A shape of a scene in px: paths and arrows as points, circles as centre and radius.
+// The numbers of a shape of the scene, mapped to px: points of paths and arrows, centre and radius of
+// circles.
 std::vector<double> on_screen(const Scene& scene, const Shape& shape, const Screen& screen) {
   const Scene::Place& place = scene.places[static_cast<std::size_t>(shape.body)];
   const double c = std::cos(place.theta), s = std::sin(place.theta);
@@ -77,7 +78,8 @@ std::vector<double> on_screen(const Scene& scene, const Shape& shape, const Scre
   return px;
 }
 
-// Lines of what is filled stay black.
+// The colour of a filled shape is that of its area (its lines stay black), of any other shape that of its
+// lines.
 std::string colour_of(const Shape& shape, bool ghost) {
   const bool filled = shape.closed && !shape.outline;
   std::string style = shape.outline ? "fill:none" : "";

@@ -13,7 +13,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kFootHead = 8;     // length of an arrow's head [px]
-constexpr double kShortest = 0.5;   // arrow that is drawn [px]
+constexpr double kShortest = 0.5;   // shortest arrow that is drawn [px]
 constexpr double kFootMargin = 12;  // [px], as all lengths here
 constexpr double kFirstLine = 26;
 constexpr double kLine = 20;  // from one line of samples to the next
@@ -21,7 +21,7 @@ constexpr double kFootFont = 14;
 constexpr double kArcRadius = 6;
 constexpr double kLongestFootArrow = 90;
 
-// The largest of 1, 2 or 5 times a power of ten that is not larger.
+// The largest of the numbers 1, 2 or 5 times a power of ten that do not exceed the value.
 double round_down(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   const double digit = value / power;
@@ -81,7 +81,7 @@ void DrawFoot::lay_out(double width) {
   double x = kFootMargin;
   int line = 0;
   for (Sample& sample : samples_) {
-    const bool above = &sample == &samples_.front();  // its text
+    const bool above = &sample == &samples_.front();  // its text is above it
     const double needed = sample.length + (above ? 0 : 6 + text_width(sample.text, kFootFont));
     if (x > kFootMargin && x + needed > width - kFootMargin) {
       x = kFootMargin;

@@ -9,27 +9,27 @@
 
 namespace higherpair {
 
-/// An arrow in px: its line and its head.
+/// An arrow, given by its two ends in px: its line and its head.
 void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
                 const std::string& name);
 
-/// The foot of a picture: the scale of lengths, and one for each kind of arrow that is drawn.
+/// The foot of a picture: the scale of lengths, and a scale for each kind of arrow drawn.
 class DrawFoot {
 public:
   /// \param scale   of the picture [px/mm]
-  /// \param width   of all of it [px]
+  /// \param width   of the whole picture [px]
   DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers, double scale,
            double width);
 
   [[nodiscard]] double height() const;  ///< [px]
-  /// \param top  where it begins [px]
+  /// \param top  upper edge of the foot [px]
   void draw(SvgWriter& svg, double top) const;
 
 private:
   struct Sample {
     std::string role;
     double length = 0;  // [px]
-    double turn = 0;    // of an arc instead [rad]
+    double turn = 0;    // angle of the arc that is drawn instead of an arrow [rad]
     std::string text;
     double x = 0;
     int line = 0;

@@ -12,14 +12,14 @@
 namespace higherpair {
 namespace {
 
-// A force on a body; names of what it comes from.
+// A force on a body, its name, and the item that causes it.
 struct Force {
   std::string name;
   std::string item;
   Vector2d force_W = Vector2d::Zero();
 };
 
-// What acts on every body, and what the balance does not determine.
+// The forces on every body, and the names of those that the balance does not determine.
 class ForceList {
 public:
   ForceList(const Mechanism& mechanism, const MotionRow& row)
@@ -100,7 +100,7 @@ private:
   }
 
   void add(const Joint& joint, const JointReaction& reaction) {
-    if (couples_turning(joint.type) && !joint.teeth) return;  // passes on moments only
+    if (couples_turning(joint.type) && !joint.teeth) return;  // transmits moments only
     if (reaction.fx && reaction.fy) {
       add_pair(joint.first.body, joint.second.body, joint.name, {*reaction.fx, *reaction.fy});
     } else {

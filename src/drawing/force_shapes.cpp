@@ -15,12 +15,12 @@ namespace {
 constexpr double kTurnRadius = 6;  // of the arc of a torque [units]
 constexpr double kMostTurn = 1.75 * kPi;
 constexpr double kMomentHead = 1.7;  // length of the arc's head [units]
-constexpr double kDrawn = 0.02;      // least turn of an arc [rad]
+constexpr double kDrawn = 0.02;      // smallest angle of an arc that is drawn [rad]
 constexpr double kArcStep = kPi / 24;
 
 using Kind = Shape::Kind;
 
-// Counter-clockwise where turn > 0, beginning at the top.
+// An arc that begins at the top and runs counter-clockwise if turn > 0.
 void set_arc(Shape& arc, const Vector2d& center, double radius, double turn) {
   const int count = 1 + static_cast<int>(std::abs(turn) / kArcStep);
   for (int i = 0; i <= count; ++i) {
@@ -57,7 +57,7 @@ LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reacti
   return {largest, torque};
 }
 
-// Each on the second body of its joint or contact, from the point at which it acts.
+// Arrows of the forces on the second body of each joint or contact, beginning at the point where they act.
 void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
   const auto add_arrow = [&](const std::string& name, const Vector2d& p_W, const Vector2d& force) {
     Shape& arrow = next(Role::kForce, name, Kind::kArrow);
@@ -74,7 +74,7 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
   for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
     const Joint& joint = mechanism_->joints[i];
     const JointReaction& reaction = reactions.joints[i];
-    if (couples_turning(joint.type) && !joint.teeth) continue;  // passes on moments only
+    if (couples_turning(joint.type) && !joint.teeth) continue;  // transmits moments only
     add_arrow(joint.name, place(joint), {reaction.fx.value_or(0), reaction.fy.value_or(0)});
   }
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
@@ -88,7 +88,7 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
   }
 }
 
-// A force along the slide, or a torque as an arc around the pin.
+// A driving force as an arrow along the slide, or a driving torque as an arc around the pin.
 void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double effort) {
   const Joint& joint = mechanism_->joints[static_cast<std::size_t>(driver.joint)];
   const std::string name = driver_name(driver);

@@ -9,11 +9,11 @@
 namespace higherpair {
 namespace {
 
-// In units.
-constexpr double kHatch = 1.1;  // distance of hatch lines
+// Sizes in units.
+constexpr double kHatch = 1.1;  // distance between hatch lines
 constexpr double kBlock = 5.5;  // length of a sliding block
 constexpr double kBlockWidth = 3.6;
-constexpr double kGuide = 3;  // length of a guide about a rod
+constexpr double kGuide = 3;  // length of the guide around a rod
 constexpr double kRod = 1.1;  // half the width of a rod
 
 void append_line(std::vector<double>& path, const Vector2d& a, const Vector2d& b) {
@@ -23,7 +23,7 @@ void append_line(std::vector<double>& path, const Vector2d& a, const Vector2d& b
   path.insert(path.end(), {a.x(), a.y(), b.x(), b.y()});
 }
 
-// A line with the hatching of what is fixed on its right side.
+// A line hatched on its right side, as the boundary of a fixed part.
 std::vector<double> hatched(const Vector2d& a, const Vector2d& b, double unit) {
   std::vector<double> path;
   append_line(path, a, b);
@@ -55,14 +55,14 @@ void add_pin(Sketch& sketch, const Joint& joint) {
                     kPinRadius * sketch.unit);
 }
 
-// A body that touches something is guided by its rod, any other one by a block.
+// Whether the body takes part in a contact. Such a body slides by a rod in a guide, any other one is a block.
 bool has_curves(const Sketch& sketch, int body) {
   const auto is_of = [&](const CurveRef& ref) { return ref.body == body; };
   return std::any_of(sketch.mechanism.contacts.begin(), sketch.mechanism.contacts.end(),
                      [&](const Contact& contact) { return is_of(contact.first) || is_of(contact.second); });
 }
 
-// The rod goes away from where the body touches.
+// 1 or -1: the sense along the slide's direction in which the rod extends, away from the contact point.
 double away_from_contact(const Sketch& sketch, const Joint& joint) {
   const MotionRow& row = *sketch.rows.front();
   for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
@@ -135,7 +135,7 @@ void add_slot(Sketch& sketch, const Joint& joint) {
                     kPinRadius * u);
 }
 
-// Each with a radius that shows how it turns.
+// Both wheels, each with a radius drawn that shows its rotation.
 void add_wheels(Sketch& sketch, const Joint& joint) {
   const MotionRow& row = *sketch.rows.front();
   const auto center_W = [&](const PointRef& ref) {

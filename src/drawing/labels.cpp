@@ -8,14 +8,14 @@
 namespace higherpair {
 namespace {
 
-constexpr double kLetter = 0.62;  // width of a letter, of the font's size
+constexpr double kLetter = 0.62;  // width of a letter, relative to the font size
 constexpr double kSamePlace = 4;  // [px]
 constexpr int kDirections = 12;
 constexpr std::array kDistances{0.9, 1.4, 2.0, 2.8,
-                                4.0};  // of the font's size, from the place to the text's edge
+                                4.0};  // relative to the font size, from the position to the text's edge
 constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
-constexpr double kFar = 2.5, kFarClose = 5;                            // of a font's size farther away
-constexpr double kTurned = 1.5;                                        // against the best direction
+constexpr double kFar = 2.5, kFarClose = 5;                            // per font size of distance
+constexpr double kTurned = 1.5;                                        // against the preferred direction
 
 struct InkBox {
   Vector2d middle, half;
@@ -30,7 +30,7 @@ struct InkBox {
 };
 
 Vector2d half_size(const Label& label, double font) {
-  // Letters of UTF-8, not bytes.
+  // Count characters of UTF-8, not bytes.
   const auto letters = std::count_if(label.text.begin(), label.text.end(),
                                      [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   return {(kLetter * static_cast<double>(letters) * font) / 2 + 2, 0.6 * font};

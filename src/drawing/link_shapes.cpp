@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBar = 1.6;  // half the width of a bar [units]
 
-// Along the axis of a face into its material.
+// Sign of the direction along a face's axis that points into its material.
 double material_sense(const Curve& curve) {
   return curve.side == Side::kOutside ? -1 : 1;
 }
@@ -31,16 +31,16 @@ bool is_within(const Vector2d& p, const std::vector<Vector2d>& polygon) {
   return within;
 }
 
-// Within the material of a face or an open conic.
+// A point within the drawn material of a face or an open conic.
 Vector2d middle_of_strip(const Sketch& sketch, int body, std::size_t index) {
   const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
   const std::vector<double> path = material(curve, kFace * sketch.unit, touched_range(sketch, body, index));
-  const std::size_t front = path.size() / 2 - 2;  // points; the other two are behind
+  const std::size_t front = path.size() / 2 - 2;  // number of points in front; the other two are behind
   const auto at = [&](std::size_t i) { return Vector2d(path[2 * i], path[2 * i + 1]); };
   return (at((front - 1) / 2) + at(front / 2) + at(front) + at(front + 1)) / 4;
 }
 
-// Behind the middle of a chain that is no plate, as of a tooth's flank.
+// A point behind the middle of a chain that is not a plate, such as a tooth flank.
 std::optional<Vector2d> middle_behind(const Sketch& sketch, const NamedCurve& named) {
   if (named.curve.kind != CurveKind::kChain || !named.boundary || named.boundary->is_closed()) {
     return std::nullopt;
@@ -51,7 +51,8 @@ std::optional<Vector2d> middle_behind(const Sketch& sketch, const NamedCurve& na
   return middle.p_B - kBar * sketch.unit * middle.n_B;
 }
 
-// Where the bar of a point on a flat face ends: it does not stand out in front of the face.
+// The end of the bar to a point on a flat face, moved back so that the bar does not project in front of the
+// face.
 Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
   const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
   Vector2d behind = p_B;
@@ -69,8 +70,8 @@ Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
   return behind;
 }
 
-// Where the bars of a ring end in it: those of points outside of it, and one of a point in its hollow, which
-// stands where the ring is touched least.
+// The ends of bars at a ring: one towards each point outside of it, and for a point in its hollow one where
+// the ring is least touched.
 std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t curve,
                                   const Vector2d& middle) {
   const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
@@ -93,7 +94,7 @@ std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t c
   return rim;
 }
 
-// Whether a closed curve of the body holds all of its points: then it needs no bar.
+// Whether a closed curve of the body contains all of its anchors, so that the body needs no bar.
 bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>& anchors) {
   return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& named) {
     if (is_plate(named)) {

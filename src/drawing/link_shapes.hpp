@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-// In units of symbols.
+// Sizes in units of symbols.
 inline constexpr double kFace = 2.5;  ///< thickness of faces and rings
 inline constexpr double kWedge = 5;   ///< length of a knife edge
 
@@ -16,7 +16,7 @@ inline constexpr double kWedge = 5;   ///< length of a knife edge
 /// Whether a curve is a closed chain with its material inside.
 [[nodiscard]] bool is_plate(const NamedCurve& named);
 
-/// The points that the bar or plate of a body holds together: named points, and where the curves are.
+/// The points joined by the bar or plate of a body: its named points, and a point of each of its curves.
 [[nodiscard]] std::vector<Vector2d> anchors_of(const Sketch& sketch, int body);
 
 /// A bar or plate between the points of a body.

@@ -12,19 +12,19 @@
 namespace higherpair {
 namespace {
 
-// In units.
+// Sizes in units.
 constexpr double kLinkagePin = 0.8;
 constexpr double kLinkageBlock = 4, kLinkageBlockWidth = 2.4;
-constexpr double kEdge = 2;     // from the edge of the picture to where a link is broken off
-constexpr double kMark = 2;     // length of the mark, and from it to the end of the link
-constexpr double kSwing = 1.2;  // of the mark to either side
+constexpr double kEdge = 2;     // from the edge of the picture to the point where a link is broken off
+constexpr double kMark = 2;     // length of the break mark, and from it to the end of the link
+constexpr double kSwing = 1.2;  // of the break mark to either side
 
 using Kind = Shape::Kind;
 
 // One body of a contact in its equivalent linkage.
 struct End {
   std::optional<Vector2d> pivot, center;
-  Vector2d guide;  // of a block at the centre: along the slide
+  Vector2d guide;  // direction of the slide of a block at the centre
   bool slides = false, flat = false;
 };
 
@@ -42,7 +42,7 @@ End end_of(const Mechanism& mechanism, const CurveRef& ref, const Vector2d& p_W,
   return end;
 }
 
-// From the pivot, if there is one, to the centre.
+// The points of the link from the pivot, if there is one, to the centre.
 std::vector<Vector2d> way_of(const End& end) {
   if (!end.pivot) {
     return {*end.center};
@@ -50,7 +50,7 @@ std::vector<Vector2d> way_of(const End& end) {
   if (!end.flat) {
     return {*end.pivot, *end.center};
   }
-  // Its guide goes through the centre; the pivot is off it.
+  // The guide goes through the centre; the pivot may lie beside it.
   const Vector2d foot = *end.center + (*end.pivot - *end.center).dot(end.guide) * end.guide;
   return {*end.pivot, foot, *end.center};
 }
@@ -59,7 +59,8 @@ bool is_within(const Box& box, const Vector2d& p) {
   return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
 }
 
-// The part of a link that is in the box, as parameters from 0 to 1 (Liang and Barsky); none: from > to.
+// The part of a link within the box, as parameters from 0 to 1 (Liang and Barsky); from > to if there is
+// none.
 std::array<double, 2> part_within(const Box& box, const Vector2d& a, const Vector2d& b) {
   double from = 0, to = 1;
   for (const int axis : {0, 1}) {
@@ -75,7 +76,7 @@ std::array<double, 2> part_within(const Box& box, const Vector2d& a, const Vecto
   return {from, to};
 }
 
-// What a link is broken off by, on the way out of the picture to `end` along d; its middle.
+// The zigzag where a link that continues to `end` along d, out of the picture, is broken off; and its middle.
 struct BreakMark {
   std::array<Vector2d, 5> points;
   Vector2d middle;
@@ -88,7 +89,8 @@ BreakMark mark_at(const Vector2d& end, const Vector2d& d, double unit) {
           middle};
 }
 
-// A link that leaves the picture ends in a mark, with its length written beside it.
+// Adds a link to the path. One that leaves the picture ends in a break mark, with its length written beside
+// it.
 void append_link(std::vector<double>& path, Shape& length, const Box& box, const Vector2d& a,
                  const Vector2d& b, double unit) {
   const auto [from, to] = part_within(box, a, b);
@@ -128,14 +130,15 @@ void append_link(std::vector<double>& path, Shape& length, const Box& box, const
 
 }  // namespace
 
-// O1, C1, C2, O2 as far as they are there. What slides, or is flat, has a block instead of a pin.
+// The equivalent linkage O1, C1, C2, O2, as far as these points exist. A side that slides or is flat has a
+// block instead of a pin.
 void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
   const Contact& contact = mechanism_->contacts[index];
   const CommonNormal& at = row.contacts[index].at;
   const double u = scene_.unit;
   std::array<End, 2> ends{end_of(*mechanism_, contact.first, at.p1_W, at.n_W, at.rho1),
                           end_of(*mechanism_, contact.second, at.p2_W, -at.n_W, at.rho2)};
-  // A flat body is a slide along its face for the other one's centre.
+  // A flat body acts as a slide, along its face, for the centre of the other one.
   for (std::size_t i = 0; i < 2; ++i) {
     if (ends[i].flat && ends[1 - i].center) {
       ends[i].center = ends[1 - i].center;
@@ -145,7 +148,7 @@ void SceneMaker::add_linkage(const MotionRow& row, std::size_t index) {
   const Vector2d edge = Vector2d::Constant(kEdge * u);
   const Box box{scene_.view.low + edge, scene_.view.high - edge};
   std::vector<double> path;
-  std::array<Shape, 3> lengths;  // r2, r3, r4 of the table: where both ends are pins
+  std::array<Shape, 3> lengths;  // r2, r3, r4; shown if both ends are pins
   if (whole) {
     const std::vector<Vector2d> first = way_of(ends[0]), second = way_of(ends[1]);
     for (std::size_t i = 1; i < first.size(); ++i) {

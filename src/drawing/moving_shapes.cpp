@@ -28,7 +28,7 @@ void set_circle(Shape& shape, const Vector2d& center, double radius) {
 
 }  // namespace
 
-// The shapes of every row are the same ones; only their numbers change.
+// The next moving shape. All rows have the same shapes; only their numbers change.
 Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool closed) {
   if (next_ == scene_.moving.size()) {
     scene_.moving.push_back({role, kind, name, 0, closed, "", {}, "", false});
@@ -65,7 +65,7 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   if (forces_ && reactions != nullptr) {
     add_forces(row, *reactions);
   }
-  // What has no place in this row, and what is left out of it.
+  // Clears shapes that this row does not reach; all of them if its positions are undefined.
   for (std::size_t i = scene_.defined ? next_ : 0; i < scene_.moving.size(); ++i) {
     scene_.moving[i].numbers.clear();
   }
@@ -114,7 +114,7 @@ void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {
   append(shape.numbers, b);
 }
 
-// Both sides of an open belt, or the two crossing ones.
+// The two straight sides of an open belt, or of a crossed one.
 void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
   const Vector2d a = body_in(row, joint.first.body).X_WB * point_of(*mechanism_, joint.first);
   const Vector2d b = body_in(row, joint.second.body).X_WB * point_of(*mechanism_, joint.second);

@@ -15,7 +15,7 @@ double cross_of(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Andrew's monotone chain, counter-clockwise.
+// Convex hull by Andrew's monotone chain, counter-clockwise.
 std::vector<Vector2d> hull_of(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -42,7 +42,7 @@ std::vector<Vector2d> hull_of(std::vector<Vector2d> points) {
   return hull;
 }
 
-// From the angle `from` to `to` about the centre, both included.
+// Adds an arc about the centre, from the angle `from` to the angle `to`, both included.
 void append_arc(std::vector<double>& path, const Vector2d& center, double radius, double from, double to) {
   const int steps =
       std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (2 * kPi) * kPointsPerTurn)));
@@ -51,7 +51,7 @@ void append_arc(std::vector<double>& path, const Vector2d& center, double radius
   }
 }
 
-// y² = 2 ℓ x - q x², solved for x of the branch at the vertex.
+// Solves y² = 2 ℓ x - q x² for x on the branch of the vertex.
 double conic_x(const Curve& curve, double y) {
   const double l = curve.semi_latus;
   return y * y / (l + std::sqrt(std::max(0.0, l * l - curve.q * y * y)));

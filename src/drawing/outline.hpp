@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// \name Outlines as points x, y, x, y, … of closed paths, in the unit of what goes in.
+/// \name Outlines as points x, y, x, y, … of closed paths, in the unit of the input.
 /// @{
 
 /// All points within `radius` of the hull of `points`: a disc, a bar with round ends, a plate with round
@@ -19,10 +19,9 @@ namespace higherpair {
 [[nodiscard]] std::vector<double> rectangle(const Vector2d& middle, const Vector2d& along, double length,
                                             double width);
 
-/// The material that a curve bounds: within a closed one; a ring of `thickness` outside of it; of an open
-/// curve or face a strip of that thickness behind it, as far as `reach` on both sides of the vertex, or of
-/// the given range along a face. \param range  of the coordinate along a face's direction axis turned +90°,
-/// or of y of an open conic
+/// The material bounded by a curve: the interior of a closed one, or a ring of `thickness` around it if the
+/// material is outside; for an open conic or a face a strip of that thickness behind it.
+/// \param range  ends of the strip: coordinates from the vertex along the curve's axis turned by +90°
 [[nodiscard]] std::vector<double> material(const Curve& curve, double thickness,
                                            const std::array<double, 2>& range);
 /// @}
@@ -32,7 +31,7 @@ inline void append(std::vector<double>& path, const Vector2d& p) {
   path.insert(path.end(), {p.x(), p.y()});
 }
 
-/// Breaks a path into pieces apart.
+/// Separates two pieces of a path.
 void append_break(std::vector<double>& path);
 
 }  // namespace higherpair

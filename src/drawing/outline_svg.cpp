@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kPxPerMetre = 96 / 0.0254;
 constexpr double kOutlineMargin = 10;  // [px]
-constexpr double kCross = 6;           // half of it [px]
+constexpr double kCross = 6;           // half the size of the cross at the origin [px]
 
 constexpr const char* kOutlineStyle = R"(
 .hp-outline path { fill: none; stroke: #000; stroke-width: 0.5; }
 )";
 
-// Of the polyline, and how far its arcs stand out from their chords.
+// The box of the vertices and of the midpoints of the arcs.
 Eigen::AlignedBox2d box_of(const ArcPolyline& line) {
   Eigen::AlignedBox2d box;
   for (std::size_t i = 0; i < line.vertices.size(); ++i) {
@@ -65,7 +65,7 @@ SvgPath path_of(const ArcPolyline& line, const Sheet& sheet) {
     if (b == 0) {
       path.line_to(to.x(), to.y());
     } else {
-      // Counter-clockwise stays so on the screen.
+      // A counter-clockwise arc also appears counter-clockwise on the screen.
       path.arc_to((to - from).norm() * (1 + b * b) / (4 * std::abs(b)), std::abs(b) > 1, b < 0, to.x(),
                   to.y());
     }

@@ -13,12 +13,12 @@ constexpr double kPlotMargin = 14;      // around the picture [px]
 constexpr double kTickGap = 8;          // from an axis to the labels of its ticks [px]
 constexpr double kSingleHeight = 280;   // of the only panel [px]
 constexpr double kStackedHeight = 150;  // of each of several [px]
-constexpr double kTicksApart = 64;      // at least, along x [px]
-constexpr double kTicksApartUp = 25;    // along y [px]
+constexpr double kTicksApart = 64;      // least distance along x [px]
+constexpr double kTicksApartUp = 25;    // least distance along y [px]
 constexpr double kEntryGap = 18;        // between names above a panel [px]
 constexpr double kPanelGap = 12;        // [px]
 
-// Of finite numbers only.
+// The range of the finite numbers added.
 struct ValueRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ std::string unit_in_brackets(const PlotPanel& panel) {
   return both.empty() ? "" : "[" + both + "]";
 }
 
-// The names above a panel from left to right, in as many lines as they take; returns that number.
+// Lays out the names above a panel from left to right; returns the number of lines that they take.
 int lay_out_legend(PlotPanel& panel, const PlotData& data, double left, double right) {
   const std::string unit = unit_in_brackets(panel);
   const bool single = panel.series.size() == 1 && data.y_name.empty();
@@ -117,7 +117,7 @@ double widest_label(const std::vector<PlotPanel>& panels) {
   return widest;
 }
 
-// Returns the number of lanes.
+// Lays out the flags; returns the number of lanes.
 int lay_out_flags(PlotLayout& layout) {
   const PlotData& data = *layout.data;
   std::vector<PlotFlag>& flags = layout.flags;

@@ -11,12 +11,12 @@ namespace higherpair {
 
 inline constexpr double kPlotFont = 12;      // [px]
 inline constexpr double kPlotLine = 17;      // from one line of text to the next [px]
-inline constexpr double kSampleLength = 24;  // of the piece of line beside a name [px]
+inline constexpr double kSampleLength = 24;  // length of the sample line beside a name [px]
 
 /// The straight map from an axis to the screen.
 struct PlotScale {
   Ticks ticks;
-  double begin = 0;  ///< where the low end is [px]
+  double begin = 0;  ///< position of the low end [px]
   double end = 1;
 
   [[nodiscard]] double px(double value) const {
@@ -24,7 +24,7 @@ struct PlotScale {
   }
 };
 
-/// A name above a panel, with a piece of its line if it is one of several.
+/// A name above a panel, with a sample of its line if the panel has several.
 struct LegendEntry {
   const PlotSeries* series = nullptr;
   std::string text;
@@ -32,7 +32,7 @@ struct LegendEntry {
   int line = 0;
 };
 
-/// The lines of one unit, and where they are on the screen.
+/// The series of one unit, and their position on the screen.
 struct PlotPanel {
   std::string unit;
   std::vector<const PlotSeries*> series;
@@ -42,7 +42,7 @@ struct PlotPanel {
   PlotScale y;            ///< `begin` is below `end`
 };
 
-/// The label of a mark, or of a range that is too narrow for it.
+/// The label of a mark, or of a range too narrow to contain its label.
 struct PlotFlag {
   Flag place;
   std::string label;
@@ -56,18 +56,18 @@ struct PlotLayout {
   double title_top = 0;
   PlotScale x;
   std::vector<PlotPanel> panels;
-  std::vector<PlotFlag> flags;                ///< by rising x
-  std::vector<const PlotRange*> wide_ranges;  ///< with room for their labels
+  std::vector<PlotFlag> flags;                ///< in ascending order of x
+  std::vector<const PlotRange*> wide_ranges;  ///< ranges wide enough to contain their labels
   std::vector<std::string> notes;             ///< lines
   double notes_top = 0;
   double bottom = 0;
 };
 
-/// Where everything is.
+/// Computes the positions of all parts.
 /// \param top  of the plot in the picture [px]
 [[nodiscard]] PlotLayout lay_out(const PlotData& data, double width, double top);
 
-/// x never turns back, in any of the lines.
+/// Whether x never changes direction in any of the series.
 [[nodiscard]] bool is_monotone(const PlotData& data);
 
 }  // namespace higherpair

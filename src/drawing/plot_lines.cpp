@@ -7,10 +7,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kShortestPiece = 0.3;  // points of a line nearer to each other than this are one [px]
+constexpr double kShortestPiece = 0.3;  // points of a line that are closer than this count as one [px]
 
-// Okabe and Ito's colours without the yellow ones; with the dash patterns the lines differ in black and
-// white as well.
+// The colours of Okabe and Ito without yellow; the dash patterns distinguish the lines in black and white.
 constexpr std::array<const char*, 7> kColors = {"#0072b2", "#d55e00", "#009e73", "#000000",
                                                 "#cc79a7", "#a87000", "#3a93c8"};
 constexpr std::array<const char*, 6> kDashes = {"none", "8 3", "2 2.5", "9 3 2 3", "14 4", "5 2 1.5 2 1.5 2"};

@@ -8,12 +8,12 @@
 namespace higherpair {
 namespace {
 
-constexpr double kHeight = 14;                                          // of a text [px]
+constexpr double kHeight = 14;                                          // of a line of text [px]
 constexpr double kTextGap = 3;                                          // between texts [px]
-constexpr double kPointRoom = 5;                                        // around a point [px]
+constexpr double kPointRoom = 5;                                        // kept clear around a point [px]
 constexpr std::array<double, 5> kPointDistances = {7, 16, 28, 42, 60};  // from a point to its text [px]
 
-// Right, left, above, below, and between these.
+// Upper right, upper left, lower right, lower left, above, below, right, left; y down.
 constexpr std::array<std::pair<double, double>, 8> kPointDirections = {
     {{1, -0.7}, {-1, -0.7}, {1, 0.7}, {-1, 0.7}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
 

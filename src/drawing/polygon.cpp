@@ -57,7 +57,7 @@ private:
     return letter() + "_{" + graph_.nodes[node].name + "}";
   }
 
-  // "BA" of B relative to A; longer names with a stroke between them.
+  // "BA" for B relative to A; names of more than one letter are separated by a stroke.
   [[nodiscard]] std::string symbol(std::size_t to, std::size_t from) const {
     const auto is_letter = [](const std::string& name) {
       return name.size() == 1 || (name.size() > 1 && name.substr(1) == "′");
@@ -104,13 +104,13 @@ private:
     return mechanism_.bodies[static_cast<std::size_t>(index)].name;
   }
 
-  // Two points at a fixed distance.
+  // Compares two points at a fixed distance from each other.
   void add_rigid(std::size_t from, std::size_t to, double omega, double alpha, const std::string& turning) {
     const bool pivot = graph_.nodes[from].is_on(0);
     const Vector2d r = motion(to).p_W - motion(from).p_W;
     const std::string name = pivot ? symbol(to) : symbol(to, from);
     const std::string start = pivot ? "" : symbol(from) + " + ";
-    const bool has_parts = graph_.nodes[to].joins;  // of others only where they are
+    const bool has_parts = graph_.nodes[to].joins;  // other points are shown without components
     if (pivot && !has_parts) return;
     if (!pivot) {
       polygon_.arrows.push_back({ArrowKind::kRelative, name, item(to, from), value(from), value(to)});
@@ -135,7 +135,7 @@ private:
     return graph_.nodes[a].name.size() + graph_.nodes[b].name.size();
   }
 
-  // A point that slides along a line of a moving body.
+  // A point that slides along a line on a moving body.
   void add_slide(const Comparison& comparison) {
     const std::size_t from = comparison.from;
     const std::size_t to = comparison.to;
@@ -155,7 +155,7 @@ private:
         fmt::format("{} = {} + {}^{{c}} + {}", symbol(to), symbol(from), name, name));
   }
 
-  // What the bodies' motions are of the order of: in a dwell the arrows may be nothing but rounding.
+  // The order of magnitude of the bodies' motions: in a dwell all arrows may be mere rounding.
   [[nodiscard]] double usual_length() const {
     const double size = size_of(mechanism_);
     double fastest = 0;
@@ -165,7 +165,7 @@ private:
     return accelerations_ ? fastest * fastest / size : fastest;
   }
 
-  // Arrows without a length, and parts that are the whole.
+  // Removes arrows without a length, and components that equal the whole vector.
   void remove_negligible() {
     double longest = usual_length();
     for (const PolygonArrow& arrow : polygon_.arrows)

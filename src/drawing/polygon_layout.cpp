@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kTallest = 400;  // drawn part of a polygon of motion, and of forces [px]
 constexpr double kTallestForces = 240;
-constexpr double kApart = 11;  // between arrows that would lie on each other [px]
-constexpr double kNamed = 14;  // the shortest arrow with a name [px]
+constexpr double kApart = 11;  // between arrows that would cover each other [px]
+constexpr double kNamed = 14;  // shortest arrow that gets a name [px]
 
 struct PolygonExtent {
-  Vector2d low = Vector2d::Zero();  // the pole is always part of it
+  Vector2d low = Vector2d::Zero();  // the pole is always included
   Vector2d high = Vector2d::Zero();
 
   void add(const Vector2d& p) {
@@ -36,7 +36,7 @@ PolygonExtent polygon_extent(const Polygon& polygon) {
   return extent;
 }
 
-// The direction of the line on which all arrows are; none where they are not.
+// The direction of the line through the pole on which all arrows lie; none if they do not.
 std::optional<Vector2d> common_line(const Polygon& polygon, double longest) {
   const auto first = std::max_element(polygon.arrows.begin(), polygon.arrows.end(),
                                       [](const PolygonArrow& a, const PolygonArrow& b) {
@@ -64,7 +64,7 @@ void set_ends(PolygonLayout& layout, const std::optional<Vector2d>& along_W) {
   }
 }
 
-// Points where the lines are, so that no label lies on them.
+// Points along the arrows, for labels to keep clear of.
 std::vector<TextBox> ink_of(const PolygonLayout& layout) {
   constexpr double kStep = 5;
   constexpr double kAway = 1.5;

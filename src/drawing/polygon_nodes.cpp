@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  // As the motion goes through the mechanism: from the drivers over joints and contacts.
+  // Orders the bodies as the motion is transmitted: from the drivers across joints and contacts.
   void order_bodies() {
     for (const Driver& driver : mechanism_.drivers) {
       const Joint& joint = mechanism_.joints[static_cast<std::size_t>(driver.joint)];
@@ -74,7 +74,7 @@ private:
     }
   }
 
-  // The node of a body's point, made where there is none.
+  // The node of a body's point; a new one if there is none.
   std::size_t node_at(int body, const Vector2d& p_B) {
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
       for (const Node::Place& place : graph_.nodes[i].places) {
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  // A name that two points have is of no use: then each goes by its body as well.
+  // A name that several points share is replaced by "body.point".
   void name_nodes() {
     std::vector<std::string> names;
     for (const Node& node : graph_.nodes) names.push_back(node.name);
@@ -168,7 +168,7 @@ private:
     return node;
   }
 
-  // Of every body its points against the one that is known first; a pivot on ground is known at once.
+  // Compares all points of a body with the one that is known first; a pivot on ground is known at once.
   void add_bodies() {
     std::vector<Comparison> all;
     std::vector<Comparison> others = std::move(graph_.comparisons);

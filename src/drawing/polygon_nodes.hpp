@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// A point whose motion a polygon shows, and the bodies that it belongs to.
+/// A point whose motion a polygon shows, and its positions on the bodies that it belongs to.
 struct Node {
   struct Place {
     int body = 0;
@@ -18,7 +18,7 @@ struct Node {
   std::string name;  ///< "B", "touch.C1"
   std::string item;  ///< "link3.B"
   std::vector<Place> places;
-  bool joins = false;  ///< belongs to a joint or contact
+  bool joins = false;  ///< the point of a joint or contact
 
   [[nodiscard]] bool is_on(int body) const;
 };
@@ -28,10 +28,10 @@ struct Comparison {
   enum class Kind {
     kBody,   ///< both on `body`
     kLink,   ///< ends of the equivalent link of a contact
-    kSlide,  ///< `to` slides along the direction d_W of `body`, `from` is the point of that body there
+    kSlide,  ///< `to` slides along the direction d_W of `body`; `from` is the coincident point of that body
   };
   Kind kind = Kind::kBody;
-  std::size_t from = 0;  ///< the one that is known earlier
+  std::size_t from = 0;  ///< the point whose motion is known first
   std::size_t to = 0;
   int body = 0;
   Vector2d d_W = Vector2d::Zero();
@@ -39,7 +39,7 @@ struct Comparison {
 
 struct NodeGraph {
   std::vector<Node> nodes;
-  std::vector<Comparison> comparisons;  ///< in the order in which the motion goes through the mechanism
+  std::vector<Comparison> comparisons;  ///< in the order in which the motion is transmitted
 };
 
 [[nodiscard]] NodeGraph make_node_graph(const Mechanism& mechanism, const MotionRow& row);

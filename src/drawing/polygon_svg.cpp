@@ -15,7 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kArrowHead = 10;    // length of an arrow's head [px]
-constexpr double kShortestBar = 60;  // of the scale [px]
+constexpr double kShortestBar = 60;  // shortest scale bar [px]
 
 constexpr const char* kPolygonStyle = R"(
 .hp-polygon text { font-family: sans-serif; font-size: 12px; fill: #000; }
@@ -68,7 +68,7 @@ public:
   PolygonWriter(SvgWriter& svg, const PolygonLayout& layout)
       : svg_(svg), layout_(layout), polygon_(*layout.polygon) {}
 
-  /// Returns the bottom [px].
+  /// Returns the bottom edge [px].
   double write() {
     svg_.open("g", {{"data-role", "polygon"},
                     {"data-name", polygon_.title},
@@ -149,7 +149,7 @@ private:
               printed_number(ticks.step / std::pow(10, layout_.exponent), 9) + " " + layout_.unit());
   }
 
-  // The equations, and what the arrows are; returns the bottom.
+  // Writes the equations and a list of the arrows; returns the bottom edge [px].
   double write_texts() {
     const double left = kDrawnShare * layout_.width + kPolygonAround + 8;
     double y = layout_.top + kPolygonLine - 4;
@@ -178,7 +178,7 @@ private:
     return y;
   }
 
-  // An equation that is too long goes on in the next line, before a sign.
+  // Breaks equations that are too long, before a sign.
   [[nodiscard]] std::vector<std::string> wrapped_equations(double room) const {
     std::vector<std::string> lines;
     for (const std::string& equation : polygon_.equations) {
@@ -218,7 +218,7 @@ private:
               printed_number(degrees, 1) + "°");
   }
 
-  // Four digits.
+  // Formats a value with four digits.
   static std::string significant(double value) {
     const int before = value > 0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
     return fmt::format("{:.{}f}", value, std::clamp(4 - before, 0, 9));
@@ -244,7 +244,7 @@ double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std
 }  // namespace
 
 std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double width) {
-  SvgWriter rehearsal({width, 1, "", ""});  // how tall is it?
+  SvgWriter rehearsal({width, 1, "", ""});  // only to find the height
   const double height = write_all(rehearsal, polygons, title, width);
   SvgWriter svg({width, height, title, kPolygonStyle}, {{"class", "hp-polygon"}});
   svg.element("rect", {{"width", width}, {"height", height}, {"fill", "#fff"}});

@@ -7,8 +7,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSmaller = 0.75;  // size of lowered and raised text
-constexpr double kLowered = 0.28;  // of the size
+constexpr double kSmaller = 0.75;  // relative size of subscripts and superscripts
+constexpr double kLowered = 0.28;  // relative to the size
 constexpr double kRaised = -0.40;
 
 double shift_of(int level, double size) {

@@ -8,23 +8,23 @@
 
 namespace higherpair {
 
-/// A piece of a text that is lowered (-1), raised (1) or neither.
+/// A piece of a text that is a subscript (-1), a superscript (1) or neither.
 struct TextPiece {
   std::string text;
   int level = 0;
 };
 
-/// The pieces of "a_{BA}^{n} = 0"; a brace without an end reaches to the end.
+/// The pieces of "a_{BA}^{n} = 0"; an unclosed brace extends to the end of the text.
 [[nodiscard]] std::vector<TextPiece> pieces_of(std::string_view markup);
 
-/// About how wide it is [px].
+/// The approximate width [px].
 [[nodiscard]] double rich_width(std::string_view markup, double size);
 
-/// Writes it as one text element.
+/// Writes the text as a single text element.
 void rich_text(SvgWriter& svg, double x, double y, std::string_view markup, double size,
                std::string_view kind = "");
 
-/// The same without braces, for attributes: "a_BA^n = 0".
+/// The text without braces, for attributes: "a_BA^n = 0".
 [[nodiscard]] std::string plain_text(std::string_view markup);
 
 }  // namespace higherpair

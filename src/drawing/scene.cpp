@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kUnitsAcross = 110;       // along the picture's diagonal
 constexpr double kSceneMargin = 3;         // [units]
-constexpr double kLinkageRoom = 0.3;       // of the picture's longer side, for equivalent linkages
-constexpr std::size_t kRowsLookedAt = 72;  // for the room that shapes need
+constexpr double kLinkageRoom = 0.3;       // relative to the longer side: margin for equivalent linkages
+constexpr std::size_t kRowsLookedAt = 72;  // to find the room that shapes need
 
 struct SceneExtent {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
@@ -30,7 +30,7 @@ struct SceneExtent {
   }
 };
 
-// Of points, closed curves and contacts, before there are symbols.
+// The extent of points, closed curves and contacts, without symbols.
 SceneExtent bare_extent(const Sketch& sketch) {
   SceneExtent extent;
   for (const MotionRow* row : sketch.rows) {
@@ -84,7 +84,7 @@ SceneExtent full_extent(const Sketch& sketch) {
   return extent;
 }
 
-// The centres of curvature of a contact in all rows, if they are in this box throughout.
+// The extent of the centres of curvature of a contact in all rows; none if one leaves the box `allowed`.
 std::optional<SceneExtent> linkage_extent(const Sketch& sketch, std::size_t contact,
                                           const SceneExtent& allowed) {
   SceneExtent extent;
@@ -103,7 +103,7 @@ std::optional<SceneExtent> linkage_extent(const Sketch& sketch, std::size_t cont
   return extent;
 }
 
-// Equivalent linkages that are never far outside of the picture are shown whole.
+// Enlarges the picture to show equivalent linkages completely, unless they extend too far beyond it.
 void add_linkages(SceneExtent& extent, const Sketch& sketch) {
   SceneExtent allowed = extent;
   const double room = kLinkageRoom * (extent.high - extent.low).maxCoeff();
@@ -180,7 +180,7 @@ Look Sketch::point_look(int body, std::size_t point) const {
   return looks.empty() ? Look() : looks[static_cast<std::size_t>(body)].points[point];
 }
 
-// What is said of the body holds for its curves as well.
+// A look given for the body also holds for its curves.
 Look Sketch::curve_look(int body, std::size_t curve) const {
   if (looks.empty()) {
     return {};
@@ -217,7 +217,7 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   add_bodies(sketch);
   add_joints(sketch);
   add_traces(sketch, traces);
-  // Pins over blocks, short bars over long ones.
+  // Draw pins over blocks, and short bars over long ones.
   const auto rank = [](const Shape& shape) {
     SceneExtent extent;
     if (shape.role == Role::kLink) add_shape(extent, shape, {});

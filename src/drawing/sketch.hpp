@@ -13,19 +13,19 @@ namespace higherpair {
 inline constexpr double kPinRadius = 1;
 inline constexpr double kSlotHalf = 1.35;  // half the width of a slot
 
-/// What the shapes of a mechanism are made from; lengths in metres.
+/// The input and the result of making the shapes of a mechanism; lengths in metres.
 struct Sketch {
   const Mechanism& mechanism;
-  std::vector<const MotionRow*> rows;  ///< with a position
-  double unit = 1;                     ///< of symbols [m]
-  std::vector<Shape> shapes;           ///< so far, in metres
+  std::vector<const MotionRow*> rows;  ///< those in which the positions are defined
+  double unit = 1;                     ///< length unit of symbols [m]
+  std::vector<Shape> shapes;           ///< made so far, in metres
   const Looks& looks;
 
-  /// Of a body, and of a point or curve of it.
+  /// The look of a body, and of a point or curve of it.
   [[nodiscard]] Look look(int body) const;
   [[nodiscard]] Look point_look(int body, std::size_t point) const;
   [[nodiscard]] Look curve_look(int body, std::size_t curve) const;
-  /// Gives all shapes from this one on this look.
+  /// Gives this look to all shapes from index `first` on.
   void dress(std::size_t first, const Look& look);
 
   Shape& add(Role role, const std::string& name, int body, std::vector<double> numbers, bool closed = false,
@@ -42,19 +42,19 @@ struct Sketch {
 /// Smallest and largest coordinate of a slide or slot in the rows [m].
 [[nodiscard]] std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint);
 
-/// Bodies within their curves, bars and plates between their points, names.
+/// Adds the bodies within their curves, bars and plates between their points, and names.
 void add_bodies(Sketch& sketch);
 
-/// Pins, slides, slots, wheels and what holds them to ground.
+/// Adds pins, slides, slots and wheels, and their supports on ground.
 void add_joints(Sketch& sketch);
 
-/// The largest force [N] and driving torque [N m] of a row; 0 where there are none.
+/// The largest force [N] and driving torque [N m] of a row; 0 if there are none.
 struct LargestForces {
   double force = 0, torque = 0;
 };
 [[nodiscard]] LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reactions);
 
-/// Sets the scales of arrows, so that the longest one of all rows fits.
+/// Sets the scales of arrows so that the longest arrow of all rows fits.
 void set_arrow_scales(const Sketch& sketch, Scene& scene);
 void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene);
 

@@ -10,7 +10,7 @@
 
 namespace higherpair {
 
-/// A number as SVG has it: at most 5 decimals, without zeros at the end, never an exponent.
+/// A number in SVG notation: at most 5 decimals, no trailing zeros, never an exponent.
 /// \pre  finite
 [[nodiscard]] std::string svg_number(double value);
 
@@ -19,11 +19,12 @@ class SvgPath {
 public:
   SvgPath& move_to(double x, double y);
   SvgPath& line_to(double x, double y);
-  /// An arc of a circle to x, y. \param sweep  clockwise as seen on the screen
+  /// A circular arc to x, y.
+  /// \param sweep  clockwise as seen on the screen
   SvgPath& arc_to(double radius, bool large, bool sweep, double x, double y);
   SvgPath& close();
 
-  /// Adds lines through x, y, x, y, …; pieces apart are separated by a NaN pair.
+  /// Adds lines through x, y, x, y, …; separate pieces are divided by a pair of NaN.
   SvgPath& polyline(std::span<const double> xy, bool closed = false);
 
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -35,19 +36,20 @@ private:
   std::string text_;
 };
 
-/// An attribute of an element; the value is formatted and escaped here. One without a value is left out.
+/// An attribute of an element; its value is formatted and escaped here. An attribute with an empty value is
+/// omitted.
 struct SvgAttribute {
   SvgAttribute(std::string_view name_of_it, double number) : name(name_of_it), value(svg_number(number)) {}
   SvgAttribute(std::string_view name_of_it, std::string_view text)
       : name(name_of_it), value(xml_escaped(text)) {}
   SvgAttribute(std::string_view name_of_it, const SvgPath& path) : name(name_of_it), value(path.text()) {}
 
-  std::string_view name;  ///< refers to the caller's
+  std::string_view name;  ///< refers to the caller's text
   std::string value;
 };
 
-/// Writes one SVG picture as text, element by element, in px. What it gives is well-formed XML, whatever the
-/// texts hold; elements that were opened and not closed are closed at the end.
+/// Writes one SVG picture as text, element by element, in px. The result is well-formed XML whatever the
+/// texts contain; elements that are still open at the end are closed.
 ///
 ///     SvgWriter svg({.width = 200, .height = 100, .title = "A cam", .style = ".body { fill: #ddd; }"});
 ///     svg.open("g", {{"data-role", "body"}, {"data-name", name}});
@@ -63,20 +65,20 @@ public:
     double width = 0;   ///< [px]
     double height = 0;  ///< [px]
     std::string title;  ///< read aloud by screen readers; not drawn
-    std::string style;  ///< CSS for all of it
+    std::string style;  ///< CSS of the whole picture
   };
 
   /// \param more  attributes of the top element
   explicit SvgWriter(const Header& header, Attributes more = {});
 
-  void open(std::string_view name, Attributes attributes = {});  ///< to be closed
-  void close();                                                  ///< the element opened last
+  void open(std::string_view name, Attributes attributes = {});  ///< needs a close()
+  void close();                                                  ///< closes the element opened last
   void element(std::string_view name, Attributes attributes);    ///< without content
   /// An element whose only content is text.
   void element(std::string_view name, Attributes attributes, std::string_view content);
   void text(Attributes attributes, std::string_view content) { element("text", attributes, content); }
 
-  /// A piece of a text: lower than the one before by `down`, in a size of its own [px].
+  /// A piece of a text, with its own font size, lowered relative to the piece before by `down` [px].
   struct Run {
     std::string text;
     double down = 0;

@@ -5,13 +5,13 @@
 namespace higherpair {
 namespace {
 
-constexpr double kGap = 6;  // [px] between a flag's text and the next line
+constexpr double kGap = 6;  // between a flag's text and the next line [px]
 
-// In widths of an em, after DejaVu Sans, which is wider than Helvetica and Arial.
+// Widths relative to the font size, measured in DejaVu Sans, which is wider than Helvetica and Arial.
 double width_of(char c) {
   constexpr std::string_view kNarrow = "iljtfrI.,:;'|!()[] /-";
   constexpr std::string_view kWide = "mwMW@%+=<>";
-  if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;  // goes on with a letter begun before
+  if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;  // continuation byte of a UTF-8 character
   if (kNarrow.find(c) != std::string_view::npos) return 0.4;
   if (kWide.find(c) != std::string_view::npos) return 0.95;
   return c >= 'A' && c <= 'Z' ? 0.72 : 0.63;
@@ -42,9 +42,9 @@ std::vector<std::string> wrapped(std::string_view text, double size, double widt
   return lines;
 }
 
-// A text may lie over the lines of flags that are lower, and is above all flags that it lies over. Those
-// that point to the left are above those that point to the right, and no text of the latter reaches the line
-// of one of the former: it would be turned round as well.
+// A text may cover the lines of lower flags, and is in a lane above all flags that it covers. Flags with
+// their text on the left are above those with their text on the right. No text on the right reaches the line
+// of a flag with its text on the left: it is put on the left as well, if there is room.
 void place_flags(std::vector<Flag>& flags, double left, double right) {
   double limit = right;
   for (auto flag = flags.rbegin(); flag != flags.rend(); ++flag) {

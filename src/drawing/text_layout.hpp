@@ -6,11 +6,11 @@
 
 namespace higherpair {
 
-/// About how wide a text is in a sans-serif font, rather too wide than too narrow [px].
+/// The approximate width of a text in a sans-serif font, rather too large than too small [px].
 /// \param size  of the font [px]
 [[nodiscard]] double text_width(std::string_view text, double size);
 
-/// The lines into which a text is broken at its spaces; a word that is wider gets a line of its own.
+/// Breaks a text into lines at its spaces; a word wider than `width` gets a line of its own.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, double size, double width);
 
 /// An upright rectangle on the screen [px].
@@ -26,13 +26,13 @@ struct TextBox {
 struct Flag {
   double x = 0;           ///< of the line [px]
   double width = 0;       ///< of the text [px]
-  bool leftward = false;  ///< the text is on the left of the line, else on its right
-  int lane = 0;           ///< from the bottom, 0; the line rises to it
+  bool leftward = false;  ///< the text is left of the line, otherwise right of it
+  int lane = 0;           ///< counted from the bottom, from 0; the line extends up to it
 };
 
-/// Sets side and lane of each, so that no text covers another or a line, and none passes `right` unless
-/// there is no room on the left either.
-/// \param flags  by rising x
+/// Sets side and lane of each flag so that no text covers another text or a line, and none extends beyond
+/// `right` unless there is no room on the left either.
+/// \param flags  in ascending order of x
 void place_flags(std::vector<Flag>& flags, double left, double right);
 
 }  // namespace higherpair

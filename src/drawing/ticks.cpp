@@ -11,8 +11,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kValueMargin = 0.05;  // of the span of the values, above and below
-constexpr int kLargestExponent = 5;    // 99 999 is written out
+constexpr double kValueMargin = 0.05;  // fraction of the span of the values, added above and below
+constexpr int kLargestExponent = 5;    // numbers up to 99 999 are written out
 constexpr int kSmallestExponent = -3;
 
 double round_step(double least) {
@@ -48,7 +48,7 @@ std::string raised(int number) {
   return text;
 }
 
-// The power of ten, a multiple of 3, that leaves numbers of few digits.
+// A power of ten, a multiple of 3, that leaves numbers with few digits; 0 if they have few anyway.
 int exponent_of(double largest) {
   const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest) + kOnTick)) : 0;
   if (exponent < kLargestExponent && exponent > kSmallestExponent) {

@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// An axis from `low` to `high` and where its ticks are: at multiples of a round step.
+/// An axis from `low` to `high` and its ticks, at multiples of a round step.
 struct Ticks {
   double low = 0;
   double high = 1;
@@ -16,27 +16,27 @@ struct Ticks {
   [[nodiscard]] std::string label(double value) const;
 };
 
-/// Ticks from `low` to `high` at steps of 1, 2 or 5 times a power of ten; at those of a circle (15, 30, 45,
-/// 90, 180, 360) where the unit is deg and the span is long enough.
+/// Ticks from `low` to `high` with a step of 1, 2 or 5 times a power of ten. For the unit deg, if the span is
+/// large enough, the step is 15, 30, 45, 90, 180 or 360.
 /// \param most  number of steps, >= 1
 /// \pre low < high, both finite
 [[nodiscard]] Ticks make_ticks(double low, double high, std::string_view unit, int most);
 
-/// The range that an axis of these values needs, with a margin; around a constant, which differences of
-/// rounding size are as well.
+/// The range of an axis for values from `lowest` to `highest`, with a margin. If the values are equal to
+/// within rounding, the range is wide enough to show a constant.
 struct AxisRange {
   double low = 0;
   double high = 0;
 };
 [[nodiscard]] AxisRange padded_range(double lowest, double highest);
 
-/// "deg/s^2" as print has it: "deg/s²"; products with a dot; empty for a pure number.
+/// "deg/s^2" in print: "deg/s²"; products with a dot; empty for a pure number.
 [[nodiscard]] std::string printed_unit(std::string_view unit);
 
 /// "×10⁶"; empty for 0.
 [[nodiscard]] std::string printed_factor(int exponent);
 
-/// A number with a true minus sign and at most `decimals` decimals, without zeros at the end.
+/// A number with a true minus sign and at most `decimals` decimals, without trailing zeros.
 [[nodiscard]] std::string printed_number(double value, int decimals);
 
 }  // namespace higherpair

@@ -1,38 +1,40 @@
 #pragma once
 
-// The tolerances of this room: what of numbers, arrows and polygons is rounding, and what is too small to be
-// seen. Sizes of a picture's parts are beside the code that draws them.
+// Tolerances of drawings: which differences of numbers, arrows and polygons are due to rounding, and which
+// are too small to be visible. Sizes of the parts of a picture are beside the code that draws them.
 
 namespace higherpair {
 
 // Axes.
 
-/// Values below this are rounding, in any unit a profile would have.
+/// Values below this count as 0, in any unit that a profile is likely to use.
 inline constexpr double kNoTickValue = 1e-10;
-/// A spread below this share of the values is rounding as well.
+/// Relative to the largest of the values: a smaller spread is rounding.
 inline constexpr double kNoTickSpread = 1e-9;
-/// Of a step: how near an end of the axis a tick may be to be on it.
+/// As a fraction of a step: a tick this far beyond an end of the axis is still on it.
 inline constexpr double kOnTick = 1e-6;
-/// Of a step: the tick at 0.
+/// As a fraction of a step: ticks this close to 0 are the tick at 0.
 inline constexpr double kTickAtZero = 1e-9;
 
 // Polygons and arrows.
 
-/// Of the longest arrow: shorter ones are rounding.
+/// Relative to the longest arrow: shorter ones are rounding.
 inline constexpr double kNegligibleArrow = 1e-9;
-/// Of the largest force in the mechanism: less is rounding.
+/// Relative to the largest force in the mechanism: smaller ones are rounding.
 inline constexpr double kNegligibleForce = 1e-9;
-/// Of the largest arrow: at rest but for these rows.
+/// Relative to the largest arrow of all rows: if the median of the rows is smaller, most rows are at rest and
+/// the largest arrow alone sets the scale.
 inline constexpr double kOutOfProportion = 1e-4;
-/// Of the size of what is drawn: points nearer to each other are one.
+/// Relative to the largest distance of a point from the origin of its body: points of a body that are closer
+/// to each other are one.
 inline constexpr double kSameNode = 1e-9;
-/// Of the longest arrow: points with one label.
+/// Relative to the longest arrow: points that are closer to each other share a label.
 inline constexpr double kSameLabelledPoint = 1e-6;
-/// Of its longest arrow: a force polygon thinner than this is a line.
+/// Relative to its longest arrow: a force polygon thinner than this is drawn as a line.
 inline constexpr double kFlatForces = 0.015;
-/// The same of velocities, where points are compared.
+/// The same for polygons of velocity and acceleration, whose points are compared.
 inline constexpr double kFlatMotion = 0.004;
-/// The same, to find the scale.
+/// Relative to the longest arrow: smallest width and height assumed in finding the scale.
 inline constexpr double kThinPolygon = 1e-3;
 
 }  // namespace higherpair

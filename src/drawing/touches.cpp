@@ -9,9 +9,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kRoom = 4;  // beyond the touching points of a face [units]
+constexpr double kRoom = 4;  // margin beyond the contact points of a face [units]
 
-// Contacts of chains have a copy of them, or several as one.
+// Whether `ref` is this curve. A contact may refer to a copy of it, or to several curves joined to one.
 bool is_it(const Sketch& sketch, const CurveRef& ref, int body, std::size_t curve) {
   if (ref.body != body) {
     return false;

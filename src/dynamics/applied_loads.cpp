@@ -18,7 +18,7 @@ void add_torque(int body, double torque, std::vector<Wrench>& wrenches) {
   wrenches[static_cast<std::size_t>(body)].z() += torque;
 }
 
-// From the first to the second point of a spring.
+// The distance from the first to the second point of a spring.
 struct PointDistance {
   Vector2d p1_W;
   Vector2d p2_W;

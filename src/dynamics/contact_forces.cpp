@@ -13,7 +13,8 @@
 namespace higherpair {
 namespace {
 
-// A first piece has a singular position or two, and a few of the shortest beside each.
+// Pieces left out of a first piece before its shortest length is doubled. Normally a first piece has one or
+// two singular positions, with a few of the shortest pieces next to each.
 constexpr int kManyLeftOut = 16;
 
 class Recorder {
@@ -39,7 +40,7 @@ public:
   }
 
 private:
-  // How many pieces to start with; 0 where nothing changes on the whole path.
+  // Number of pieces to start with; 0 if nothing changes on the whole path.
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
                                      const std::vector<DriverMotion>& to) const {
     double parts = 0;
@@ -68,7 +69,7 @@ private:
     }
   }
 
-  // A path of one position.
+  // Handles a path of one position.
   void add_position() {
     if (auto piece = fitter_.here()) {
       keep(fitter_.position(), *std::move(piece));
@@ -104,13 +105,13 @@ private:
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
 
-  // To which a first piece is divided: twice as long after very many that were left out, as where forces are
-  // noise.
+  // Shortest length to which a first piece is divided; doubled whenever kManyLeftOut more pieces have been
+  // left out, as where forces are noise.
   [[nodiscard]] double shortest() const {
     return std::ldexp(kShortestForcePiece * longest_, times_left_out_ / kManyLeftOut);
   }
 
-  // Next to a singular position.
+  // Leaves out a stretch next to a singular position.
   void leave_out(const ForceStretch& stretch) {
     ++times_left_out_;
     if (left_out_) {
@@ -137,7 +138,8 @@ private:
     }
   }
 
-  // Where the forces of a piece begin behind what was left out: at the break that it was next to.
+  // Where the forces of a piece begin after something was left out: at the break that it was next to, or else
+  // in its middle.
   [[nodiscard]] double beginning_of(const ForcePiece& piece) const {
     const std::optional<double> last_break = fitter_.last_break();
     const bool is_between = last_break && *last_break >= *left_out_ && *last_break <= piece.from;
@@ -150,10 +152,10 @@ private:
   ForceFitter fitter_;
   ContactForces forces_;
   ForceWatch watch_;
-  bool moved_ = false;              // the path has more than one position
-  double longest_ = 0;              // first pieces of this stretch
-  int times_left_out_ = 0;          // in the present one of them
-  std::optional<double> left_out_;  // from where on something singular is left out since the last piece
+  bool moved_ = false;              // whether the path has more than one position
+  double longest_ = 0;              // length of the first pieces of this stretch
+  int times_left_out_ = 0;          // in the present first piece
+  std::optional<double> left_out_;  // begin of what was left out since the last piece
 };
 
 }  // namespace

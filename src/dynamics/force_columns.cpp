@@ -22,7 +22,7 @@ bool ForceColumns::solve(const Run& run) {
     return false;
   }
   statics_.stand(run);
-  // An open contact cannot open, nor one with a wall on either side.
+  // Only closed contacts can open, and not those with a wall on either side.
   for (std::size_t i = 0; i < known_.size(); ++i) {
     known_[i] = row.contacts[i].touches && !mechanism.contacts[i].both_sides;
   }

@@ -7,13 +7,13 @@
 
 namespace higherpair {
 
-/// The columns of ForcePiece at one position.
+/// Computes the columns of ForcePiece at one position.
 class ForceColumns {
 public:
   ForceColumns(const Run& run, std::vector<Preload> preloads);
 
-  /// Takes those of run.row; false where it has no rates or no balance. `run` must be the one of the
-  /// constructor, or a copy.
+  /// Computes the columns at run.row; false if the row has no rates or cannot be balanced. `run` must be the
+  /// one given to the constructor, or a copy.
   [[nodiscard]] bool solve(const Run& run);
 
   [[nodiscard]] std::size_t count() const { return ForcePiece::kParts + preloads_.size(); }
@@ -21,7 +21,7 @@ public:
     return values_[contact * count() + column];
   }
   [[nodiscard]] bool is_known(std::size_t contact) const { return known_[contact]; }
-  /// Largest of all multipliers in a column: what its rounding is relative to.
+  /// Largest of all multipliers in a column, which their rounding is relative to.
   [[nodiscard]] double largest(std::size_t column) const { return largest_[column]; }
 
 private:
@@ -31,8 +31,8 @@ private:
   std::vector<Preload> preloads_;
   bool damped_ = false;
   std::vector<BodyMotion> still_;  // the row's bodies, at rest
-  std::vector<Wrench> wrenches_;   // used up by the balance
-  std::vector<Wrench> rest_;       // of the first column
+  std::vector<Wrench> wrenches_;   // overwritten by the balance
+  std::vector<Wrench> rest_;       // loads of the first column
   std::vector<double> values_;
   std::vector<bool> known_;
   std::vector<double> largest_;

@@ -13,11 +13,10 @@
 namespace higherpair {
 namespace {
 
-// Forces are resolved relative to the largest in their piece, but no smaller than kForceFloor of what they
-// are on all but the worst tenth of the path, which may be next to a pole.
+// Number of positions on the path at which the usual size of the forces is determined; see kForceFloor.
 constexpr int kFloorSamples = 64;
 
-// Forces or their rates may be discontinuous there.
+// Whether forces or their rates may be discontinuous at an event.
 bool breaks_forces(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
          event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
@@ -114,7 +113,7 @@ std::optional<ForcePiece> ForceFitter::here() {
   return std::move(fit.piece);
 }
 
-// The series through the values at the nodes, and how far they have converged.
+// Converts the values at the nodes into series and determines how far these have converged.
 void ForceFitter::converge(ForceFit& fit) {
   for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
     ForceSeries& series = fit.piece.columns[i];
@@ -127,7 +126,7 @@ void ForceFitter::converge(ForceFit& fit) {
   fit.piece.noise *= std::max(1.0, 4 * fit.tail / kMultiplierRounding);
 }
 
-// Moves there; a break on the way that lies within the fit's piece is noted, the first one.
+// Moves the run to `to`. Records the first break on the way that lies within the fit's piece.
 void ForceFitter::move(double to, ForceFit& fit) {
   path_.motion(position_.at, was_);
   path_.motion(to, drivers_);
@@ -148,7 +147,7 @@ void ForceFitter::move(double to, ForceFit& fit) {
   position_.at = to;
 }
 
-// The parameter at which the drivers have gone a share of their straight path from here to `to`.
+// The parameter at which the drivers have covered a fraction of their straight path from here to `to`.
 double ForceFitter::place_of(double share, double to) {
   std::size_t most = 0;
   const auto way = [&](std::size_t i) { return drivers_[i].position - was_[i].position; };
@@ -182,7 +181,7 @@ bool ForceFitter::sample(double at, ForceFit& fit) {
   for (std::size_t column = 0; column < columns_.count(); ++column) {
     scales_[column] = std::max(scales_[column], columns_.largest(column));
   }
-  // The parts of a force are known as well as the largest of them.
+  // The parts of a force are all known to the accuracy of the largest of them.
   const double largest = *std::max_element(scales_.begin(), scales_.begin() + ForcePiece::kParts);
   std::fill(scales_.begin(), scales_.begin() + ForcePiece::kParts, largest);
   fit.piece.noise = kMultiplierRounding * largest;

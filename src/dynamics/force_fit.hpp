@@ -14,29 +14,29 @@ namespace higherpair {
 struct ForceStretch {
   double from = 0;
   double to = 0;
-  bool breaks_at_end = false;  ///< where forces may be discontinuous, so that no row belongs there
-  double tail = std::numeric_limits<double>::infinity();  ///< of the stretch that it is a half of
+  bool breaks_at_end = false;  ///< forces may be discontinuous there: no row belongs there
+  double tail = std::numeric_limits<double>::infinity();  ///< ForceFit::tail of the double stretch
 };
 
 /// The contact forces on a stretch as series in Chebyshev polynomials.
 struct ForceFit {
   ForcePiece piece;
-  std::size_t defined = 0;      ///< at how many nodes there are forces
+  std::size_t defined = 0;      ///< number of nodes at which forces are defined
   double tail = 0;              ///< last coefficients, relative to the largest multiplier
-  std::optional<double> event;  ///< a break strictly within: behind it nothing has been looked at
+  std::optional<double> event;  ///< a break strictly within; the stretch beyond it has not been examined
 };
 
-/// The parameter of a path's piece at t, from -1 to 1.
+/// The path's parameter at t of a piece, with t from -1 to 1.
 [[nodiscard]] double parameter(const ForcePiece& piece, double t);
 
-/// Takes contact forces at the nodes of pieces of a path, along which it moves a run.
+/// Moves a run along a path and fits contact forces at the nodes of its pieces.
 class ForceFitter {
 public:
-  /// Resolves forces relative to the largest in their piece, but no smaller than a share of what they are on
-  /// most of the path: in a dwell they may be nothing but rounding, which no series resolves.
+  /// Forces are resolved relative to the largest in their piece, but no finer than relative to a fraction of
+  /// what they are on most of the path: in a dwell they may be only rounding, which no series resolves.
   ForceFitter(const Run& start, const DriverPath& path, const std::vector<Preload>& preloads);
 
-  /// Where it is on the path, to go back to.
+  /// A position on the path that the fitter can go back to.
   struct Position {
     Run run;
     double at = 0;
@@ -45,12 +45,13 @@ public:
   void go_back(const Position& position) { position_ = position; }
 
   [[nodiscard]] ForceColumns& columns() { return columns_; }
-  /// What events and shortest pieces are relative to: the length of this stretch's first pieces.
+  /// Sets the length of this stretch's first pieces, which the positions of events and the shortest pieces
+  /// are relative to.
   void set_longest(double longest) { longest_ = longest; }
-  /// Where the last break was found; none: nowhere.
+  /// Where the last break was found; none if there was none.
   [[nodiscard]] std::optional<double> last_break() const;
 
-  /// The forces on a stretch, in front of which it is.
+  /// The forces on a stretch. \pre the fitter is at or before its begin
   [[nodiscard]] ForceFit fit(const ForceStretch& stretch);
   /// The forces at the position itself, as a piece of length 0; none where they are not defined.
   [[nodiscard]] std::optional<ForcePiece> here();
@@ -70,8 +71,8 @@ private:
   double longest_ = 0;
   std::optional<EventType> last_break_;
   double last_break_at_ = 0;
-  std::vector<double> floor_;   // least of `scales_`
-  std::vector<double> scales_;  // of the columns of a fit
+  std::vector<double> floor_;   // lower bounds of `scales_`
+  std::vector<double> scales_;  // largest values of the columns in a fit
   std::vector<DriverMotion> drivers_;
   std::vector<DriverMotion> was_;
 };

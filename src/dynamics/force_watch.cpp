@@ -31,7 +31,7 @@ ForceSeries negative(ForceSeries p) {
   return p;
 }
 
-// The zero in front of `below`, where p < 0 for the first time after `from`.
+// The zero just before `below`, which is the first place after `from` where p < 0.
 double zero_before(const ForceSeries& p, double from, double below) {
   double low = below;
   for (double step = kStepToZero; low > from && value_at(p, low) < 0; step *= 4) {

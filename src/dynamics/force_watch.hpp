@@ -10,7 +10,7 @@
 namespace higherpair {
 
 /// Watches the forces of all contacts, piece after piece along a path: where contacts open, and how low the
-/// forces come. What it sees it puts into `forces`.
+/// forces become. Results are added to `forces`.
 class ForceWatch {
 public:
   ForceWatch(const DriverPath& path, ForceFitter& fitter, ContactForces& forces)
@@ -19,21 +19,21 @@ public:
         forces_(forces),
         contacts_(fitter.position().run.mechanism().contacts.size()) {}
 
-  /// \param before  where the run was in front of the piece
-  /// \param behind  where its forces begin behind something singular that was left out; none: nothing was
+  /// \param before  position of the run before the piece
+  /// \param behind  where the piece's forces begin, if something singular before it was left out; else none
   void pass(const ForceFitter::Position& before, const ForcePiece& piece, std::optional<double> behind);
 
-  /// Behind a stretch without forces nothing is known of the contacts.
+  /// Called after a stretch without forces: nothing is known of the contacts any more.
   void forget();
 
 private:
   enum class State { kUnknown, kPressing, kOpen };
 
-  // What is known of a contact at the end of the pieces before.
+  // What is known of a contact at the end of the previous piece.
   struct Watched {
     State state = State::kUnknown;
     double end = 0;                                          // its force there [N]
-    double least = std::numeric_limits<double>::infinity();  // largest force of the calmest piece so far
+    double least = std::numeric_limits<double>::infinity();  // the least of the pieces' largest forces so far
   };
 
   void find_openings(const ForceFitter::Position& before, const ForcePiece& piece, std::size_t i,

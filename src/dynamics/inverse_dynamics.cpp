@@ -57,7 +57,7 @@ const Reactions& InverseDynamics::solve(const Run& run) {
 }
 
 std::optional<double> InverseDynamics::determined(std::size_t row, double factor) const {
-  // A component that the condition does not have is 0 whatever the multiplier.
+  // A component that the condition does not have is 0, whatever the multiplier.
   if (factor == 0) {
     return 0.0;
   }

@@ -23,7 +23,7 @@ void pivot(Eigen::MatrixXd& tableau, Eigen::Index row, Eigen::Index column) {
   }
 }
 
-// Bland's rule, which cannot go round in circles: the first column that gains.
+// Bland's rule, which cannot cycle: the first column that improves the objective.
 Eigen::Index gaining_column(const Eigen::MatrixXd& tableau) {
   const Eigen::Index last = tableau.rows() - 1;
   for (Eigen::Index j = 0; j + 1 < tableau.cols(); ++j) {
@@ -50,9 +50,9 @@ Eigen::Index leaving_row(const Eigen::MatrixXd& tableau, Eigen::Index column) {
 
 // With x = x⁺ - x⁻ the dual programme is
 //     Σ at_least_i y_i -> max   with   ± Σ_i coefficients_ij y_i <= weights_j,   y >= 0,
-// which y = 0 meets: the simplex method can begin at once. x⁺ and x⁻ are the reduced costs of its slacks. It
-// is scaled so that weights are 1, the largest coefficient of a condition is 1, and so is the largest of
-// at_least.
+// which y = 0 satisfies, so the simplex method can start from it. x⁺ and x⁻ are the reduced costs of its
+// slack variables. The programme is scaled so that all weights, the largest coefficient of each condition and
+// the largest at_least are 1.
 std::optional<std::vector<double>> solve(const LeastSum& programme) {
   const auto n = static_cast<Eigen::Index>(programme.weights.size());
   const auto m = static_cast<Eigen::Index>(programme.conditions.size());

@@ -16,7 +16,7 @@ struct LeastSum {
   std::vector<Condition> conditions;
 };
 
-/// Its solution by the simplex method; none where no x meets all conditions.
+/// Solves it by the simplex method; none if no x meets all conditions.
 [[nodiscard]] std::optional<std::vector<double>> solve(const LeastSum& programme);
 
 }  // namespace higherpair

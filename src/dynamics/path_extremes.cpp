@@ -11,32 +11,32 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFewest = 48;          // parts of a path
-constexpr double kFewestInStretch = 3;  // parts between two breaks
-constexpr double kMarks = 24;           // places from which the run can go on again
+constexpr double kFewest = 48;          // least number of parts of a path
+constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
+constexpr double kMarks = 24;           // positions of the run that are kept to go on from
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Something may jump there.
+// Whether quantities may jump at an event.
 bool is_break(const RunEvent& event) {
   return event.type != EventType::kStrokeEnd && event.type != EventType::kOverlap;
 }
 
-// Next to it rates grow beyond all bounds, or are rounding.
+// Whether rates next to an event grow without bound, or are rounding.
 bool is_singular(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint;
 }
 
-// A stretch of the path in which everything is smooth, as far as is known.
+// A stretch of the path on which everything is smooth, as far as is known.
 struct Stretch {
   double from = 0;
   double to = 0;
-  bool singular_from = false;  // something singular is before
-  bool singular_to = false;    // and behind
+  bool singular_from = false;  // whether there is something singular before it
+  bool singular_to = false;    // and beyond it
   std::vector<double> at;
-  std::vector<std::vector<double>> values;  // of every quantity, at those places
+  std::vector<std::vector<double>> values;  // of every quantity, at those positions
 };
 
-// A run that moves to places of the path.
+// A run that moves along the path.
 class Mover {
 public:
   Mover(const Run& run, const DriverPath& path, double at) : path_(&path), run_(run), at_(at) {}
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  // Ends the stretch in front of a singular position and begins another one behind it.
+  // Ends the stretch before a singular position and begins another one beyond it.
   void part_at(double place, double at, double apart) {
     Stretch& before = stretches_.back();
     while (!before.at.empty() && place - before.at.back() < apart) {
@@ -213,8 +213,8 @@ private:
     }
     std::optional<Mover> mover;
     const auto value = [&](double at) {
-      // From the last mark before the first place that is asked for, and from there on to and fro: between
-      // neighbouring samples nothing is lost.
+      // Start from the last mark before the first position that is asked for, then move back and forth:
+      // between neighbouring samples the branch is not lost.
       if (!mover || !mover->run().at.held || std::abs(at - mover->at()) > near_) {
         const auto after =
             std::upper_bound(marks_.begin(), marks_.end(), at,
@@ -245,7 +245,7 @@ private:
     });
   }
 
-  // The outermost sample of a stretch counts as its end, as does any place within rounding of it.
+  // The outermost sample of a stretch counts as its end, as does any position within rounding of it.
   [[nodiscard]] double settled(double at) const {
     const auto after =
         std::upper_bound(stretches_.begin(), stretches_.end(), at,
@@ -265,7 +265,7 @@ private:
   const DriverPath& path_;
   const std::vector<PathQuantities>& blocks_;
   const PathLook& look_;
-  std::size_t count_ = 0;  // of quantities
+  std::size_t count_ = 0;  // number of quantities
   std::vector<Stretch> stretches_;
   std::vector<Mover> marks_;
   double mark_every_ = 0;

@@ -18,7 +18,7 @@ bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-// A force as the sum of its columns with these weights.
+// The weighted sum of a force's columns.
 ForceSeries weighted(const ForcePiece& piece, std::size_t contact, const std::vector<double>& weights) {
   ForceSeries sum{};
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -30,8 +30,8 @@ ForceSeries weighted(const ForcePiece& piece, std::size_t contact, const std::ve
   return sum;
 }
 
-// The columns at the position where a weighted force is furthest below 0; none where it is nowhere below
-// what rounding allows.
+// The columns at the position where a weighted force is furthest below 0; none if it is nowhere negative
+// beyond rounding.
 std::optional<std::vector<double>> worst_place(const ContactForces& forces, std::size_t contact,
                                                const std::vector<double>& weights) {
   const ForcePiece* worst = nullptr;
@@ -72,7 +72,7 @@ double largest_of(const ContactForces& forces, std::size_t column) {
   return largest;
 }
 
-// Whether a contact force falls below 0 towards a singular position, as far as its slope says.
+// Whether a contact force, extrapolated with its slope, falls below 0 towards a singular position.
 bool opens_at_singular(const ContactForces& forces, std::size_t contact, const std::vector<double>& weights) {
   return std::any_of(forces.pieces.begin(), forces.pieces.end(), [&](const ForcePiece& piece) {
     if (!piece.known[contact] || !(piece.singular_from || piece.singular_to)) {
@@ -80,7 +80,7 @@ bool opens_at_singular(const ContactForces& forces, std::size_t contact, const s
     }
     const ForceSeries force = weighted(piece, contact, weights);
     const ForceSeries slope = derivative(force);
-    // What is left out is about as long as the piece beside it: 2 in t.
+    // What is left out is about as long as the piece next to it: 2 in t.
     const auto falls = [&](double end) {
       return value_at(force, end) + 2 * end * value_at(slope, end) <
              -piece.noise - kSumRounding * (std::abs(force[0]) + spread(force));
@@ -99,9 +99,9 @@ bool opens_at_singular(const ContactForces& forces, const std::vector<double>& w
 }
 
 struct ForceTerms {
-  double most = std::numeric_limits<double>::infinity();  // that the preload may be
-  double weight = 1;                                      // in the sum
-  double nothing = 0;  // what it adds to a contact force up to this is rounding
+  double most = std::numeric_limits<double>::infinity();  // largest possible preload
+  double weight = 1;                                      // weight in the sum
+  double nothing = 0;  // contributions to a contact force up to this are rounding
 };
 
 ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double size) {
@@ -109,13 +109,14 @@ ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double s
   const bool on_spring = preload.on == Preload::On::kSpring;
   const Spring* spring = on_spring ? &mechanism.springs[index] : nullptr;
   if (spring != nullptr && !spring->joint) {
-    return {spring->stiffness * spring->free, 1, 0};  // a free length of 0
+    return {spring->stiffness * spring->free, 1, 0};  // at a free length of 0
   }
   const auto joint = on_spring ? static_cast<std::size_t>(*spring->joint) : index;
   return {ForceTerms().most, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
 }
 
-// Exchange for some of the preloads: those in `used`.
+// Finds the smallest preloads, of those in `used`, by an exchange method: solves a linear programme, adds the
+// worst position of every contact that opens as a condition, and repeats until none opens.
 std::optional<std::vector<double>> exchange(const ContactForces& forces, const std::vector<ForceTerms>& terms,
                                             const std::vector<std::size_t>& used,
                                             const PreloadRounding* rounding) {
@@ -229,7 +230,7 @@ std::optional<double> highest_speed(const ContactForces& forces) {
     }
   }
   weights[0] = 0;
-  weights[2] = 1;  // beyond all speeds inertia alone decides
+  weights[2] = 1;  // at infinite speed only inertia counts
   for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
     for (int i = 0; i < kMostExchanges; ++i) {
       const auto worst = worst_place(forces, contact, weights);

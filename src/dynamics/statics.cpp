@@ -13,7 +13,8 @@
 namespace higherpair {
 namespace {
 
-// The conditions are those of run.row; drivers' values are not needed, only coefficients.
+// Records the first row of each item before `append` adds its rows. The conditions are those of run.row; of
+// drivers only the coefficients are needed, not the values.
 template <class Items, class F>
 void for_each_index(const Items& items, std::vector<std::size_t>& first_rows,
                     const std::vector<ConstraintRow>& rows, F append) {
@@ -169,7 +170,8 @@ Statics::PinnedDyad Statics::pinned_dyad(const Block& block) const {
 }
 
 void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wrench>& wrenches) {
-  // The force of a condition on the dyad's body is `sign` times the multipliers, at `r` from its frame.
+  // The force of a pin on the dyad's body is `sign` times its multipliers; it acts at `r` from the origin of
+  // the body's frame.
   struct Pin {
     double sign;
     Vector2d r;
@@ -270,7 +272,8 @@ void Statics::factorise_all() {
         jacobian_.row(static_cast<Eigen::Index>(i)));
   }
   pseudoinverse_ = LeastNormSolver(jacobian_, kRepeatedConditions).pseudoinverse();
-  // J J⁺ projects on the multipliers that hold some load; what it leaves of a unit multiplier is free.
+  // J J⁺ projects onto the multipliers that balance some load; what it removes from a unit multiplier is
+  // undetermined.
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     determined_[i] = 1 - jacobian_.row(at).dot(pseudoinverse_.col(at)) <= kDetermined;

@@ -2,71 +2,75 @@
 
 #include "higherpair/geometry/pose.hpp"
 
-// The tolerances of this room: forces are shares of the largest they are compared with, places shares of the
-// path or of a piece of it.
+// The tolerances of the dynamics. Forces are relative to the largest that they are compared with, positions
+// to the path or a piece of it.
 
 namespace higherpair {
 
 // Statics and inverse dynamics.
 
-/// Share of a multiplier that other solutions may differ by.
+/// Largest fraction of a multiplier that other solutions may differ by if it counts as determined.
 inline constexpr double kDetermined = 1e-9;
-/// What may be left of the wrenches, of the largest.
+/// Largest residual of the balance of wrenches, as a fraction of the largest wrench.
 inline constexpr double kBalancedWrenches = 1e-8;
-/// Multipliers are balances of forces that may be much larger: below this share of the largest they, and
-/// pulling forces, are rounding.
+/// Multipliers are differences of forces that may be much larger: below this fraction of the largest they,
+/// and pulling forces, are rounding.
 inline constexpr double kMultiplierRounding = 1e-11;
-/// Of the largest number of a tableau's row, or of a condition, in the search for the least sum of forces.
+/// In the search for the least sum of forces, numbers below this, relative to the largest in a row of the
+/// tableau or in a condition, count as zero.
 inline constexpr double kTableauNothing = 1e-13;
 
 // Forces as series over pieces of the path.
 
-/// Longest piece: of a turning driver [rad], of a sliding one relative to the size. Forces of ordinary cams
-/// are resolved on pieces between one and a quarter of this.
+/// Longest piece, for a turning driver [rad] and for a sliding one relative to the size. Forces of ordinary
+/// cams are resolved on pieces between one and a quarter of this length.
 inline constexpr double kLongestPieceTurn = kPi / 6;
 inline constexpr double kLongestPieceSlide = 0.25;
-/// Shortest piece, relative to the longest; next to a pole or a root of the driver no piece converges.
+/// Shortest piece, relative to the longest; next to a pole, or where forces behave like a root of the
+/// driver's coordinate, no piece converges.
 inline constexpr double kShortestForcePiece = 0x1p-16;
-/// Events nearer to the end of a piece, relative to the longest, are at the end.
+/// Events nearer than this to the end of a piece, relative to the longest piece, are at its end.
 inline constexpr double kAtPieceEnd = 1e-9;
 /// A series has converged when its last coefficients are below this, relative to the largest multiplier.
 inline constexpr double kSeriesConverged = 1e-13;
-/// Near crossings of branches rates have fewer digits: a series whose last coefficients are below this and do
-/// not fall by kSeriesFall when the piece is halved shows their rounding.
+/// Near crossings of branches rates have fewer digits: a series whose last coefficients are below
+/// kRoughSeries, and do not fall by kSeriesFall when the piece is halved, is accepted, as they are rounding.
 inline constexpr double kRoughSeries = 1e-8;
 inline constexpr double kSeriesFall = 8;
-/// Forces are resolved relative to the largest in their piece, but no smaller than kForceFloor of what they
-/// are on all but the worst tenth of the path, which may be next to a pole.
+/// Forces are resolved relative to the largest in their piece, but no finer than relative to kForceFloor
+/// times what they are on all but the worst tenth of the path, which may be next to a pole.
 inline constexpr double kUsualShare = 0.9;
 inline constexpr double kForceFloor = 0.1;
 
 // Contacts that open.
 
-/// A force that has grown by this up to where it changes sign without a zero has a pole there.
+/// A force that grows by this factor up to where its sign changes without a zero has a pole there.
 inline constexpr double kGrownForce = 1e3;
-/// A force at the end of a piece that is one, of the largest in the next: it jumps.
+/// A force at the end of a piece above this fraction of the largest in the next piece is not zero: if the
+/// sign changes there, it jumps.
 inline constexpr double kJumpOfForce = 1e-6;
-/// Of half a piece: the first step back from where a force is below zero, in search of the zero.
+/// First step back from where a force is below zero, in search of the zero, as a fraction of half a piece.
 inline constexpr double kStepToZero = 1e-13;
-/// Of half a piece: a step of Newton's method towards a zero that is near.
+/// Largest step of Newton's method towards a nearby zero, as a fraction of half a piece.
 inline constexpr double kNearZero = 1e-6;
-/// Of the sum of a force's parts.
+/// Rounding of a force, as a fraction of the sum of its parts' magnitudes.
 inline constexpr double kSumRounding = 1e-12;
-/// The same: precision of the lowest force.
+/// Precision of the lowest force, relative to the same.
 inline constexpr double kLowestForce = 1e-15;
 
 // Extremes along a path.
 
-/// Between two samples: of a turning driver [rad], of a sliding one relative to the size.
+/// Largest distance between two samples, for a turning driver [rad] and for a sliding one relative to the
+/// size.
 inline constexpr double kLongestSampleTurn = kPi / 360;
 inline constexpr double kLongestSampleSlide = 1.0 / 360;
-/// Of a stretch: so far from its ends are its outer samples.
+/// Distance of a stretch's outer samples from its ends, as a fraction of the stretch.
 inline constexpr double kInsideStretch = 1e-6;
-/// Of the way between two samples: nearer to a singular position is none.
+/// Samples nearer to a singular position than this fraction of the spacing are left out.
 inline constexpr double kApartFromSingular = 0.25;
-/// Of the path: where a jump lies is known to that.
+/// Accuracy to which a jump is located, as a fraction of the path.
 inline constexpr double kJumpPlace = 1e-12;
-/// Of the largest value of a quantity.
+/// Rounding of a quantity, as a fraction of its largest value.
 inline constexpr double kValueRounding = 1e-11;
 
 }  // namespace higherpair

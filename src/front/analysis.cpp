@@ -21,7 +21,7 @@ Error input_error(Diagnostics mistakes) {
   return {ErrorKind::kInput, std::move(mistakes)};
 }
 
-constexpr std::int64_t kSlipsLookedFor = 1000;  // positions at which a rolling pair is tried before the run
+constexpr std::int64_t kSlipsLookedFor = 1000;  // at which a rolling pair is checked before the run
 std::string text_of(const Slip& slip, const Profile& profile) {
   const Dimension dimension = driver_dimension(profile.mechanism);
   const Dimension per_unit = dimension::kLength / dimension;
@@ -87,7 +87,7 @@ double way_of(const DriverSchedule& schedule, std::size_t driver) {
   return way;
 }
 
-// What is wrong with a driver that goes so far from its first position [rad or m]; empty: nothing.
+// The objection to a driver that moves this far from its first position [rad or m]; empty if there is none.
 std::string objection_to_way(const Model::Data& model, std::size_t driver, double way) {
   const Profile& profile = model.profile;
   const std::string name = driver_name(profile.mechanism.drivers[driver]);

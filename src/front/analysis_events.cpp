@@ -1,4 +1,4 @@
-// What happens on the path to a row.
+// Events on the path to a row.
 #include "analysis_impl.hpp"
 #include "tolerances.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
-// In the order of the path: its driver may pass a place twice, so that only time or share tells.
+// Order along the path. The driver may pass a position twice, so only time or share can decide.
 bool is_earlier(const Event& a, const Event& b) {
   if (a.row != b.row) {
     return a.row < b.row;
@@ -74,8 +74,8 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   events.push_back(std::move(event));
 }
 
-// Moves to the next row, over the places where the driver turns back if such lie between the rows: it may
-// pass something there and pass it again.
+// Moves to the next row by way of the positions in between at which the driver turns back, if any: it may
+// pass something there and pass it again on its way back.
 void Analysis::Impl::move() {
   const std::size_t first = events.size();
   const auto note = [&](double from, double to) {
@@ -152,7 +152,7 @@ Event Analysis::Impl::opening_event(const ContactForceReport::Opening& opening) 
   return event;
 }
 
-// Contacts that open lie between rows as well: they are looked for on the whole path, whatever its rows.
+// Contacts may open between rows as well: openings are searched for on the whole path, whatever its rows.
 void Analysis::Impl::report_openings() {
   contacts = report_contacts(model->profile, schedule, *start);
   for (const ContactForceReport::Opening& opening : contacts.openings) {

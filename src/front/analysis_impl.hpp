@@ -17,7 +17,7 @@ namespace higherpair {
 /// Why the mechanism cannot be run at all: no driver, or no order of solution.
 [[nodiscard]] std::optional<Error> refuse_to_start(const Model::Data& model);
 
-/// The drivers' positions of a run, row by row. Fails for settings that are wrong. \pre the mechanism has a
+/// Positions of the drivers in each row of a run. Fails for invalid settings. \pre the mechanism has a
 /// driver.
 [[nodiscard]] Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings);
 
@@ -25,43 +25,43 @@ namespace higherpair {
 [[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,
                                            const Units& units);
 
-/// A run goes on at the beginning of every block of so many rows as a scout has come there (RowScout), unless
-/// the scout is in another state: rows do not depend on those of the blocks before, and blocks worked out on
-/// several threads are the same to the last bit.
+/// Rows per block. At the beginning of each block a run continues from the state in which a scout (RowScout)
+/// has arrived there, unless that state differs from its own. Rows then do not depend on the blocks before
+/// theirs, and blocks computed on several threads are the same to the last bit.
 inline constexpr std::int64_t kBlockRows = 4096;
 
-/// The row loop: from the schedule of the drivers to the row of a table, with what happens on the path.
+/// The row loop: from the schedule of the drivers to the rows of a table and the events on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;
   Units units;
   DriverSchedule schedule;
   Run run;
   ColumnSet columns;
-  std::optional<InverseDynamics> dynamics;  ///< of a run with forces
-  std::optional<Run> start;                 ///< the same, at the first row
-  std::int64_t next = 0;                    ///< row
-  std::vector<DriverState> drivers;         ///< in the row
-  std::vector<DriverMotion> motions;        ///< the same
+  std::optional<InverseDynamics> dynamics;  ///< only with forces
+  std::optional<Run> start;                 ///< the run at its first row; only with forces
+  std::int64_t next = 0;                    ///< number of the next row
+  std::vector<DriverState> drivers;         ///< in the current row
+  std::vector<DriverMotion> motions;        ///< in the current row
   std::vector<Event> events;
   bool good = true;
   Diagnostics notes;
-  ContactForceReport contacts;           ///< of a run with forces, after its last row
-  const Reactions* reactions = nullptr;  ///< in the row, of a run with forces
+  ContactForceReport contacts;           ///< only with forces, after the last row
+  const Reactions* reactions = nullptr;  ///< in the current row; only with forces
 
-  RowHistory history = {};             ///< up to the row
-  std::optional<RowScout> scout = {};  ///< of a run of several blocks that gives its rows in order
+  RowHistory history = {};             ///< up to the current row
+  std::optional<RowScout> scout = {};  ///< only of a run of several blocks whose rows are computed in order
 
   [[nodiscard]] bool next_row(Row& row);
 
-  /// A copy that works out blocks: the events and all that is known after the last row are not its concern.
+  /// A copy that computes single blocks; what is known only after the last row is left to the original.
   [[nodiscard]] std::unique_ptr<Impl> make_worker() const;
-  /// The next row is the first of a block; `from` is how it is at the row before.
+  /// Continues with `row`, the first of a block; `from` is the state at the row before it.
   void begin_at(std::int64_t row, const RunPlace& from);
-  /// What a worker has found in the block of rows from `next` up to `end`.
+  /// Adds what a worker has found in the rows from `next` up to, but not including, `end`.
   void add_block(std::vector<Event> found, bool all_good, std::int64_t end);
 
-  /// Of the events up to a row those that keep the path there from being good: limit positions and ends of
-  /// curves before the row itself, and overlaps.
+  /// The events up to a row that make the path to it bad: overlaps, and limit positions and ends of curves
+  /// before the row itself.
   [[nodiscard]] std::vector<Event> faults_before(std::int64_t row) const;
 
 private:

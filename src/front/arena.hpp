@@ -9,12 +9,12 @@
 
 namespace higherpair {
 
-/// So many threads; 0: as many as there are cores to be used.
+/// Number of threads to use; 0 means as many as there are usable cores.
 [[nodiscard]] inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : tbb::info::default_concurrency();
 }
 
-/// Does the work on so many threads, which may be more than there are cores.
+/// Does the work on this many threads, which may be more than there are cores.
 template <class Work>
 void on_threads(int threads, const Work& work) {
   std::optional<tbb::global_control> more;
@@ -24,7 +24,7 @@ void on_threads(int threads, const Work& work) {
   tbb::task_arena(threads).execute(work);
 }
 
-/// Calls f(0) to f(count - 1), in no order, on so many threads; 0: as many as there are cores to be used.
+/// Calls f(0) to f(count - 1), in any order, on this many threads; 0 means as many as there are usable cores.
 template <class F>
 void for_each_on_threads(std::size_t count, int threads, const F& f) {
   on_threads(thread_count(threads), [&] { tbb::parallel_for(std::size_t{0}, count, f); });

@@ -32,7 +32,7 @@ std::string remark_on(const CurveContact& contact) {
   return contact.at_limit ? "limit position: two contacts merge" : "";
 }
 
-// A turning joint's coordinate starts at the turn that is nearest to the poses.
+// The coordinate of a turning joint is taken in the turn nearest to the pose.
 double position_of(double q, const Profile& profile, const ContactPlace& place) {
   const CarriedBody& follower = place.follower;
   const bool turns = follower.freedom.turns;
@@ -57,13 +57,13 @@ ContactEntry entry_of(const CurveContact& contact, const Profile& profile, const
   return entry;
 }
 
-// The interval of q as one of the position: in the profile's units, rounded outwards.
+// Converts an interval of q to one of the follower's position, in the profile's units, rounded outwards.
 std::array<double, 2> position_interval(const std::array<double, 2>& q, double q_of_contact,
                                         const Profile& profile, const ContactPlace& place) {
   const double position = position_of(q_of_contact, profile, place);
   const double sign = place.follower.sign;
   const Scaling scaling = from_si(coordinate_dimension(place.follower.freedom.turns), profile.units);
-  // The position may be a turn away from q: the interval keeps its place about it.
+  // The position may differ from q by a turn: the interval is placed relative to the position.
   const auto bound = [&](double q_bound, double towards) {
     return std::nextafter(position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
   };
@@ -149,7 +149,7 @@ void add_certificate(const Certificate& certificate, const CurveContacts& found,
   }
 }
 
-// The positions on curves with ends or of several parts.
+// The contacts of curves with ends or of several parts.
 CurveContacts curve_contacts(const BoundaryPair& pair, double u, const BoundaryContacts& all) {
   const double tolerance = kTouchingDepth * (pair.boundary1->size() + pair.boundary2->size());
   CurveContacts found;
@@ -169,7 +169,7 @@ CurveContacts curve_contacts(const BoundaryPair& pair, double u, const BoundaryC
   return found;
 }
 
-// Whether the list is proven, and where not.
+// Reports whether the list of contacts is proven to be complete, and where it is not.
 void add_proof(const BoundaryContacts& all, const Profile& profile, const ContactPlace& place,
                ContactReport& report) {
   report.complete = all.has_bounds && all.undecided.empty();
@@ -210,7 +210,7 @@ ContactReport list_boundary_contact(const Profile& profile, const ContactPlace& 
   return report;
 }
 
-// The positions of one follower.
+// Lists the positions of one follower.
 Result<ContactReport> list_contact(const Model::Data& model, const ContactPlace& place, bool certify) {
   if (model.profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].by_boundary) {
     return list_boundary_contact(model.profile, place, certify);

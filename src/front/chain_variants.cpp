@@ -21,7 +21,7 @@ namespace {
 
 using Quantity = ChainColumn::Quantity;
 
-constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of them are kept
+constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of which are kept in memory
 
 struct NamedQuantity {
   std::string_view name;
@@ -40,7 +40,7 @@ constexpr std::array<NamedQuantity, 9> kQuantities{
      {"angle", Quantity::kAngle, dimension::kAngle},
      {"omega", Quantity::kOmega, dimension::kAngularVelocity},
      {"alpha", Quantity::kAlpha, dimension::kAngularAcceleration}}};
-constexpr std::size_t kOfPoints = 6;  // the first so many
+constexpr std::size_t kOfPoints = 6;  // only the first of these apply to points
 
 std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::string_view path) {
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -99,7 +99,7 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
   return std::nullopt;
 }
 
-// Adds the column of this name unless it is there; its place.
+// Adds the column of this name unless it is already there; returns its index.
 std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
                                       ChainRecipe& recipe) {
   const auto add = [&](ChainColumn column, const Dimension& dimension) {
@@ -146,7 +146,7 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
   return force ? std::optional(add(force->column, force->dimension)) : std::nullopt;
 }
 
-// The driver in the rows; false where something happens between two of them that is no straight way.
+// Takes the driver's motion in all rows; false if the driver turns back, or its law jumps, between two rows.
 bool take_rows(const DriverSchedule& schedule, bool in_time, ChainRecipe& recipe) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     if (!schedule.turning_points(k).empty() || !schedule.law_jumps(k).empty()) {
@@ -184,8 +184,7 @@ bool is_as_written(const ChainRecipe& recipe, std::span<const double> numbers, c
 
 enum class Agreement { kNone, kUnknown, kFull };
 
-// Whether a variant that is read is what the recipe makes of its numbers. One that cannot be read says
-// nothing.
+// Whether a variant that is read equals what the recipe makes of its numbers; unknown if it cannot be read.
 Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, const RunSettings& run,
                     ModelVariants& models) {
   const Result<Model> read = models.with(numbers);
@@ -200,7 +199,7 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, 
   return same ? Agreement::kFull : Agreement::kNone;
 }
 
-// Of all tries: none where one is not, unknown where none can be read.
+// Over all tries: none if one of them disagrees, unknown if none can be read.
 Agreement agreement(const ChainRecipe& recipe, std::span<const std::vector<double>> tries,
                     const RunSettings& run, ModelVariants& models) {
   Agreement all = Agreement::kUnknown;
@@ -214,13 +213,13 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const std::vector<doubl
   return all;
 }
 
-// What may vary besides coordinates of points: a variant is read then.
+// Numbers that may vary besides coordinates of points; variants must be read then.
 bool may_vary(std::string_view path) {
   return path.starts_with("bodies.") || path.starts_with("loads.") || path.starts_with("springs.") ||
          path.starts_with("gravity");
 }
 
-// False where a number is of something else than a body, or what acts on it.
+// False where a number belongs to anything but bodies, loads, springs and gravity.
 bool take_targets(std::span<const std::string> paths, ChainRecipe& recipe) {
   bool all = true;
   for (const std::string& path : paths) {
@@ -272,7 +271,7 @@ std::optional<ChainRecipe> ChainRecipe::of(const Model& model, std::span<const s
   }
   Agreement agrees = agreement(recipe, tries, run, models);
   if (agrees == Agreement::kNone && recipe.writes()) {
-    recipe.targets.clear();  // a number says more than a place, such as where a load acts
+    recipe.targets.clear();  // a number has more effect than a point, such as where a load acts
     agrees = agreement(recipe, tries, run, models);
   }
   return agrees == Agreement::kFull ? std::optional(std::move(recipe)) : std::nullopt;
@@ -295,7 +294,7 @@ bool ChainVariants::solve(const Mechanism& mechanism) {
   if (!chain_.solve(mechanism)) {
     return false;
   }
-  // What overflows in the units of the table is undefined there.
+  // Values that overflow in the units of the table are undefined there.
   for (std::size_t i = 0; i < recipe_->columns.size(); ++i) {
     extremes_[i] = extremes_of(chain_.values(i));
     if (!std::isfinite(recipe_->scales[i].apply(extremes_[i].low)) ||

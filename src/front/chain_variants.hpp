@@ -13,11 +13,12 @@
 
 namespace higherpair {
 
-/// How to work out the variants of a linkage of dyads and discs (analysis/dyad_chain.hpp) whose numbers are
-/// of its bodies and of what acts on them: they are not followed row by row. Where all are coordinates of
-/// points they are written into the mechanism, which is neither read nor planned. Never changes once made.
+/// How to compute the variants of a linkage of dyads and discs (analysis/dyad_chain.hpp) that differ only in
+/// numbers of bodies, loads, springs and gravity, without following each variant row by row. If all these
+/// numbers are coordinates of points, they are written straight into the mechanism, and no variant has to be
+/// read or planned. Immutable.
 struct ChainRecipe {
-  /// Where a number of the profile lands.
+  /// Where a number of the profile belongs in the mechanism.
   struct Target {
     std::size_t body = 0;
     std::size_t point = 0;
@@ -26,38 +27,38 @@ struct ChainRecipe {
 
   Mechanism mechanism;
   Plan plan;
-  std::vector<Target> targets;  ///< of the numbers; none where variants have to be read
+  std::vector<Target> targets;  ///< one for each number; empty where variants have to be read
   Scaling to_si;
   std::vector<DriverMotion> rows;
   std::vector<double> where;  ///< Measured::where of each row
   std::vector<ChainColumn> columns;
-  std::vector<Scaling> scales;     ///< of the columns: to the units of the run
-  std::vector<Measure> measures;   ///< what is asked
-  std::vector<std::size_t> slots;  ///< of each measure: its column
+  std::vector<Scaling> scales;     ///< for each column: to the units of the run
+  std::vector<Measure> measures;   ///< to be evaluated
+  std::vector<std::size_t> slots;  ///< for each measure: its column
 
-  /// None where numbers are of other things than bodies and what acts on them, a measure is not one of
-  /// ChainColumn, or the run is not one for DyadChain.
-  /// \param models  of these paths
-  /// \param tries   values of the numbers at which the mechanism that is read must be the one that is written
+  /// None where other numbers vary, a measure is not of a ChainColumn, or the run does not suit DyadChain.
+  /// \param models  for these paths
+  /// \param tries   values of the numbers for which the variant that is read must equal the one that is
+  /// written
   [[nodiscard]] static std::optional<ChainRecipe> of(const Model& model, std::span<const std::string> paths,
                                                      const RunSettings& run, std::vector<Measure> measures,
                                                      ModelVariants& models,
                                                      std::span<const std::vector<double>> tries);
 
-  /// Whether a variant is what its numbers make of the mechanism, without being read.
+  /// Whether variants are made by writing their numbers into the mechanism, without reading the profile.
   [[nodiscard]] bool writes() const { return !targets.empty(); }
 };
 
-/// Variants by a recipe, one after the other; it outlives them.
+/// Variants by a recipe, one after the other; the recipe must outlive them.
 class ChainVariants {
 public:
-  /// None where the recipe's mechanism is no chain.
+  /// None where the recipe's mechanism is not a chain.
   [[nodiscard]] static std::optional<ChainVariants> of(const ChainRecipe& recipe);
 
-  /// Whether it is certain that every row of the variant with these numbers is `ok` and its path good. Then
-  /// value() says what its measures come to; else it has to be read and run. \pre the recipe writes()
+  /// Whether it is certain that every row of the variant with these numbers is `ok` and its path good. If so,
+  /// value() gives its measures; otherwise the variant has to be read and run. \pre the recipe writes()
   [[nodiscard]] bool solve(std::span<const double> numbers);
-  /// The same of a variant that has been read.
+  /// The same for a variant that has been read.
   [[nodiscard]] bool solve(const Model& variant);
 
   /// \param wants_where  false: Measured::where may be left undefined
@@ -72,9 +73,9 @@ private:
   [[nodiscard]] bool solve(const Mechanism& mechanism);
 
   const ChainRecipe* recipe_;
-  Mechanism mechanism_;  // of a recipe that writes: the variant solved last
+  Mechanism mechanism_;  // of a recipe that writes: the last variant solved
   DyadChain chain_;
-  std::vector<Extremes> extremes_;  // of the columns, in the variant solved last
+  std::vector<Extremes> extremes_;  // for each column, in the last variant solved
 };
 
 }  // namespace higherpair

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::int64_t kMostRows = 37;
 
-// Enough rows: what happens between them is found however far apart they are. None where they are given one
-// by one.
+// A small number of rows is enough: events between rows are found however far apart these are. None for a run
+// in time, and where rows are given one by one.
 std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
   std::int64_t most = kMostRows;
   for (const DriverProgram& program : profile.programs) {
@@ -27,7 +27,7 @@ std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
   return most;
 }
 
-// All rows, for what happens between them. False where the run was stopped.
+// Runs through all rows for the events between them. False if the run was stopped.
 bool run_through(Analysis& analysis, CheckReport& report) {
   Row row;
   while (analysis.next(row)) {
@@ -39,7 +39,8 @@ bool run_through(Analysis& analysis, CheckReport& report) {
   return !report.stopped;
 }
 
-// Where bodies never overlap elsewhere nobody needs to look out for it again.
+// If the run showed no overlap and no second contact, switches off the overlap monitoring of contacts that do
+// not overlap at the start.
 void spare_watches(const std::vector<Event>& events, Run& start) {
   const bool quiet = std::none_of(events.begin(), events.end(), [](const Event& event) {
     return event.type == EventType::kSecondContact || event.type == EventType::kOverlap ||

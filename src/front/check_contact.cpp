@@ -21,7 +21,7 @@ bool contains(const std::vector<int>& items, int item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-// Whether the body that a contact moves is its second one: the later one in the order of solution.
+// Whether the body that a contact moves, the later one in the order of solution, is its second one.
 bool moves_second(const Run& run, int index) {
   const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
   for (const Group& group : run.plan().groups) {
@@ -38,7 +38,7 @@ bool moves_second(const Run& run, int index) {
 // One contact: its geometry and its speeds.
 class CheckedContact {
 public:
-  /// \param split  whether pressure angles of the return have a limit of their own
+  /// \param split  whether pressure angles of the return stroke have a limit of their own
   CheckedContact(const Run& run, std::size_t index, bool split)
       : index_(index),
         split_(split),
@@ -62,8 +62,8 @@ public:
     }
   }
 
-  // In the order of Quantity.
-  // \param speed  that the drivers make of the size
+  // One for each Quantity, in its order.
+  // \param speed  the drivers' rate times the size of the mechanism
   [[nodiscard]] std::vector<Sought> sought(double speed) const {
     const auto above = [](Sought sought, double noise) {
       sought.noise = noise;
@@ -95,7 +95,7 @@ public:
     if (row.has_rates[static_cast<std::size_t>(contact_.first.body)] &&
         row.has_rates[static_cast<std::size_t>(contact_.second.body)]) {
       out[kSliding] = motion.rates.sliding;
-      // Of a roller that turns freely the surface keeps up with that of the other body.
+      // The surface of a freely turning roller moves with that of the other body.
       const double along = second_ == idle_follower_ ? motion.rates.along1 : motion.rates.along2;
       out[kEntrainment] = idle_ ? along : (motion.rates.along1 + motion.rates.along2) / 2;
       out[kLeastEntrainment] = std::abs(out[kEntrainment]);
@@ -162,7 +162,7 @@ private:
     }
   }
 
-  // Whether the follower moves against the normal out of the other body, at more than rounding.
+  // Whether the follower moves back, against the outward normal of the other body, faster than rounding.
   [[nodiscard]] bool goes_back(const MotionRow& row, const CommonNormal& at) const {
     const auto velocity = [&](int body) {
       const BodyMotion& motion = row.bodies[static_cast<std::size_t>(body)];

@@ -28,7 +28,7 @@ public:
     }
   }
 
-  // Of each contact force and pressure, of each driver the effort.
+  // Force and pressure of each contact, then the effort of each driver.
   [[nodiscard]] std::vector<Sought> sought() const {
     std::vector<Sought> all(2 * mechanism_.contacts.size(), kGreatest);
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
@@ -95,7 +95,7 @@ public:
   }
 
 private:
-  // What the pressure of a contact needs besides its force.
+  // What the pressure of a contact depends on besides its force.
   struct Pressure {
     double modulus = 0;  // E*
     double width = 0;
@@ -131,7 +131,7 @@ private:
     return std::find(given.begin(), given.end(), nullptr) != given.end();
   }
 
-  // κ1 + κ2; a NaN on corners.
+  // κ1 + κ2; NaN at corners.
   [[nodiscard]] double curvature_of(const Run& run, std::size_t i) const {
     const Contact& contact = mechanism_.contacts[i];
     const CommonNormal& at = run.row.contacts[i].at;
@@ -145,7 +145,7 @@ private:
 
   void read_least(std::size_t i, CheckFigures& figures) const {
     const auto& lowest = report_.lowest[i];
-    if (!lowest || mechanism_.contacts[i].both_sides) {  // what is held may pull
+    if (!lowest || mechanism_.contacts[i].both_sides) {  // a contact held on both sides may pull
       return;
     }
     CheckFigure& figure = figures.add("least_contact_force", dimension::kForce, lowest->force, lowest->driver,

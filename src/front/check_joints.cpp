@@ -18,7 +18,7 @@ using Bound = CheckFigures::Bound;
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
 
-// The third derivatives of the drivers by time, where laws drive.
+// Third time derivatives of the drivers: 0 without a law; with a law, known only for a run in time.
 class DriverJerks {
 public:
   DriverJerks(const Profile& profile, const DriverSchedule& schedule) {
@@ -59,7 +59,7 @@ public:
     }
   }
 
-  /// \param order  of the derivative \param rounding  relative to what the drivers' speed makes of the size
+  /// \param order  of the derivative \param rounding  relative to size · rate^order
   [[nodiscard]] std::vector<Sought> sought(int order, double rounding) const {
     std::vector<Sought> all;
     for (const OutputJoint& output : outputs_) {

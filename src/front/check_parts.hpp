@@ -15,23 +15,23 @@
 
 namespace higherpair {
 
-/// Collects the figures of a report, in the profile's units, and remembers which limits found something.
+/// Collects the figures of a report, in the profile's units, and remembers which limits applied to something.
 class CheckFigures {
 public:
-  enum class Bound { kMost, kLeast };  ///< of the absolute value, of the value
+  enum class Bound { kMost, kLeast };  ///< upper bound of the absolute value, lower bound of the value
 
   CheckFigures(const Profile& profile, const CheckLimits& limits, CheckReport& report)
       : profile_(profile), limits_(limits), report_(report) {}
 
-  /// The item and the curve that the figures after this one are about.
+  /// Sets the item and the curve to which the next figures belong.
   void about(std::string item, std::string of = "") {
     item_ = std::move(item);
     of_ = std::move(of);
   }
-  /// \param value, driver  in SI units; none: without bounds, nowhere
+  /// \param value, driver  in SI units; without them: unbounded, at no particular place
   CheckFigure& add(const std::string& quantity, const Dimension& dimension, std::optional<double> value,
                    std::optional<double> driver, std::string remark = "");
-  /// The same with a limit; null: it has none.
+  /// The same with a limit, which may be null.
   CheckFigure& add(const std::string& quantity, const Dimension& dimension, std::optional<double> value,
                    std::optional<double> driver, const GivenLimit* limit, Bound bound);
 
@@ -46,10 +46,10 @@ public:
   }
   void use(const GivenLimit* limit) { used_.insert(limit); }
 
-  /// What happens on the path.
+  /// The events on the path.
   [[nodiscard]] const std::vector<Event>& events() const { return report_.events; }
 
-  /// A note for every limit that nothing in the mechanism has.
+  /// Adds a note for every limit that applies to nothing in the mechanism.
   void note_unused();
 
 private:
@@ -60,15 +60,15 @@ private:
   std::string item_, of_;
 };
 
-/// What is followed along the path for a check, and then read off.
+/// What is followed along the path for a check and evaluated afterwards.
 struct CheckedPath {
   const Profile& profile;
   const DriverSchedule& schedule;
   const Run& start;
-  const ContactForceReport* forces = nullptr;  ///< none where nothing presses or moves the bodies
+  const ContactForceReport* forces = nullptr;  ///< null without masses, loads and springs
 };
 
-/// The largest speed of a driver where the path begins, that of a slide relative to the mechanism's size
+/// The largest speed of a driver at the beginning of the path; for a slide relative to the mechanism's size
 /// [1/s].
 [[nodiscard]] double driver_rate(const CheckedPath& checked);
 
@@ -78,25 +78,26 @@ inline constexpr Sought kGreatest = {false, true, 0};
 inline constexpr Sought kLeast = {true, false, 0};
 inline constexpr Sought kBoth = {true, true, 0};
 
-/// The larger extreme by size, with its sign; of two that are the same but for rounding the first.
+/// The extreme of larger absolute value, with its sign; if both are equal to within rounding, the first on
+/// the path.
 [[nodiscard]] std::optional<PathExtreme> peak_of(const PathRange& range);
 
-/// Says of a figure that its extreme still grows towards a singular position.
+/// Remarks on a figure that its extreme still grows towards a singular position.
 void mark_growing(CheckFigure& figure, const PathExtreme& extreme);
 
-/// \name Parts of a check: what each follows along the path, and how its figures are read off the ranges
+/// \name Parts of a check: what each follows along the path, and how it makes figures of the ranges found
 /// @{
 struct ContactCheck {
   PathQuantities quantities;
   std::function<void(const PathRanges&, CheckFigures&)> read;         ///< angles and speeds
   std::function<void(const PathRanges&, CheckFigures&)> read_curves;  ///< radii and faces
 };
-/// \param split  whether pressure angles of the return have a limit of their own
+/// \param split  whether pressure angles of the return stroke have a limit of their own
 [[nodiscard]] ContactCheck contact_check(const CheckedPath& checked, std::size_t index, bool split);
 
-/// The mean number of places at which the two bodies of a contact touch, from one beginning to touch to the
-/// last: of gears their contact ratio. None where that happens once at most, or the driver turns back. \param
-/// at_start  how many they are where the path begins
+/// The mean number of places at which the two bodies of a contact touch, from the first beginning of contact
+/// to the last: for gears, the contact ratio. None where contact begins at most once, or the driver turns
+/// back. \param at_start  number of these places at the beginning of the path
 [[nodiscard]] std::optional<double> mean_of_places(std::size_t at_start, std::size_t contact,
                                                    const std::vector<Event>& events);
 
@@ -118,17 +119,17 @@ struct ForceCheck {
 /// Figures of contacts, followers and drivers along the path.
 void add_path_figures(const CheckedPath& checked, CheckFigures& figures);
 
-/// Where a path is looked at more closely than elsewhere: the breaks of the laws of flanks, and the
-/// parts of boundaries.
+/// Where a path must be sampled more closely: at the breaks of the laws of flanks, and for the parts of
+/// boundaries.
 [[nodiscard]] PathLook look_at(const CheckedPath& checked, const DriverPath& path);
 
-/// Sizes of the flanks that laws have shaped.
+/// Size figures of the flanks that are generated by laws.
 void add_size_figures(const Profile& profile, CheckFigures& figures);
 
-/// The flank that a curve is; none of other curves.
+/// How a flank was generated; none for other curves.
 [[nodiscard]] std::optional<FlankOrigin> flank_of(const Mechanism& mechanism, const CurveRef& ref);
 
-/// "cam.flank": the curve that the file names, also of a contact's own copy.
+/// The curve as named in the file, such as "cam.flank", also for a contact's own copy.
 [[nodiscard]] const NamedCurve& named_curve(const Mechanism& mechanism, const CurveRef& ref);
 [[nodiscard]] std::string name_of_curve(const Mechanism& mechanism, const CurveRef& ref);
 

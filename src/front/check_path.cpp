@@ -1,4 +1,4 @@
-// What a check follows along the path, part by part, and the figures in their order.
+// The parts of a check that follow the path, and the order of their figures.
 #include "check_parts.hpp"
 #include "tolerances.hpp"
 

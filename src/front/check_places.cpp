@@ -1,4 +1,4 @@
-// At how many places two bodies touch along the path.
+// The number of places at which two bodies touch along the path.
 #include "check_parts.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace higherpair {
 std::optional<double> mean_of_places(std::size_t at_start, std::size_t contact,
                                      const std::vector<Event>& events) {
   double places = static_cast<double>(at_start);
-  double sum = 0;  // of places times way since the first beginning
+  double sum = 0;  // of places times travel of the driver, since contact first began
   std::optional<double> first, last;
   double mean = 0, least = 0, most = 0;
   for (const Event& event : events) {

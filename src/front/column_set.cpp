@@ -21,7 +21,7 @@ void append_number(double value, std::string& out) {
   out.append(text.data(), put_shortest(value == 0 ? 0.0 : value, text.data()));
 }
 
-// A name that occurs twice; none.
+// A name that occurs twice; null if there is none.
 const std::string* repeated(const std::vector<std::string>& names) {
   std::vector<const std::string*> sorted;
   for (const std::string& name : names) {
@@ -37,7 +37,7 @@ const std::string* repeated(const std::vector<std::string>& names) {
 }  // namespace
 
 bool matches(std::string_view glob, std::string_view name) {
-  std::size_t star = std::string_view::npos;  // the last `*` met, and where what it stands for ends
+  std::size_t star = std::string_view::npos;  // the last `*` met, and the end of the text it matches
   std::size_t star_end = 0;
   std::size_t g = 0;
   std::size_t n = 0;

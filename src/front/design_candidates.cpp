@@ -42,13 +42,14 @@ void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {
     fail();
     return;
   }
-  // What closed forms let pass, and yet comes to a limit, is next to one: there each row is dear.
+  // A candidate that passes in closed form and fails when it is followed is close to a limit position, where
+  // each row is expensive.
   const WhenLost when_lost = pins_ || direct_ ? WhenLost::kGiveUp : WhenLost::kLookFurther;
   if (!pins_) {
     follow_rows(*setup_, *candidate, branch, when_lost, rows_);
     return;
   }
-  // What the pins say of gaps, transmissions and paths is kept: their derivatives are known.
+  // Gaps, transmissions and paths from the pins are kept: their exact derivatives are known.
   DesignRows followed;
   follow_rows(*setup_, *candidate, branch, when_lost, followed);
   std::swap(rows_.measured, followed.measured);
@@ -71,7 +72,7 @@ std::optional<DesignSlopes> DesignCandidates::slopes(std::span<const double> x, 
   return candidate ? run_slopes_->of_candidate(x, *candidate, branch, rows_, places, !pins_) : std::nullopt;
 }
 
-// With the poses that it has on the branch.
+// The candidate's model with the poses that it has on the branch.
 Result<Model> DesignCandidates::model_of(std::span<const double> x, int branch) const {
   auto model = setup_->numbers.model_of(x);
   if (!model || !model->data().plan) {
@@ -99,7 +100,7 @@ std::optional<Mechanism> DesignCandidates::mechanism_of(std::span<const double> 
   return model ? std::optional(model->mechanism()) : std::nullopt;
 }
 
-// What is no matter of rows.
+// Adds the quantities other than measures and events: figures, extents and Grashof margins.
 void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
   const std::vector<DesignQuantity>& quantities = setup_->quantities;
   rows_.measured.resize(quantities.size(), std::numeric_limits<double>::quiet_NaN());
@@ -131,7 +132,7 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
   }
 }
 
-// For places between the rows of pins.
+// Prepares the motion in closed form, for places between the rows of pins.
 void DesignCandidates::place_directly(std::span<const double> x, int branch) {
   if (auto candidate = candidate_of(x, false)) {
     rows_.mechanism = std::move(candidate->mechanism);
@@ -139,7 +140,8 @@ void DesignCandidates::place_directly(std::span<const double> x, int branch) {
   }
 }
 
-// Of pins, where no table is asked for: of the bodies, which pins do without.
+// Computes the extents for a linkage of pins without a table: they need the bodies, which pins do not
+// position.
 void DesignCandidates::add_extents(std::span<const double> x, int branch) {
   if (auto candidate = candidate_of(x, false)) {
     DesignRows placed;

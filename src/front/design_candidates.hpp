@@ -8,20 +8,21 @@
 
 namespace higherpair {
 
-/// Evaluates candidates one after the other, each by the fastest method that gives what the task asks for;
-/// for one thread.
+/// Evaluates candidates one after the other, each by the fastest method that yields what the task asks for.
+/// For use by one thread.
 class DesignCandidates {
 public:
-  /// \param setup  outlives this
+  /// \param setup  must outlive this
   explicit DesignCandidates(const DesignSetup& setup);
 
-  /// The rows of the candidate x on a branch; they hold until the next one.
+  /// Computes the rows of the candidate x on a branch; valid until the next call.
   [[nodiscard]] DesignRows& work_out(std::span<const double> x, int branch);
 
-  /// Of a linkage of pins: exact derivatives of the last rows by the variables, but for measures.
+  /// For a linkage of pins: exact derivatives of the last rows by the variables, except those of measures;
+  /// else null.
   [[nodiscard]] PinnedRows* pins() { return pins_ ? &*pins_ : nullptr; }
-  /// Exact derivatives of the last rows, of all that pins() has not; none where they are not covered. \param
-  /// places  of each path; empty with pins()
+  /// Exact derivatives of the last rows, of everything that pins() does not cover; none where they are not
+  /// available. \param places  for each path; empty with pins()
   [[nodiscard]] std::optional<DesignSlopes> slopes(std::span<const double> x, int branch,
                                                    std::span<const std::vector<SlopePlace>> places) const;
 
@@ -38,8 +39,8 @@ private:
   const DesignSetup* setup_;
   std::optional<PinnedRows> pins_;
   std::optional<RunSlopes> run_slopes_;
-  bool direct_ = false;        // positions of any row in closed form
-  bool any_position_ = false;  // places between rows are wanted
+  bool direct_ = false;        // positions of any row are known in closed form
+  bool any_position_ = false;  // places between rows are needed
   DesignRows rows_;
 };
 

@@ -20,7 +20,7 @@ constexpr std::array<Ending, 9> kEndings = {{{".x", dimension::kLength},
                                              {".angle", dimension::kAngle},
                                              {".omega", dimension::kAngularVelocity},
                                              {".alpha", dimension::kAngularAcceleration}}};
-constexpr std::size_t kPointEndings = 6;  // so many of them points have
+constexpr std::size_t kPointEndings = 6;  // only the first of these apply to points
 
 std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -29,7 +29,7 @@ std::optional<std::size_t> quantity_of(const std::string& name, const std::strin
   return std::nullopt;
 }
 
-// x and y of a place, of its velocity and of its acceleration.
+// Derivatives of the position, velocity and acceleration of a point.
 std::array<Vector2d, 3> point_slopes(const BodyMotion& body, const BodyMotion& change, const Vector2d& p_B,
                                      const Vector2d& p_B_slope) {
   const Vector2d r = body.X_WB.R_WB * p_B;

@@ -19,15 +19,15 @@ std::vector<double> positions_of(const std::vector<DriverMotion>& drivers) {
   return positions;
 }
 
-// Looks at the reach of dyads at places of equal distance between rows as well, and where it is least among
-// three of them, at the vertex of the parabola through these: a linkage that just cannot turn fails between
-// rows.
+// Checks the closure of dyads at equally spaced places between rows as well, and, where the gap is largest at
+// the middle one of three places, at the vertex of the parabola through these: a linkage that only just fails
+// to turn fails between rows.
 class GapWatch {
 public:
   GapWatch(const DesignSetup& setup, DirectMotion& motion, RowReader& reader)
       : setup_(setup), motion_(motion), reader_(reader) {}
 
-  // True if all groups could be placed.
+  // True if all groups could be positioned.
   bool go_to(const std::vector<DriverMotion>& drivers) {
     const int parts = last_.empty() ? 1 : closure_parts(setup_, positions_of(last_), positions_of(drivers));
     std::vector<DriverMotion> between = drivers;
@@ -65,7 +65,7 @@ private:
     step_ = step;
   }
 
-  // Of the parabola through three places, where it has its vertex between them.
+  // The gap at the vertex of the parabola through three places, if the vertex lies between them.
   void take_vertex(std::size_t g, double c, std::optional<std::size_t> row) {
     const double a = *before_[0].gaps[g];
     const double b = *before_[1].gaps[g];
@@ -85,7 +85,7 @@ private:
   DirectMotion& motion_;
   RowReader& reader_;
   std::vector<DriverMotion> last_;
-  std::vector<Place> before_;  // the two places before
+  std::vector<Place> before_;  // the two preceding places
   double step_ = 0;
   std::size_t row_ = 0;
 };

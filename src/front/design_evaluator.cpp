@@ -13,17 +13,16 @@
 namespace higherpair {
 namespace {
 
-// By so much constraints are held more than they have to be, so that what the optimiser tolerates is no
-// violation.
+// Constraints are tightened by this much, so that what the optimiser tolerates is not a violation.
 constexpr double kInside = 2 * kConstraintTolerance;
 
-constexpr double kGoodPath = -0.01;  // of the constraint on the path where it holds: not active
+constexpr double kGoodPath = -0.01;  // value of the path constraint for a good path: not active
 
-// What stands for a number that is not defined where a candidate does not work.
+// Values in place of undefined numbers, where a candidate does not work.
 constexpr double kMissing = 1e3;
 constexpr double kViolated = 1;
 
-// Each row of a timed path.
+// The row of each point of a timed path.
 std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::PointPath& path) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < path.through.size(); ++i) {
@@ -139,7 +138,7 @@ public:
   }
 
 private:
-  // Methods ask for the values and the derivatives of one candidate.
+  // Does nothing for the same candidate again: methods ask for its values and then for its derivatives.
   void go_to(std::span<const double> x, int branch) {
     if (rows_ != nullptr && branch == branch_ && std::equal(x.begin(), x.end(), x_.begin(), x_.end())) {
       return;
@@ -166,7 +165,7 @@ private:
     misses_[k] = misses_of(path, places_.back(), unit_);
   }
 
-  // Of a column that follows values: what it misses the k-th of them by.
+  // By how much a column that is to follow given values misses the k-th of them.
   [[nodiscard]] double off_of(const DesignTask::Objective& objective, std::size_t first,
                               std::size_t k) const {
     const double off = measured(first + k) - objective.values[k];
@@ -177,7 +176,7 @@ private:
     return k < rows_->measured.size() ? rows_->measured[k] : kNoValue;
   }
 
-  // Appends them to numbers_.
+  // Appends the constraints to numbers_.
   void add_constraints(std::size_t measure) {
     for (const double gap : rows_->gaps) {
       numbers_.push_back(std::isfinite(gap) ? (gap + setup_->spare()) / setup_->size : 0.0);
@@ -186,7 +185,7 @@ private:
     std::size_t transmission = 0;
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
-      // Sines in place of angles: smooth everywhere.
+      // For transmission angles, sines are used in place of angles: they are smooth everywhere.
       const auto add = [&](double off) {
         numbers_.push_back(std::isfinite(off) ? off + kInside : kViolated);
       };
@@ -212,7 +211,7 @@ private:
   std::vector<std::vector<std::size_t>> timed_rows_;  // of each path
   std::vector<double> numbers_;
 
-  // The candidate worked out last.
+  // The candidate evaluated last.
   std::vector<double> x_;
   int branch_ = 0;
   DesignRows* rows_ = nullptr;
@@ -228,7 +227,7 @@ Eigen::Index closure_count(const DesignSetup& setup) {
   return modes;
 }
 
-// A limit of 0, or next to it, says nothing of what much is; what the start has does.
+// A limit of 0, or close to it, gives no scale; the value at the start does.
 void set_scales(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
   setup.scales.assign(task.constraints.size(), 1);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kMostBoundaryPasses = 20;  // of Newton's method on a boundary
 
-// Of a boundary along a unit direction: the best of its samples, then where the normal is this direction.
+// How far a boundary reaches along a unit direction: the best of its samples, refined to where the normal has
+// this direction.
 double far_along(const Boundary& boundary, const Vector2d& n_B) {
   const auto& samples = boundary.samples();
   const auto far = [&](const SpanPoint& point) { return point.p_B.dot(n_B); };
@@ -35,7 +36,7 @@ double far_along(const Boundary& boundary, const Vector2d& n_B) {
   return farthest;
 }
 
-// None of a curve without bounds.
+// None for an unbounded curve.
 std::optional<double> far_along(const NamedCurve& curve, const Vector2d& direction_W,
                                 const Pose<double>& X_WB) {
   if (curve.boundary != nullptr) {
@@ -46,7 +47,7 @@ std::optional<double> far_along(const NamedCurve& curve, const Vector2d& directi
   if (kind != CurveKind::kPoint && kind != CurveKind::kCircle && kind != CurveKind::kEllipse) {
     return std::nullopt;
   }
-  // The material may be on either side: of a ring the hole counts.
+  // The material may be on either side: for a ring, the extent of the hole counts.
   const PlacedCurve<double> placed = place(curve.curve, X_WB);
   return support_point(placed, Vector2d(placed.side * direction_W)).p_W.dot(direction_W);
 }

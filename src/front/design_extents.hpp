@@ -8,22 +8,22 @@
 
 namespace higherpair {
 
-/// The row in which an extent is largest along one direction.
+/// The row in which a term of an extent, its reach along one direction, is largest.
 struct ExtentTerm {
-  Vector2d direction_W = Vector2d::Zero();                ///< 0: of a reach, which has none
+  Vector2d direction_W = Vector2d::Zero();                ///< zero for a reach, which has no direction
   double far = -std::numeric_limits<double>::infinity();  ///< [m]
   std::size_t row = 0;
 };
 
-/// Those that an extent is the sum of, or of which the larger sum counts; nothing is known of rows yet.
+/// The terms that an extent is the sum of, or the larger of two sums; no row has been considered yet.
 [[nodiscard]] std::vector<ExtentTerm> terms_of(const DesignTask::Extent& extent);
 
-/// How far the bodies of an extent come along a direction, or its point from the other one, where they are
-/// [m]: points, circles and ellipses, and boundaries.
+/// How far the bodies of an extent reach along a direction [m], over their points, circles, ellipses and
+/// boundaries; for zero direction, the distance between the two points of the extent.
 [[nodiscard]] double far_along(const DesignTask::Extent& extent, const Vector2d& direction_W,
                                const Mechanism& mechanism, const std::vector<BodyMotion>& bodies);
 
-/// Those of all terms that the extent is the sum of.
+/// Those of all terms whose sum is the extent.
 [[nodiscard]] std::vector<ExtentTerm> terms_that_count(const DesignTask::Extent& extent,
                                                        const std::vector<ExtentTerm>& terms);
 

@@ -13,11 +13,11 @@ namespace {
 using Complex = PathPlacement::Complex;
 using Path = DesignTask::PointPath;
 
-constexpr int kBegins = 36;         // places of a loop that are tried as that of the first point
-constexpr int kParts = 16;          // of another path: its stretches begin and end where these do
-constexpr std::size_t kBest = 3;    // stretches that are followed
-constexpr int kMostRowPasses = 10;  // from row to row
-constexpr int kMostFits = 40;       // between rows
+constexpr int kBegins = 36;         // places of a loop tried as that of the first point
+constexpr int kParts = 16;          // parts of an open path: stretches begin and end between them
+constexpr std::size_t kBest = 3;    // stretches that are refined
+constexpr int kMostRowPasses = 10;  // iterations from row to row
+constexpr int kMostFits = 40;       // iterations between rows
 
 struct Placing {
   Complex z = 1, shift = 0;
@@ -37,7 +37,7 @@ Placing placing_of(const Path& path, std::span<const Vector2d> places) {
   return {placement.turn_and_scale(), placement.shift(), placement.misses().squaredNorm()};
 }
 
-// The points as the path sees them in its own frame.
+// The target points in the path's own frame.
 Path seen_from(const Placing& placing, const Path& path) {
   std::vector<Vector2d> points;
   for (const Vector2d& point : path.through) {
@@ -46,7 +46,7 @@ Path seen_from(const Placing& placing, const Path& path) {
   return with_points(path, std::move(points));
 }
 
-// Length from the first point to each; the last entry of a loop is that of its way back.
+// Length along the points from the first to each; for a loop, a last entry is the length back to the first.
 std::vector<double> lengths_along(std::span<const Vector2d> points, bool loop) {
   std::vector<double> lengths = {0};
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -56,7 +56,7 @@ std::vector<double> lengths_along(std::span<const Vector2d> points, bool loop) {
   return lengths;
 }
 
-// Lays stretches of the path on its points, each point at its share of the length.
+// Lays stretches of the path on its target points, each point at its fraction of the length.
 class Stretches {
 public:
   Stretches(const Path& path, std::span<const Vector2d> points, bool loop)
@@ -65,7 +65,7 @@ public:
     for (std::size_t i = 0; i < path.through.size(); ++i) shares_.push_back(targets[i] / targets.back());
   }
 
-  // The best of them.
+  // The best stretches.
   [[nodiscard]] std::vector<Placing> best() {
     if (loop_) {
       for (int k = 0; k < kBegins; ++k) lay(double(k) / kBegins, double(k) / kBegins + 1);
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  // Forwards, and where the points have no order backwards as well.
+  // Forwards, and also backwards where the points have no order.
   void lay(double from, double to) {
     lay_one(from, to);
     if (!path_.ordered) lay_one(to, from);
@@ -105,13 +105,14 @@ private:
 
   const Path& path_;
   std::span<const Vector2d> points_;
-  std::vector<double> along_;  // of the path in its rows
+  std::vector<double> along_;  // lengths along the path in its rows
   std::vector<double> shares_;
   bool loop_;
   std::vector<Placing> found_;
 };
 
-// Rows and placement in turns: each makes the sum smaller, or it ends.
+// Alternates between nearest rows and best placement, each of which reduces the sum, until the rows stay the
+// same.
 Placing follow_rows_down(const Path& path, std::span<const Vector2d> points, Placing placing,
                          const std::function<std::vector<std::size_t>(const Path&)>& rows_for) {
   std::vector<std::size_t> last;
@@ -126,7 +127,7 @@ Placing follow_rows_down(const Path& path, std::span<const Vector2d> points, Pla
   return placing;
 }
 
-// The same between rows, where tangents say how the places move along.
+// The same between rows, where the places may slide along their tangents.
 class Descent {
 public:
   Descent(const Path& path, const std::function<std::vector<PathMiss>(const Path&)>& places_for)
@@ -159,7 +160,7 @@ private:
     std::vector<PathMiss> places;
   };
 
-  // False where the path has become a point.
+  // False where the path has shrunk to a point.
   bool go_to(const Placing& placing) {
     const bool usable = std::abs(placing.z) > kLeastPathScale;
     at_.placing = usable ? placing : Placing();

@@ -8,15 +8,15 @@
 
 namespace higherpair {
 
-/// The same path with other points.
+/// The same path with other target points.
 [[nodiscard]] DesignTask::PointPath with_points(const DesignTask::PointPath& path,
                                                 std::vector<Vector2d> points);
 
-/// Where a path without times comes nearest to its points when it is moved, turned and scaled as far as it is
-/// free to be, and how it is placed then: the least sum of squared distances. Stretches of the path of every
-/// length are laid on the points first, the best of them followed downhill.
+/// Fits a path without times to its target points by moving, turning and scaling it as far as it is free to
+/// be, so that the sum of squared distances is least; returns its places nearest to the points. Stretches of
+/// the path of all lengths are laid on the points first, and the best of them are refined by descent.
 /// \param points  of the path in the rows \param loop  whether they are closed
-/// \param rows_for, places_for  the rows and the places of the path that are nearest to points in its own
+/// \param rows_for, places_for  the rows, and the places, of the path nearest to points given in its own
 /// frame
 [[nodiscard]] std::vector<PathMiss> nearest_when_free(
     const DesignTask::PointPath& path, std::span<const Vector2d> points, bool loop,

@@ -49,7 +49,7 @@ private:
     jacobian_.constraints.setZero(constraints, variables);
   }
 
-  // Where a run has to be differentiated for them.
+  // The places of paths at which a run has to be differentiated; none with pins.
   [[nodiscard]] std::vector<std::vector<SlopePlace>> slope_places() const {
     std::vector<std::vector<SlopePlace>> places;
     if (pins_ != nullptr) return places;
@@ -110,8 +110,8 @@ private:
     }
   }
 
-  // x and y of each place of a path. Where a place moves along the path its distance does not change: that of
-  // a fixed position of the driver counts.
+  // Derivatives of x and y of each place of a path, at a fixed position of the driver: to first order its
+  // distance does not change when a place slides along the path.
   [[nodiscard]] Eigen::MatrixXd place_slopes(const DesignTask::PointPath& path, std::size_t k) {
     if (pins_ == nullptr) {
       return slopes_->paths[k];
@@ -158,7 +158,7 @@ private:
         J.row(row) = slopes_->gaps.row(row) / setup_.size;
       }
     }
-    ++row;  // the path: either good or not
+    ++row;  // the path is either good or not: its derivatives are 0
     std::size_t transmission = 0;
     Eigen::Index quantity = objective_quantities_;
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
@@ -188,7 +188,7 @@ private:
   double unit_;
   DesignJacobian& jacobian_;
   std::optional<DesignSlopes> slopes_;
-  Eigen::Index objective_quantities_ = 0;  // those before the constraints'
+  Eigen::Index objective_quantities_ = 0;  // number of quantities before those of the constraints
 };
 
 }  // namespace

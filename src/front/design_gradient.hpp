@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// The candidate that was worked out last.
+/// The candidate evaluated last.
 struct DesignStanding {
   std::span<const double> x;
   int branch = 0;
@@ -17,11 +17,11 @@ struct DesignStanding {
   const std::vector<std::vector<PathMiss>>& places;  ///< of each path
 };
 
-/// How many residuals an objective has.
+/// Number of residuals of an objective.
 [[nodiscard]] Eigen::Index residual_count(const DesignTask::Objective& objective);
 
-/// The derivatives of what an evaluator says of this candidate; false where they are not known exactly.
-/// \param unit  of lengths [m]
+/// Computes the derivatives of what an evaluator returns for this candidate; false where they are not known
+/// exactly. \param unit  of lengths [m]
 [[nodiscard]] bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates,
                                 const DesignStanding& standing, double unit, DesignJacobian& jacobian);
 

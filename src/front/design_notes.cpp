@@ -1,4 +1,4 @@
-// Targets of a design that look like numbers in another unit.
+// Notes on targets of a design that look like numbers in another unit.
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
 #include "other_units.hpp"
@@ -19,7 +19,7 @@ bool is_within(double a, double b, double times) {
   return a <= times * b && b <= times * a;
 }
 
-// The unit in which a target is like what the profile has, where it is far from it as it is.
+// The unit in which a target would be close to the profile's value, if it is far from it as given.
 std::optional<OtherUnit> meant_unit(double wanted, double present, const std::string& unit,
                                     const Units& units) {
   if (!(wanted > 0) || !(present > 0) || is_within(wanted, present, kTargetApart)) {

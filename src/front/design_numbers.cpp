@@ -19,7 +19,7 @@ bool same_programs(const std::vector<DriverProgram>& a, const std::vector<Driver
       });
 }
 
-// Whether the mechanism is nothing but the numbers that for_each_number knows.
+// Whether the mechanism has no numbers other than those of for_each_number.
 bool is_all_numbers(const Mechanism& mechanism) {
   const bool endless = std::all_of(mechanism.joints.begin(), mechanism.joints.end(),
                                    [](const Joint& joint) { return !joint.from && !joint.to; });
@@ -59,7 +59,7 @@ std::vector<Setting> DesignNumbers::settings_of(std::span<const double> x) const
   return settings;
 }
 
-// Of which none is refused for being out of its bounds: differences at a bound go beyond it.
+// None of the variants is refused for being out of its bounds: differences at a bound go beyond it.
 Result<ModelVariants> DesignNumbers::variants() const {
   std::vector<std::string> paths;
   for (const DesignTask::Variable& variable : task_->variables) {
@@ -94,7 +94,8 @@ std::optional<std::vector<double>> DesignNumbers::numbers_at(std::span<const dou
   return numbers_of(model->mechanism());
 }
 
-// By the ends of each range; then held against other places, where all variables are different at once.
+// Finds the slopes from the ends of each range, and verifies them at two places where all variables differ
+// from the start.
 bool DesignNumbers::find_slopes() {
   for (std::size_t i = 0; i < start_.size(); ++i) {
     const DesignVariable& range = task_->variables[i].range;

@@ -12,32 +12,32 @@
 
 namespace higherpair {
 
-/// Whether no curve of any body is one of several parts: chains, splines, flanks and the like.
+/// Whether no body has a curve made of parts, such as a chain, a spline or a flank.
 [[nodiscard]] bool has_whole_curves(const Mechanism& mechanism);
 
-/// From the variables of a design to the mechanism. Where every number of the mechanism is a linear function
-/// of them, as of the coordinates of points, lengths and radii, it is worked out so; else the profile is read
-/// anew.
+/// Maps the variables of a design to the mechanism. If every number of the mechanism is a linear function of
+/// the variables, as with coordinates of points, lengths and radii, it is computed from them; otherwise the
+/// profile is read again.
 class DesignNumbers {
 public:
-  /// \pre the task is of the model's profile, and every variable at its start is a mechanism
+  /// \pre the task belongs to the model's profile, and the start values of the variables give a mechanism
   DesignNumbers(Model model, const DesignTask& task);
 
-  /// What the profile is with these numbers; none where it has a mistake with them.
+  /// The model with these values of the variables; null where the profile is invalid with them.
   [[nodiscard]] std::shared_ptr<const Model::Data> data_of(std::span<const double> x) const;
-  /// The same read as any profile is, for messages.
+  /// The same by reading the profile, which gives error messages.
   [[nodiscard]] Result<Model> model_of(std::span<const double> x) const;
 
   [[nodiscard]] bool is_linear() const { return linear_; }
-  /// The derivative of the mechanism by a variable; none where it is not smooth there, or the drivers depend
-  /// on the variable.
+  /// The derivative of the mechanism by a variable; none where it is not smooth there, or where the drivers
+  /// depend on the variable.
   [[nodiscard]] std::optional<MechanismDerivative> derivative(std::size_t variable,
                                                               std::span<const double> x) const;
-  /// A change of a variable that makes another mechanism.
+  /// The size of change of a variable that makes a substantially different mechanism.
   [[nodiscard]] double scale(std::size_t variable) const;
-  /// Where is_linear: the mechanism alone.
+  /// The mechanism alone. \pre is_linear
   [[nodiscard]] Mechanism mechanism_of(std::span<const double> x) const;
-  /// Where is_linear, in the order of for_each_number: its numbers, and their derivatives.
+  /// The mechanism's numbers in the order of for_each_number, and their derivatives. \pre is_linear
   void fill_numbers(std::span<const double> x, std::vector<double>& numbers) const;
   [[nodiscard]] std::span<const double> slopes(std::size_t variable) const { return slopes_[variable]; }
 
@@ -55,9 +55,9 @@ private:
   Model model_;
   const DesignTask* task_;
   bool linear_ = false;
-  std::vector<double> start_, base_;               // of the variables, and the mechanism's numbers there
-  std::vector<std::vector<double>> slopes_;        // of those, by each variable
-  std::vector<std::vector<std::size_t>> changed_;  // the numbers whose slopes are not 0
+  std::vector<double> start_, base_;               // of the variables; the mechanism's numbers there
+  std::vector<std::vector<double>> slopes_;        // derivatives of those numbers by each variable
+  std::vector<std::vector<std::size_t>> changed_;  // for each variable: numbers with nonzero slope
 };
 
 }  // namespace higherpair

@@ -101,7 +101,7 @@ std::string_view attribute(std::string_view svg, std::string_view name) {
   return svg.substr(begin, svg.find('"', begin) - begin);
 }
 
-// A point that a path is to lead through, as the mechanism sees it that is not placed yet.
+// A target point of a path, in the frame of the mechanism before it is placed.
 Vector2d unplaced(const Vector2d& point, const std::optional<DesignReport::Objective::Placement>& placement,
                   const Units& units) {
   if (!placement) return point;
@@ -111,7 +111,7 @@ Vector2d unplaced(const Vector2d& point, const std::optional<DesignReport::Objec
   return Rotation<double>::from_angle(-turn) * moved / placement->scale;
 }
 
-// The points that paths are to lead through, on top of a picture of what was found.
+// The target points of paths as circles, to be drawn over a picture of the result.
 std::string targets_on(std::string_view svg, const Model& model, const DesignReport& report) {
   const double scale = std::atof(std::string(attribute(svg, "data-scale")).c_str());
   char* rest = nullptr;

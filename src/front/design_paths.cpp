@@ -23,13 +23,14 @@ double squared(const Vector2d& a, const Vector2d& b) {
   return (a - b).squaredNorm();
 }
 
-// The rows, not descending, that are nearest to the targets, by the sum of squares.
+// The rows, in ascending order, that are nearest to the targets by the sum of squares.
 struct Assignment {
   Rows rows;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// \param at  the path, from its first place to its last; the first target is at place 0 if `pinned`
+// Assigns targets to places in ascending order, by dynamic programming.
+// \param pinned  the first target must be at place 0 \param cost  of target i at place k
 template <class F>
 Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -64,7 +65,7 @@ bool is_loop(std::span<const Vector2d> points) {
   return points.size() > 3 && (points.front() - points.back()).norm() <= kClosedPath * length;
 }
 
-// Wherever the first target lies on a closed path, the others follow over one whole way round.
+// On a closed path the first target may lie anywhere; the others follow within one lap.
 Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
   const std::size_t n = points.size() - 1;
   const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
@@ -115,7 +116,7 @@ public:
              double high, bool loop)
       : path_(path), rows_(rows), p_B_(p_B), low_(low), high_(high), loop_(loop) {}
 
-  // Where it is nearest to `target`, near the driver's position t and no farther from it than `reach`.
+  // The place nearest to `target`, near the driver's position t and no farther from it than `reach`.
   PathMiss nearest(double t, double reach, const Vector2d& target) {
     const double from = loop_ ? t - reach : std::max(low_, t - reach);
     const double to = loop_ ? t + reach : std::min(high_, t + reach);
@@ -124,7 +125,7 @@ public:
       const Vector2d off = p_ - target;
       const double slope = off.dot(v_);
       const double bend = v_.squaredNorm() + off.dot(a_);
-      // Where the distance is not convex: a step downhill as of a straight path.
+      // Where the squared distance is not convex, the step downhill is that for a straight path.
       const double step = -slope / (bend > 0.1 * v_.squaredNorm() ? bend : v_.squaredNorm());
       const double next = std::clamp(t + step, from, to);
       const bool done = !(std::abs(next - t) > kSharpestStep * reach);
@@ -134,7 +135,7 @@ public:
     PathMiss miss;
     miss.p_W = p_;
     miss.driver = wrapped(t);
-    const bool at_end = t <= from || t >= to;  // of the path, or of where it was looked for
+    const bool at_end = t <= from || t >= to;  // of the path, or of the range of the search
     if (!at_end && v_.norm() > 0) miss.along = v_.normalized();
     return miss;
   }
@@ -165,7 +166,7 @@ private:
 
 namespace {
 
-// Places of an untimed path, from the rows next to which they are.
+// Finds the places of an untimed path, starting from the rows next to them.
 class NearestPlaces {
 public:
   NearestPlaces(DesignRows& rows, std::span<const Vector2d> points)
@@ -180,7 +181,7 @@ public:
     const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
     const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
     PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, path.closed && is_loop(points_));
-    // In the order of the driver: shorter ways to go.
+    // In the order of driver positions, which keeps the moves of the run short.
     std::vector<std::size_t> order(misses.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),

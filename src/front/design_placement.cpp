@@ -82,7 +82,7 @@ Eigen::MatrixXd PathPlacement::miss_slopes(const Eigen::MatrixXd& place_slopes) 
   return slopes;
 }
 
-// Unit normals of the placed path; without a tangent along what is missed.
+// Unit normals of the placed path; where there is no tangent, the direction of the miss.
 std::vector<Complex> PathPlacement::normals(std::span<const Vector2d> along) const {
   std::vector<Complex> normals;
   for (Eigen::Index i = 0; i < P_.size(); ++i) {
@@ -103,7 +103,7 @@ Eigen::VectorXd PathPlacement::distances(std::span<const Vector2d> along) const 
   return distances;
 }
 
-// How the distances change with what is free.
+// Derivatives of the distances by the free parameters of the placement.
 Eigen::MatrixXd PathPlacement::freedoms(std::span<const Complex> normals) const {
   const auto count = static_cast<Eigen::Index>(normals.size());
   Eigen::MatrixXd J(count,

@@ -11,10 +11,10 @@
 
 namespace higherpair {
 
-/// A path moved, turned and scaled to where it is nearest to its points, as far as it is free to be: with
-/// P' and T' the places and the points from their means (from the origin, where the position is not free), as
-/// complex numbers,
-///     T' - z P',   z = Σ P̄'T'/Σ|P'|², its size 1 without scale, real without turn, 1 without both.
+/// A path moved, turned and scaled, as far as it is free to be, so that it is nearest to its target points.
+/// With P' and T' the places and the targets relative to their means (to the origin where the position is not
+/// free), as complex numbers, Σ|T' - z P'|² is least for
+///     z = Σ P̄'T'/Σ|P'|², of modulus 1 without scaling, real without turning, 1 without both.
 class PathPlacement {
 public:
   using Complex = std::complex<double>;
@@ -26,21 +26,21 @@ public:
   [[nodiscard]] Complex turn_and_scale() const { return z_; }
   [[nodiscard]] Complex shift() const { return T_mean_ - z_ * P_mean_; }
 
-  /// x and y of each place less its point, one after the other [m].
+  /// x and y of each place less its target point, one after the other [m].
   [[nodiscard]] Eigen::VectorXd misses() const;
   /// Their derivatives, from those of x and y of the places.
   [[nodiscard]] Eigen::MatrixXd miss_slopes(const Eigen::MatrixXd& place_slopes) const;
 
-  /// \name Of a path without times, whose places are those that are nearest
+  /// \name For a path without times, whose places are the nearest ones
   /// @{
-  /// The distance of each place from its point, with the sign of the side on which the point lies; without
-  /// sign where the place has no tangent [m]. \param along  unit tangents of the path itself; 0: none
+  /// The distance of each place from its target point [m], signed by the side on which the target lies,
+  /// unsigned where the place has no tangent. \param along  unit tangents of the unplaced path; 0: none
   [[nodiscard]] Eigen::VectorXd distances(std::span<const Vector2d> along) const;
   /// Their derivatives, with the placement following to first order in the distances (Kaufman's
   /// approximation): those of the sum of their squares are exact.
   [[nodiscard]] Eigen::MatrixXd distance_slopes(std::span<const Vector2d> along,
                                                 const Eigen::MatrixXd& place_slopes) const;
-  /// turn_and_scale() and shift() after a step to where the places may move along their tangents.
+  /// turn_and_scale() and shift() after one step in which the places may slide along their tangents.
   [[nodiscard]] std::pair<Complex, Complex> moved_by_tangents(std::span<const Vector2d> along) const;
   /// @}
 
@@ -50,7 +50,7 @@ private:
 
   const DesignTask::PointPath& path_;
   Complex P_mean_, T_mean_;
-  Eigen::VectorXcd P_, T_;  // from these
+  Eigen::VectorXcd P_, T_;  // relative to these means
   Complex sum_;             // Σ P̄'T'
   double size2_ = 0;        // Σ|P'|²
   Complex z_ = 1;

@@ -1,4 +1,4 @@
-// A task as the optimiser takes it.
+// A design task as an optimisation problem.
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
 

@@ -27,7 +27,8 @@ bool is_meant(const CheckFigure& figure, const DesignTask::Figure& wanted) {
          (wanted.of.empty() || figure.of == wanted.of);
 }
 
-// Of the task's entries that have quantities: their paths in the profile, in the order of quantities.
+// The entries of the task that have quantities, with their paths in the profile, in the order of
+// quantities_of.
 struct Entry {
   Place place;
   std::string path;
@@ -50,7 +51,7 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
   std::vector<std::string> curves;
   for (const CheckFigure& figure : figures) {
     const std::string name = figure.item + "." + figure.quantity;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // of two curves
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // of 2 curves
     if (figure.item == wanted.item && figure.quantity == wanted.quantity) curves.push_back(figure.of);
   }
   const std::string name = wanted.item + "." + wanted.quantity;
@@ -94,8 +95,8 @@ std::vector<Measure> measures_of(const DesignTask& task) {
   return measures;
 }
 
-// A link turns fully against all others iff it is no longer, together with any one of them, than the other
-// two together: it is the shortest then.
+// A link turns fully relative to all others iff its length plus that of any other one is at most the sum of
+// the remaining two; it is the shortest then (Grashof).
 std::optional<double> grashof_room(const Mechanism& mechanism, const DesignTask::Grashof& grashof) {
   const auto loop = four_bar_of(mechanism, grashof);
   if (!loop) {

@@ -10,34 +10,34 @@
 
 namespace higherpair {
 
-/// One number about a candidate that an objective or constraint is about, apart from paths and transmission
-/// angles: one of the five.
+/// One number of a candidate to which an objective or constraint refers, other than paths and transmission
+/// angles: exactly one of the first five members is set.
 struct DesignQuantity {
-  std::optional<std::size_t> measure;        ///< of DesignSetup::measures
-  std::optional<DesignTask::Figure> figure;  ///< of check()
+  std::optional<std::size_t> measure;        ///< index in DesignSetup::measures
+  std::optional<DesignTask::Figure> figure;  ///< as in the report of check()
   std::optional<DesignTask::Extent> extent;
-  std::optional<DesignTask::Grashof> grashof;  ///< by how much a four-bar is of a class
-  std::vector<EventType> without;              ///< how many of these events happen
-  std::string unit;                            ///< of tables
+  std::optional<DesignTask::Grashof> grashof;  ///< the margin by which a four-bar is of a class
+  std::vector<EventType> without;              ///< the number of such events
+  std::string unit;                            ///< as in tables
 };
 
-/// Those of the objectives, then those of the constraints, in their order; a column that follows values has
-/// one for each. Their units are not known yet.
+/// The quantities of the objectives, then those of the constraints, in their order; an objective that follows
+/// values has one for each value. Units are not set yet.
 [[nodiscard]] std::vector<DesignQuantity> quantities_of(const DesignTask& task);
-/// Their measures.
+/// The measures among them.
 [[nodiscard]] std::vector<Measure> measures_of(const DesignTask& task);
 
-/// By how much the four-bar of the mechanism that is meant is of the class [m]: the least by which one of the
-/// inequalities between its lengths holds. None where it is not one.
+/// The margin by which the four-bar meant in the mechanism is of the class [m]: the least margin of the
+/// inequalities between its lengths. None where there is no such four-bar, or several.
 [[nodiscard]] std::optional<double> grashof_room(const Mechanism& mechanism,
                                                  const DesignTask::Grashof& grashof);
 
-/// The figures of a model, each as quantities want it; NaN where there is none or it is without bounds.
+/// The figures of a model, one for each quantity; NaN where there is none or it is unbounded.
 [[nodiscard]] std::vector<double> figures_of(const Model& model,
                                              const std::vector<DesignQuantity>& quantities);
 
-/// Sets the units of quantities; says what the model has no figure or four-bar of. \param table  columns of a
-/// run of the start, if it starts
+/// Sets the units of quantities; returns a diagnostic for each figure or four-bar that the model does not
+/// have. \param table  columns of a run of the start, if it can be started
 [[nodiscard]] Diagnostics complete_quantities(const Model& model, const DesignTask& task,
                                               const std::vector<Measure>& measures,
                                               const std::vector<Column>& table,

@@ -1,4 +1,4 @@
-// What a search has found, worked out anew from the profile that is written.
+// The result of a search, evaluated again from the profile that is written.
 #include "design_report.hpp"
 
 #include "analysis_impl.hpp"
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  // Multiples of steps as they are written.
+  // The values as written: multiples of steps are rounded to decimals.
   [[nodiscard]] std::vector<double> as_made(std::vector<double> x) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (task_.variables[i].range.step > 0) x[i] = decimal(x[i]);
@@ -97,7 +97,7 @@ private:
     return text_of_design(setup_, x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
   }
 
-  // As any profile: the text is read, and started from its poses.
+  // Evaluates the text as any profile: it is read, and started from its poses.
   Result<DesignScore> score_of_text(const std::string& text, std::span<const double> x) {
     const Model::Data& before = setup_.numbers.model().data();
     const auto model = Model::from_text(text, before.name, before.document->overrides());
@@ -214,14 +214,15 @@ private:
     }
   }
 
-  // Of the whole objective: several of them have none in common.
+  // Unit of the whole objective; several objectives have no unit in common.
   [[nodiscard]] static std::string unit_of_all(const DesignReport& report) {
     if (report.objectives.size() != 1) return "1";
     const DesignReport::Objective& objective = report.objectives.front();
     return objective.target ? fmt::format("({})^2", objective.unit) : objective.unit;
   }
 
-  // Multipliers are of what the optimiser was given: limits by their scale, angles by their sines.
+  // Multipliers refer to the constraints as the optimiser has them: limits divided by their scale, sines of
+  // angles.
   [[nodiscard]] double cost_of(std::size_t constraint, double limit,
                                std::optional<Eigen::Index> place) const {
     const auto k = static_cast<std::size_t>(place.value_or(0));

@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-/// The report on what a search of the task has found, but for its method. \pre something was found
+/// Reports the result of a search, except its method. \pre something was found
 [[nodiscard]] Result<DesignReport> design_report(const DesignSetup& setup, const DesignOutcome& outcome);
 
 }  // namespace higherpair

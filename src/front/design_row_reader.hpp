@@ -7,19 +7,19 @@
 
 namespace higherpair {
 
-/// Takes down what the rows of one candidate say, row by row.
+/// Records the quantities of one candidate, row by row, into DesignRows.
 class RowReader {
 public:
   RowReader(const DesignSetup& setup, const Mechanism& mechanism, const Plan& plan, DesignRows& rows);
 
-  /// \param there  whether the bodies could be placed
+  /// \param there  whether the bodies could be positioned
   void take(const std::vector<BodyMotion>& bodies, bool there, double driver, RowStatus status);
-  /// \param gaps  of each group of the plan, in the row that was taken last
+  /// \param gaps  of each group of the plan, in the last row taken
   void take_gaps(const std::vector<std::optional<double>>& gaps);
   void take_gaps(const std::vector<BodyMotion>& bodies);
-  /// \param rows  that the gap of this group depends on; empty: others
+  /// \param rows  on which the gap of this group depends; empty: on other places
   void take_gap(std::size_t group, double gap, const std::vector<WeightedRow>& rows);
-  /// \param limits  events on the path that end it
+  /// \param limits  number of events on the path that end it
   void finish(int limits);
 
 private:
@@ -30,7 +30,7 @@ private:
   const Mechanism& mechanism_;
   const Plan& plan_;
   DesignRows& rows_;
-  std::vector<std::size_t> modes_;  // of each group: which one of those with two modes
+  std::vector<std::size_t> modes_;  // for each group: its index among those with two modes
   double not_good_ = 0;
 };
 

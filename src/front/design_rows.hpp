@@ -20,57 +20,57 @@ struct DesignSetup {
   DesignNumbers numbers;
   std::vector<DesignQuantity> quantities;
   std::vector<Measure> measures;  ///< of the quantities that are measures
-  RunSettings settings;           ///< with their columns
-  DriverSchedule schedule;        ///< of the start
+  RunSettings settings;           ///< of a run with the columns of the measures
+  DriverSchedule schedule;        ///< of the start values
   int branches = 1;
-  std::optional<int> start_branch;  ///< none where the start cannot be assembled
-  double size = 1;                  ///< of the start [m]
-  /// Of each constraint: by how much its limit has to be missed to count as 1, in the unit of tables.
+  std::optional<int> start_branch;  ///< none where the start values cannot be assembled
+  double size = 1;                  ///< of the mechanism with the start values [m]
+  /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};
-  double cost_scale = 1;  ///< what costs are of the order of, in the unit of tables
+  double cost_scale = 1;  ///< order of magnitude of the cost, in the unit of tables
 
-  /// What dyads are to have to spare [m]: on the very edge of their reach rounding loses the motion.
+  /// Margin required of dyads [m]: on the very edge of their reach rounding loses the motion.
   [[nodiscard]] double spare() const { return kSpareReach * size; }
-  /// Whether they reach all the way, when this is the largest gap. Constraints ask for all of spare(), so
-  /// that what an optimiser tolerates is no edge either.
+  /// Whether the dyads can be closed all the way, given the largest gap. Constraints require the whole of
+  /// spare(), so that the optimiser's tolerance does not lead to the edge either.
   [[nodiscard]] bool closes(double gap) const { return gap < -spare() / 2; }
 
-  /// Whether a candidate's table or events are wanted, and whether what check() has of it is.
+  /// Whether the table or events of a candidate are needed, and whether figures of check() are.
   [[nodiscard]] bool needs_table() const;
   [[nodiscard]] bool needs_check() const;
-  /// Whether it is asked how far bodies come.
+  /// Whether the extents of bodies are needed.
   [[nodiscard]] bool needs_extents() const;
 };
 
-/// The rows of a candidate, as far as it has them.
+/// The rows of a candidate, as far as they exist.
 struct DesignRows {
   bool started = false;
-  double missing = 0;  ///< share of rows that are not ok or to which the path is not good; 0: all is good
-  std::vector<double> gaps;      ///< of each group with two modes, the largest over all rows [m]
-  std::vector<double> measured;  ///< of DesignSetup::quantities, NaN where undefined
-  std::vector<std::vector<ExtentTerm>> extents;  ///< of those of DesignSetup::quantities that are extents
-  std::vector<double> transmissions;             ///< of each constraint on one: the least |sine|
-  std::vector<std::vector<Vector2d>> points;     ///< of each path: where the point is in each row, in ground
-                                                 ///< [m]; of a row that is missing where it was last
-  std::vector<double> positions;                 ///< of the first driver in the rows [rad or m]
+  double missing = 0;  ///< fraction of rows that are not ok, plus half a row for each limit; 0: all is good
+  std::vector<double> gaps;      ///< for each group with two modes, the largest over all rows [m]
+  std::vector<double> measured;  ///< for each of DesignSetup::quantities, NaN where undefined
+  std::vector<std::vector<ExtentTerm>> extents;  ///< for each of DesignSetup::quantities that is an extent
+  std::vector<double> transmissions;             ///< for each transmission constraint: the least |sine|
+  std::vector<std::vector<Vector2d>> points;     ///< for each path: the position of the point in each row, in
+                                                 ///< ground [m]; in a missing row, its last position
+  std::vector<double> positions;                 ///< of the first driver in each row [rad or m]
 
-  /// What derivatives depend on, of rows that were followed or placed by groups of any kind: to first order
-  /// each gap is the sum of weights times the gaps in these rows; empty where it is largest elsewhere.
+  /// What derivatives depend on, for rows that were followed, or positioned by groups of any kind. To first
+  /// order each gap is the weighted sum of the gaps in these rows; empty where it is largest between rows.
   std::vector<std::vector<WeightedRow>> gap_rows;
   std::vector<std::size_t> transmission_rows;
-  std::vector<double> table;             ///< of the columns that measures need, row by row
-  std::size_t table_columns = 0;         ///< how many they are
-  std::vector<std::size_t> table_slots;  ///< of each measure: its column
-  std::vector<double> places;            ///< of the first driver in the rows, as tables show it
+  std::vector<double> table;             ///< columns needed by measures, row by row
+  std::size_t table_columns = 0;         ///< number of these columns
+  std::vector<std::size_t> table_slots;  ///< for each measure: its column
+  std::vector<double> places;            ///< position of the first driver in each row, as in tables
 
-  /// The bodies where the only driver is at a position within the rows; rates for its unit velocity. \pre
-  /// nothing is missing, and `direct` or `run` is there
+  /// The bodies at a position of the only driver within the rows; rates for unit velocity of the driver. \pre
+  /// nothing is missing, and `direct` or `run` is set
   [[nodiscard]] const std::vector<BodyMotion>& bodies_at(double driver);
 
-  /// As at first; keeps its memory.
+  /// Resets to the initial state, but keeps the memory.
   void restart();
 
-  std::unique_ptr<const Mechanism> mechanism;  ///< of `direct`
+  std::unique_ptr<const Mechanism> mechanism;  ///< used by `direct`
   std::optional<DirectMotion> direct;
   std::optional<Run> run;
 };

@@ -22,7 +22,7 @@ double count_of(const std::vector<EventType>& types, const std::vector<Event>& e
   }));
 }
 
-// Positions alone: without a table.
+// Follows the positions only, without a table.
 void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   int limits = 0;
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
@@ -41,7 +41,7 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   reader.finish(limits);
 }
 
-// Rows that are not gone to any more.
+// Records the remaining rows, which are not computed, as not assemblable.
 void give_up(const DriverSchedule& schedule, std::int64_t row, const std::vector<BodyMotion>& bodies,
              RowReader& reader) {
   for (; row < schedule.size(); ++row) {
@@ -79,7 +79,7 @@ std::optional<Analysis> analysis_of(const DesignSetup& setup, const DesignCandid
                                                                   nullptr}));
 }
 
-// Runs it through its rows.
+// Runs the analysis through its rows.
 void take_rows(Analysis& analysis, WhenLost when_lost, RowReader& reader, MeasureSet& measures,
                DesignRows& rows) {
   Row row;

@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// A candidate's mechanism and order of solution, its drivers, and its profile where measures need it.
+/// A candidate's mechanism, order of solution and drivers; also its profile where measures need it.
 struct DesignCandidate {
   std::shared_ptr<const Model::Data> data;
   std::unique_ptr<const Mechanism> mechanism;
@@ -15,13 +15,13 @@ struct DesignCandidate {
   DriverSchedule schedule;
 };
 
-/// What becomes of the rows behind a limit position.
+/// What happens to the rows beyond a limit position.
 enum class WhenLost {
-  kLookFurther,  ///< those that can be assembled count: how many are missing says how much is wrong
-  kGiveUp,       ///< all are missing: closed forms say how much is wrong, and better
+  kLookFurther,  ///< rows that can be assembled count: the number of missing ones measures the violation
+  kGiveUp,       ///< all count as missing: closed forms give a better measure of the violation
 };
 
-/// The rows of a candidate by following its motion; with the table that measures need, where there are some.
+/// Computes the rows of a candidate by following its motion, with the table that measures need, if any.
 void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, WhenLost when_lost,
                  DesignRows& rows);
 

@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-// What a fit can do without.
+// What a design needs and the task lacks; a fit can do without it.
 Diagnostics missing_in(const DesignTask& task) {
   Diagnostics mistakes;
   if (task.objectives.empty()) {
@@ -89,12 +89,12 @@ Diagnostics mistakes_in(const Model& model, const DesignTask& task, const Driver
   return mistakes;
 }
 
-// Whether every number is as before, undefined ones too.
+// Whether all numbers are equal.
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a.array() == b.array()).all();
 }
 
-// Whether a contact opens is told by its force.
+// Openings of contacts are found from forces, which the run has to compute then.
 RunSettings run_wanted_by(const DesignTask& task) {
   RunSettings wanted;
   for (const DesignTask::Constraint& constraint : task.constraints) {

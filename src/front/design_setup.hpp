@@ -6,26 +6,26 @@
 
 namespace higherpair {
 
-/// A task made ready. Fails, with the place of each, for what the task cannot mean: columns, rows and pins
-/// that are not there, and numbers that change nothing.
+/// Prepares a task. Fails, with the place of each mistake, for columns, rows and pins that do not exist, and
+/// for variables without effect.
 [[nodiscard]] Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model);
 
-/// The task as the optimiser takes it: residuals of paths and targets, cost of what is to be small,
-/// constraints of the closure of each dyad, of the whole path being good, and of the task, each of which may
+/// The task as an optimisation problem: residuals for paths and targets, cost for what is to be minimised,
+/// constraints for the closure of each dyad, for a good path, and for those of the task, each of which may
 /// have two limits.
 [[nodiscard]] DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup);
 
-/// Which of the problem's constraints are the limits of the task's k-th one: `above` before `below`.
+/// Indices of the problem's constraints for the limits of one constraint of the task; `above` comes first.
 struct LimitPlaces {
   std::optional<Eigen::Index> above, below;
 };
 [[nodiscard]] std::vector<LimitPlaces> limit_places(const DesignSetup& setup);
 
-/// What is wrong with a task's variables and objectives in effect: that they change nothing near the start.
+/// Diagnostics for variables and objectives that have no effect near the start.
 [[nodiscard]] Diagnostics idle_parts(const DesignSetup& setup);
 
-/// The text of the model's profile with the design x in it, and with the poses that it takes to assemble it
-/// on the branch. Reading it gives the design.
+/// The text of the model's profile with the design x written into it, and with the poses needed to assemble
+/// it on the branch. Reading it gives the design.
 [[nodiscard]] Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x,
                                                  int branch);
 

@@ -9,26 +9,26 @@
 
 namespace higherpair {
 
-/// A run of one candidate, and with it the derivatives by each variable.
+/// A run of one candidate together with its derivatives by each variable.
 class SlopeRun {
 public:
-  /// None where it cannot be started on the branch, or not be differentiated there. \param setup, candidate
-  /// outlive this \param derivatives  of the mechanism by each variable
+  /// None where the run cannot be started on the branch, or cannot be differentiated there. \param setup,
+  /// candidate  must outlive this \param derivatives  of the mechanism by each variable
   [[nodiscard]] static std::optional<SlopeRun> start(const DesignSetup& setup,
                                                      const DesignCandidate& candidate, int branch,
                                                      const std::vector<MechanismDerivative>& derivatives);
 
-  /// To a row that is not before the last one.
+  /// Moves to a row, which must not be before the last one.
   void go_to(std::size_t row);
-  /// Beside a row, to a position of the only driver.
+  /// A copy moved from the current row to a position of the only driver.
   [[nodiscard]] SlopeRun beside(double driver) const;
 
-  /// One for each variable; empty where there is one by which the row cannot be differentiated.
+  /// One for each variable; empty where the row cannot be differentiated by one of them.
   [[nodiscard]] std::vector<RowSensitivity> sensitivities(RatesAsked rates) const;
-  /// The derivative of a number that a run has in its row.
+  /// The derivative of a number that is a function of a run in its row.
   [[nodiscard]] double slope_of(std::size_t variable, const RowSensitivity& of_row,
                                 const std::function<double(const Run& displaced)>& number) const;
-  /// Those of the columns of the table. \param like  whose mechanism is changed
+  /// Derivatives of the columns of the table. \param like  its mechanism is overwritten
   [[nodiscard]] std::vector<double> table_slopes(Model::Data& like, std::size_t variable,
                                                  const RowSensitivity& of_row) const;
 
@@ -44,7 +44,7 @@ private:
   Run run_;
   std::vector<Sensitivity> by_;
   std::vector<DriverMotion> motions_;
-  std::size_t next_ = 0;  // row
+  std::size_t next_ = 0;  // number of the next row
 };
 
 }  // namespace higherpair

@@ -14,8 +14,8 @@
 namespace higherpair {
 namespace {
 
-// So many rows at most in which columns are differentiated along the displaced row: in more of them whole
-// candidates are quicker.
+// Maximum number of rows in which columns are differentiated along a displaced row; for more, finite
+// differences of whole candidates are faster.
 constexpr std::size_t kMostAlong = 8;
 
 bool is_covered(const DesignSetup& setup) {
@@ -25,7 +25,7 @@ bool is_covered(const DesignSetup& setup) {
                       [](const Contact& contact) { return contact.keep == Keep::kGap; });
 }
 
-// What is wanted of one row: added up where it has been gone to.
+// The derivatives wanted in one row, added up when the run gets there.
 using Task = std::function<bool(const SlopeRun&, const std::vector<RowSensitivity>&)>;
 struct RowTasks {
   RatesAsked rates = RatesAsked::kNone;
@@ -118,7 +118,7 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
   }
 }
 
-// How far bodies come: each term in the row in which it is largest.
+// Extents of bodies: each term is differentiated in the row in which it is largest.
 void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
   std::size_t k = 0;
@@ -140,7 +140,7 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
   }
 }
 
-// What four-bars have to spare depends on no row.
+// The Grashof margins of four-bars depend on no row.
 void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
                const std::vector<MechanismDerivative>& derivatives, DesignSlopes& slopes) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);

@@ -1,4 +1,4 @@
-// A design as a profile.
+// Writes a design as a profile.
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
@@ -28,8 +28,8 @@ bool stand_alike(const Run& a, const Run& b) {
   return true;
 }
 
-// Poses of what a choice of branch places: where nothing is chosen they may mean more than an estimate, as
-// the coordinate at which a driver starts.
+// Poses of the bodies whose assembly depends on the branch. Other poses are left alone: they may be more than
+// an estimate, such as the coordinate at which a driver starts.
 std::vector<NewValue> poses_of(const Run& run, const Units& units) {
   std::vector<NewValue> poses;
   const double length = from_si(dimension::kLength, units).apply(1);
@@ -77,7 +77,7 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   if (!text) {
     return text;
   }
-  // Where the poses lead to another assembly, they are those of the design.
+  // If the profile's poses lead to another assembly, those of the design are written.
   const auto read = Model::from_text(*text, model.name, model.document->overrides());
   const auto data = setup.numbers.data_of(x);
   if (!read || !data || !data->plan) {

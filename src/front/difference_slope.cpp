@@ -17,7 +17,7 @@ Slope slope_by_differences(const std::array<double, 5>& r, double h, double roun
   }
   slope.kind = SlopeKind::kDifferences;
   slope.error = std::abs(slope.up - one);
-  // Of a smooth function the bend grows by 4, of a kink by 2.
+  // When the step doubles, the second difference grows fourfold for a smooth function, twofold at a kink.
   if (wide < kKinkOfDifference * 4 * bend && bend > kKinkOfSlope * h * std::abs(slope.up) + rounding) {
     slope.kind = SlopeKind::kKink;
     slope.up = (2 * (r[3] - r[2]) - (r[4] - r[2]) / 2) / h;

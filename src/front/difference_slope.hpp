@@ -6,9 +6,9 @@
 
 namespace higherpair {
 
-/// The derivative of a result from its values at a number less 2 h, less h, at it, and as far above; NaN:
-/// there is none.
-/// \param rounding  a bend of the values by less is none
+/// The derivative of a result from its values for a number changed by -2 h, -h, 0, h and 2 h; a value is NaN
+/// where there is none.
+/// \param rounding  smaller second differences of the values are rounding
 [[nodiscard]] Slope slope_by_differences(const std::array<double, 5>& values, double h, double rounding);
 
 }  // namespace higherpair

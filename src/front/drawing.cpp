@@ -19,14 +19,14 @@ namespace higherpair {
 namespace {
 
 constexpr std::int64_t kLeastDrawnRows = 181,
-                       kMostDrawnRows = 721;  // that decide about a picture; paths are smooth
+                       kMostDrawnRows = 721;  // from which a picture is laid out; paths are smooth
 constexpr double kMostScenes = 200;           // of `every`
 
 struct DrawnRows {
   std::vector<MotionRow> rows;
-  std::vector<Reactions> reactions;  ///< the same, of a run with forces
+  std::vector<Reactions> reactions;  ///< of these rows, in a run with forces
   std::vector<double> drivers;       ///< of each row, in its unit
-  std::vector<Event> faults;         ///< what keeps the path from being good
+  std::vector<Event> faults;         ///< events that make the path bad
 };
 
 Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
@@ -170,7 +170,7 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
   if (settings.at) {
     return scene_at(model, alone, *settings.at, maker);
   }
-  return Scenes{{maker.scene()}, std::nullopt, "", {}, {}};  // of the first row that has a place
+  return Scenes{{maker.scene()}, std::nullopt, "", {}, {}};  // of the first row with a position
 }
 
 }  // namespace higherpair

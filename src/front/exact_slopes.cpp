@@ -76,7 +76,7 @@ std::vector<double> ExactSlopes::slopes_at(std::size_t number, const Stop& stop)
   }
 }
 
-// Of means: over all rows that have a value.
+// Derivatives of means, over all rows that have a value.
 void ExactSlopes::take_rows() {
   const bool needed = std::any_of(measures_.begin(), measures_.end(), [](const Measure& measure) {
     return measure.of == MeasureKind::kMean || measure.of == MeasureKind::kRms;

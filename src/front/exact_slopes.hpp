@@ -10,19 +10,19 @@
 
 namespace higherpair {
 
-/// The exact derivatives of results by numbers: of an extreme those of its column at its places, of a mean
-/// those of all rows.
+/// Exact derivatives of results by numbers: that of an extreme from its column at the extreme's places, that
+/// of a mean from all rows.
 class ExactSlopes {
 public:
-  /// All of these outlive this. \param slopes  of each number
+  /// All arguments must outlive this. \param slopes  for each number
   ExactSlopes(PathColumns& columns, const std::vector<PathResult>& results,
               const std::vector<Measure>& measures, const std::vector<std::unique_ptr<NumberSlopes>>& slopes,
               int threads);
 
-  /// Goes along the path; ends early where the run is to stop.
+  /// Computes the derivatives along the path; ends early if the run is to stop.
   void take();
 
-  /// \pre take() has come to its end
+  /// \pre take() has run to its end
   [[nodiscard]] Slope of(std::size_t number, std::size_t measure) const;
 
 private:
@@ -39,9 +39,9 @@ private:
   const std::vector<Measure>& measures_;
   const std::vector<std::unique_ptr<NumberSlopes>>& slopes_;
   int threads_;
-  std::map<double, std::size_t> place_index_;                // by the row
-  std::vector<std::vector<std::vector<double>>> at_places_;  // of each number at each place all columns
-  std::vector<std::vector<double>> means_;                   // of each number of each measure
+  std::map<double, std::size_t> place_index_;                // by row
+  std::vector<std::vector<std::vector<double>>> at_places_;  // for each number, place and column
+  std::vector<std::vector<double>> means_;                   // for each number and measure
 };
 
 }  // namespace higherpair

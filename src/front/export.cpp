@@ -22,7 +22,7 @@ std::string length_text(const Model& model, double metres) {
                      name_of(model.units().length));
 }
 
-// In digits that can be given as they are: rounded down.
+// The length rounded down to a few digits, so that it can be used as given.
 std::string length_below(const Model& model, double metres) {
   const double value = from_si(dimension::kLength, model.units()).apply(metres);
   constexpr double kDigits = 4;
@@ -46,7 +46,7 @@ const NamedCurve& named(const Model& model, const CurveRef& ref) {
       .curves[static_cast<std::size_t>(ref.curve)];
 }
 
-// Those of the profile, without the copies that contacts have.
+// The curves of the profile, without the copies made for contacts.
 std::vector<NamedRef> all_curves(const Model& model) {
   std::vector<NamedRef> curves;
   const auto& bodies = model.mechanism().bodies;
@@ -70,7 +70,7 @@ std::vector<std::string> names_of(const std::vector<NamedRef>& curves) {
   return names;
 }
 
-// All that can go out: a knife edge only as the path of a cutter around it.
+// All curves of a body that can be exported; a knife edge only as the path of a cutter around it.
 Result<std::vector<NamedRef>> curves_of_body(const Model& model, const std::string& name, FlankPath path) {
   std::vector<std::string> bodies;
   for (const Body& body : model.mechanism().bodies) {

@@ -84,7 +84,7 @@ Result<std::string> curves_dxf(const Model& model, const std::vector<ExportedCur
     std::vector<DxfOutline> layers;
     for (const NamedOutline& outline : outlines) {
       std::string layer = outline.name;
-      std::replace(layer.begin(), layer.end(), '.', '-');  // R12 knows no dots in names
+      std::replace(layer.begin(), layer.end(), '.', '-');  // DXF R12 allows no dots in names
       layers.push_back({std::move(layer), outline.line});
     }
     return dxf_text(layers, units.length);

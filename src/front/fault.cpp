@@ -1,4 +1,4 @@
-// What is wrong with a mechanism that was built in C++: what the reader of profiles makes sure of.
+// Checks a mechanism that was built in C++ for what the reader of profiles ensures.
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
 #include "model_data.hpp"
@@ -24,7 +24,7 @@ std::string no_such(const std::string& where, int index, const Items& items, std
                        fmt::format("there are {} {}", items.size(), what));
 }
 
-// Looks for the first fault, thing by thing.
+// Finds the first error, item by item.
 class Checker {
 public:
   explicit Checker(const Mechanism& mechanism) : m_(mechanism) {}
@@ -137,7 +137,8 @@ private:
     }
   }
 
-  // A contact with a boundary takes a curve by its support as one too, which it is only without cusps.
+  // In a contact with a boundary, a curve given by its support function is used as a boundary too: it must
+  // have no cusps.
   void expect_no_cusps(const std::string& where, const CurveRef& ref) {
     const Body& body = m_.bodies[static_cast<std::size_t>(ref.body)];
     const std::vector<int>& parts = body.curves[static_cast<std::size_t>(ref.curve)].parts;

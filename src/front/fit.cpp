@@ -30,7 +30,7 @@ Result<int> branch_of_model(const Model& model) {
   return branch_of(run->impl().run);
 }
 
-// Unknowns of which no measured value depends.
+// Variables on which no measured value depends.
 Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) {
   Diagnostics mistakes;
   const auto jacobian = problem.jacobian(x);
@@ -53,7 +53,7 @@ Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) 
   return mistakes;
 }
 
-// Angles that an instrument counts within a turn, or from another turn.
+// Shifts angles by whole turns where the instrument counts within one turn, or from another one.
 void unwrap_angles(FitData& data, const FitProblem& problem, const Eigen::VectorXd& x) {
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
     const std::vector<double> values = problem.unwrapped(c, x);
@@ -70,7 +70,7 @@ void unwrap_angles(FitData& data, const FitProblem& problem, const Eigen::Vector
   }
 }
 
-// The new text, which is read again and run through the rows.
+// The text of the new profile, verified by reading it again and running it through the rows.
 Result<std::string> verified_text(const FitProblem& problem, const FitSolution& solution, FitReport& report) {
   const FitData& data = problem.data();
   const auto schedule = first_schedule(data.model.data());

@@ -8,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-// The drivers in every row of the table, less offsets.
+// The drivers in every row of the table, with offsets subtracted.
 std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& data, const Profile& profile,
                                                                  std::span<const double> offsets) {
   const std::size_t count = data.rows();
@@ -43,7 +43,7 @@ std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& 
 }
 
 std::vector<double> first_positions(const Model::Data& data) {
-  // Where the profile's own first row is; of a run in time the same.
+  // Those of the profile's own first row, also for a run in time.
   const auto schedule = first_schedule(data);
   return schedule ? schedule->first_positions() : std::vector<double>();
 }

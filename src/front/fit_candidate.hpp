@@ -12,8 +12,8 @@
 
 namespace higherpair {
 
-/// A mechanism with given numbers at its first position, and where its drivers are to be in each
-/// measured row.
+/// A mechanism with given numbers at its first position, and the positions of its drivers in each measured
+/// row.
 struct FitCandidate {
   std::shared_ptr<const Model::Data> data;
   Run run;
@@ -21,16 +21,16 @@ struct FitCandidate {
   std::optional<InverseDynamics> dynamics;
   std::vector<std::vector<DriverState>> rows;
   std::vector<double> times;       ///< in the profile's unit
-  std::vector<std::size_t> slots;  ///< of FitData::columns among the columns
+  std::vector<std::size_t> slots;  ///< of FitData::columns among the candidate's columns
 };
 
 /// None where it cannot be started. \param numbers  of the candidate \param branch  on which it is assembled
-/// \param offsets  what FitData::where shows more than is there
+/// \param offsets  readings of FitData::where less the true values
 [[nodiscard]] std::optional<FitCandidate> fit_candidate(const FitData& data,
                                                         std::shared_ptr<const Model::Data> numbers,
                                                         int branch, std::span<const double> offsets);
 
-/// Moves it to all rows and calls f(row, motions of the drivers, values of all columns).
+/// Moves it through all rows and calls f(row, motions of the drivers, values of all columns).
 template <class F>
 void for_each_row(FitCandidate& candidate, F f) {
   std::vector<double> values;

@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-// Positions, velocities and accelerations in the names of columns.
+// Endings of column names for positions, velocities and accelerations.
 constexpr std::array<std::array<std::string_view, 3>, 3> kMeasuredEndings = {
     {{"x", "y", "angle"}, {"vx", "vy", "omega"}, {"ax", "ay", "alpha"}}};
 constexpr std::array<std::string_view, 3> kOfJoints = {"position", "velocity", "acceleration"};
@@ -35,8 +35,8 @@ double scale_of(const Part& part, const Units& units) {
   return from_si({.length = of.length, .time = -part.order, .angle = of.angle}, units).apply(1);
 }
 
-// d/dp of position, velocity or acceleration of the point p_B of a body: p + r, v + ω t, a + α t - ω² r, with
-// r the arm in ground and t the same turned.
+// d/dp of the position, velocity or acceleration of the point p_B of a body: p + r, v + ω t, a + α t - ω² r,
+// where r is the vector from the body's origin to the point in ground and t is r turned by 90 degrees.
 Vector2d point_derivative(const BodyMotion& body, const BodyMotion& by, const Vector2d& p_B,
                           const Vector2d& p_B_by, int order) {
   const Vector2d r = body.X_WB.R_WB * p_B;
@@ -91,7 +91,7 @@ FitColumns::FitColumns(const Mechanism& mechanism, const FitData& data) {
                             scale_of(part, units)});
       }
     }
-    // A name that could mean two things is worked out as the table does.
+    // An ambiguous name is left to the others, which are computed from the table.
     if (motions_.size() != before + 1) {
       motions_.resize(before);
       others_.push_back(c);

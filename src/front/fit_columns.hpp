@@ -13,21 +13,21 @@ namespace higherpair {
 /// Whether a driver's coordinate is an angle.
 [[nodiscard]] bool driver_turns(const Mechanism& mechanism, std::size_t driver);
 
-/// Which of the measured columns are motions of bodies, of their points or of revolute joints, whose
-/// derivatives follow from those of the bodies in closed form.
+/// The measured columns that are motions of bodies, of their points or of revolute joints; their derivatives
+/// follow from those of the bodies in closed form.
 class FitColumns {
 public:
   FitColumns(const Mechanism& mechanism, const FitData& data);
 
-  /// All others, in their order.
+  /// All other measured columns, in their order.
   [[nodiscard]] const std::vector<std::size_t>& others() const { return others_; }
 
-  /// Of the row whose derivatives all columns follow from.
+  /// Which rates the derivatives of all columns need in a row.
   [[nodiscard]] RatesAsked rates() const;
 
-  /// Derivatives of those columns in a row, in their units.
-  /// \param derivative  of the mechanism's numbers \param out  one for each of FitData::columns; others are
-  /// left alone
+  /// Derivatives of the columns of bodies, points and joints in a row, in their units.
+  /// \param derivative  of the mechanism's numbers \param out  one for each of FitData::columns; those of
+  /// others() are left unchanged
   void derivatives(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row,
                    Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> out) const;
 
@@ -35,8 +35,8 @@ private:
   struct Motion {
     std::size_t column = 0;
     std::size_t body = 0;
-    std::size_t minus = 0;  // of angles: the body whose angle is taken away
-    int point = -1;         // of the body; < 0: its frame
+    std::size_t minus = 0;  // of angles: the body whose angle is subtracted
+    int point = -1;         // of the body; < 0: origin of its frame
     int axis = 0;           // 0: x, 1: y, 2: angle
     int order = 0;          // of the derivative by time
     double scale = 1;       // from SI units

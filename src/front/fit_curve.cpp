@@ -89,7 +89,7 @@ Form form_of(const BoundaryFit& fit) {
   }
 }
 
-// As read_curves() takes it.
+// In the form that read_curves() reads.
 std::string curve_text(const CurveFitReport& report) {
   const auto value = [&](std::size_t i) { return report.numbers[i].value; };
   if (report.type == "line") {
@@ -135,9 +135,9 @@ Result<PointColumns> point_columns(const MeasuredTable& points) {
   return PointColumns{*x, *y, (*x)->unit.empty() ? "mm" : (*x)->unit};
 }
 
-// Its numbers with their intervals, in the report's unit and degrees.
+// Adds the curve's numbers with their confidence intervals, in the report's unit and in degrees.
 void add_numbers(const BoundaryFit& fit, const Form& form, CurveFitReport& report) {
-  // Of a line's point and normal two are free.
+  // The point and normal of a line have two degrees of freedom.
   const std::size_t freedoms_used = form.type == "line" ? 2 : form.names.size();
   const double quantile = student_quantile(
       static_cast<double>(report.points.size()) - static_cast<double>(freedoms_used), report.confidence);

@@ -21,7 +21,7 @@ bool matches_any(const std::vector<std::string>& globs, const std::string& name)
                      [&](const std::string& glob) { return matches(glob, name); });
 }
 
-// What tables say of a row besides its motion.
+// Columns of tables that are not the motion to be fitted.
 bool is_aside(const std::string& name) {
   const bool effort = name.ends_with(".effort") || name.ends_with(".effort_check");
   return name == "status" || name == "residual" || name == "time" || name == "driver" ||
@@ -76,7 +76,7 @@ private:
     return found == measured_.columns.end() ? nullptr : &*found;
   }
 
-  // A table that has both is one of a run in time: then time says where its rows are.
+  // A table with both time and drivers is one of a run in time: time then says where its rows are.
   void read_where() {
     const Mechanism& mechanism = data_.model.mechanism();
     std::vector<std::string> drivers;
@@ -120,7 +120,7 @@ private:
     data_.where_offset.push_back(false);
   }
 
-  // Values in `unit`.
+  // The values converted to `unit`.
   std::vector<double> scaled(const MeasuredColumn& column, const std::string& unit) {
     if (column.mistake) mistakes_.push_back(*column.mistake);
     std::vector<double> values = column.values;
@@ -168,7 +168,7 @@ private:
       measure.column = column->name;
       measure.place = column->place;
     }
-    // Rows are the table's: whether the profile's own would do makes no difference.
+    // The rows are those of the table: whether the profile's own have the right places does not matter.
     const auto& programs = data_.model.profile().programs;
     RunSettings settings;
     if (programs.size() == 1 && !programs.front().law) settings.positions = {programs.front().start};

@@ -11,32 +11,32 @@
 
 namespace higherpair {
 
-/// A measured column that counts.
+/// A measured column that takes part in a fit.
 struct FitColumn {
   std::string name;
   std::string unit;
-  std::vector<double> values;  ///< of each row, in that unit; NaN: missing
+  std::vector<double> values;  ///< in each row, in that unit; NaN: missing
   std::optional<double> deviation;
   double weight = 1;
   bool offset = false;
-  bool unit_given = false;  ///< in the header
+  bool unit_given = false;  ///< in the table's header
   Place place;
 };
 
-/// A point's path in a frame of its own: places of its columns in FitData::columns.
+/// The path of a point in a measuring frame of its own: indices of its columns in FitData::columns.
 struct FitFrame {
   FitTask::Frame task;
   std::size_t x = 0, y = 0;
 };
 
-/// What was measured, brought to the names and units of a model's tables.
+/// Measured data, converted to the names and units of a model's tables.
 struct FitData {
   Model model;
   std::shared_ptr<const DesignTask> variables;
-  FitTask task;          ///< with the settings' changes
-  RunSettings settings;  ///< of a run that has the columns
+  FitTask task;          ///< with the changes from the settings
+  RunSettings settings;  ///< of a run that computes the columns
   std::vector<int> lines;
-  std::vector<std::vector<double>> where;  ///< of each driver, or of time alone: its value in each row
+  std::vector<std::vector<double>> where;  ///< for each driver, or for time alone: its value in each row
   std::vector<std::string> where_names;
   std::vector<bool> where_unit_given;
   std::vector<Place> where_places;
@@ -48,7 +48,7 @@ struct FitData {
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
   [[nodiscard]] bool in_time() const { return settings.in_time; }
   [[nodiscard]] int values() const;
-  /// In a unit of `where`.
+  /// Unit of `where`.
   [[nodiscard]] std::string where_unit() const;
 };
 

@@ -4,7 +4,7 @@
 
 namespace higherpair {
 
-/// ψ(u)/u of a loss, and ψ′, of a residual in units of its noise.
+/// ψ(u)/u and ψ′(u) of a loss function, for a residual u in units of its noise.
 [[nodiscard]] double weight_of(FitLoss loss, double u);
 [[nodiscard]] double slope_of(FitLoss loss, double u);
 

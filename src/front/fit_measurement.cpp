@@ -137,12 +137,13 @@ void FitMeasurement::place_nearest(const FitTable& table, Eigen::VectorXd& x) co
   place_offsets(table, x);
 }
 
-// The similarity, or what of it is free, that takes a point's path nearest to the measured one.
+// Finds the similarity, or its free part, that brings a point's path nearest to the measured one.
 void FitMeasurement::place_frames(const FitTable& table, Eigen::VectorXd& x) const {
   const double per_radian = from_si(dimension::kAngle, data_.model.units()).apply(1);
   for (std::size_t f = 0; f < data_.frames.size(); ++f) {
     const FitFrame& frame = data_.frames[f];
-    std::vector<std::pair<std::complex<double>, std::complex<double>>> pairs;  // of the model, measured
+    std::vector<std::pair<std::complex<double>, std::complex<double>>> pairs;  // place in the model, measured
+                                                                               // place
     std::complex<double> from, to;
     for (std::size_t k = 0; k < data_.rows(); ++k) {
       const std::complex<double> own(table(place(k), place(frame.x)), table(place(k), place(frame.y)));

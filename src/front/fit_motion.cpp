@@ -29,7 +29,7 @@ DesignTask ranges_of(const DesignTask& task) {
   return ranges;
 }
 
-// What a parameter of the fit changes: the mechanism, or where a driver is.
+// The effect of a parameter of the fit: on the mechanism, or on the position of a driver.
 struct FitParameter {
   Sensitivity by;
   std::optional<std::size_t> offset;  // of this driver
@@ -59,8 +59,8 @@ std::optional<std::vector<FitParameter>> parameters_of(const FitCandidate& candi
   return parameters;
 }
 
-// How the drivers' motions in a row change with a parameter: an offset of a position is taken away from it;
-// of time it makes all drivers earlier.
+// Derivatives of the drivers' motions in a row by a parameter: an offset of a position is subtracted from it;
+// an offset of time makes all drivers earlier.
 std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<DriverState>& row,
                                    std::optional<std::size_t> offset) {
   std::vector<DriverMotion> by(row.size(), DriverMotion{0, 0, 0});
@@ -77,7 +77,7 @@ std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<Driver
   return by;
 }
 
-// Some of the measured columns in a row, of a mechanism that is displaced there.
+// Some of the measured columns in row k, for a mechanism displaced in that row.
 std::vector<double> measured_of(FitCandidate& candidate, const FitData& data, std::size_t k,
                                 const Run& displaced, const std::vector<std::size_t>& wanted) {
   std::optional<InverseDynamics> dynamics;

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = FitUnknown::Kind;
 
-constexpr int kPlaces = 36;  // at which an unknown zero of a driver is tried
+constexpr int kPlaces = 36;  // values tried for the unknown zero of a driver
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-/// Residuals, measured less fitted, of all values that are there, row by row.
+/// Residuals, measured less fitted, of all measured values present, row by row.
 class FitProblem {
 public:
   FitProblem(const FitData& data, const FitMotion& motion);
@@ -20,36 +20,36 @@ public:
   [[nodiscard]] const FitMotion& motion() const { return motion_; }
   [[nodiscard]] const std::vector<FitUnknown>& unknowns() const { return measurement_.unknowns(); }
   [[nodiscard]] Eigen::Index size() const { return place(unknowns().size()); }
-  /// One for each residual: its row and column.
+  /// Row and column of each residual.
   struct Value {
     std::size_t row = 0;
     std::size_t column = 0;
   };
   [[nodiscard]] const std::vector<Value>& values() const { return values_; }
 
-  /// The profile's numbers, and for these what is not known of the measurement by least squares, where it is
+  /// The profile's numbers; for these, the unknowns of the measurement by least squares where the problem is
   /// linear or nearly so.
   [[nodiscard]] Eigen::VectorXd start() const;
-  /// The same for other numbers of the profile; none where they cannot be run.
+  /// The same for other numbers of the profile; none where the mechanism cannot be run with them.
   [[nodiscard]] std::optional<Eigen::VectorXd> start_from(std::span<const double> variables) const;
   [[nodiscard]] Eigen::VectorXd low() const { return low_; }
   [[nodiscard]] Eigen::VectorXd high() const { return high_; }
 
-  /// In units of columns. A value that the candidate has not is off by the spread of its column. None where
-  /// the candidate cannot be started. \param missing  so many
+  /// In the units of the columns. Where the candidate has no value the residual is the spread of the column.
+  /// None where the candidate cannot be started. \param missing  set to the number of these values
   [[nodiscard]] std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x,
                                                          int* missing = nullptr) const;
-  /// Their derivatives by x.
+  /// Derivatives of the residuals by x.
   [[nodiscard]] std::optional<Eigen::MatrixXd> jacobian(const Eigen::VectorXd& x) const;
 
-  /// Largest size of the measured values of a column less their mean; > 0.
+  /// Largest deviation of the measured values of a column from their mean; > 0.
   [[nodiscard]] double spread(std::size_t column) const { return spreads_[column]; }
-  /// The same of the values themselves.
+  /// Largest absolute value of a column.
   [[nodiscard]] double largest(std::size_t column) const { return largest_[column]; }
 
-  /// What is measured of an angle with whole turns taken from it or added, so that it is near the motion of
-  /// `x`: instruments count within a turn, tables go on. As it is where that does not bring all values within
-  /// a quarter turn of it.
+  /// Measured angles of a column with whole turns added or subtracted so that they are near the motion for
+  /// `x`: instruments count within one turn, tables continuously. Unchanged where this does not bring all
+  /// values within a quarter turn of the motion.
   [[nodiscard]] std::vector<double> unwrapped(std::size_t column, const Eigen::VectorXd& x) const;
 
 private:

@@ -90,7 +90,7 @@ private:
     }
   }
 
-  // As a few wrong values do not make it larger.
+  // An estimate of the noise that a few wrong values do not increase.
   double robust_noise(std::size_t column) {
     if (robust_.empty()) {
       for (std::size_t c = 0; c < data_.columns.size(); ++c) {
@@ -138,7 +138,7 @@ private:
                        [](const auto& a, const auto& b) { return a.first < b.first; });
       std::vector<double> residuals;
       for (const auto& [where, off] : by_place) residuals.push_back(off);
-      // What rounding leaves of exact values has a pattern of its own.
+      // Rounding errors of exact values have a pattern of their own: it does not count.
       const Succession succession = succession_of(residuals);
       const bool noisy = column.rms > kNoisyColumn * problem_.largest(c);
       column.succession = succession.correlation;

@@ -4,7 +4,7 @@
 
 namespace higherpair {
 
-/// What a fit has found, but for the text of the new profile.
+/// The report on a fit, without the text of the new profile.
 [[nodiscard]] FitReport fit_report(const FitProblem& problem, const FitSolution& solution);
 
 }  // namespace higherpair

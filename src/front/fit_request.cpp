@@ -1,4 +1,4 @@
-// What [fit] of a profile, or an option in its place, asks of what was measured.
+// Applies [fit] of a profile, and the options that override it, to the measured data.
 #include "fit_request.hpp"
 
 #include "column_set.hpp"

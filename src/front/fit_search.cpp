@@ -11,9 +11,10 @@
 namespace higherpair {
 namespace {
 
-constexpr double kOfDeviation = 1.4826;  // of normal noise: standard deviation over median of sizes
+constexpr double kOfDeviation = 1.4826;  // for normal noise: standard deviation divided by the median
+                                         // absolute value
 constexpr int kMostRounds = 60;
-constexpr int kHuberRounds = 3;  // before Tukey's loss, which forgets what is far off at once
+constexpr int kHuberRounds = 3;  // before Tukey's loss, which ignores far-off values at once
 
 using Sizes = std::vector<double>;
 
@@ -77,7 +78,7 @@ private:
     }
   }
 
-  // Noise of each column from its residuals: per degree of freedom, robustly where the loss is.
+  // Noise of each column from its residuals, per degree of freedom; a robust estimate if the loss is robust.
   [[nodiscard]] std::vector<double> estimated_noise() const {
     const auto count = static_cast<double>(problem_.values().size());
     const double freedoms = count - static_cast<double>(problem_.size());
@@ -96,7 +97,7 @@ private:
     return noise;
   }
 
-  // Sets noise and weights from the residuals; by how much they have changed.
+  // Sets noise and weights from the residuals; returns by how much they have changed.
   double reweight(FitLoss loss) {
     const std::vector<FitColumn>& columns = problem_.data().columns;
     const std::vector<double> estimated = estimated_noise();
@@ -116,7 +117,7 @@ private:
     return change;
   }
 
-  // Whether noise, known or not, makes no difference to where the least is.
+  // Whether the location of the minimum is independent of the noise.
   [[nodiscard]] bool is_plain() const {
     const std::vector<FitColumn>& columns = problem_.data().columns;
     std::size_t unknown = 0;

@@ -7,14 +7,14 @@
 
 namespace higherpair {
 
-/// Where a fit has come to.
+/// The result of a fit.
 struct FitSolution {
   Eigen::VectorXd x;
   Eigen::VectorXd residuals;       ///< in units of columns
-  std::vector<double> noise;       ///< of each column, in its unit; by which residuals are measured
-  std::vector<double> deviations;  ///< the same estimated, also where one is given
-  Eigen::VectorXd weights;         ///< what the loss leaves of each residual
-  std::vector<bool> constant;      ///< columns that no unknown changes: without a part in the fit
+  std::vector<double> noise;       ///< for each column, in its unit; residuals are divided by it
+  std::vector<double> deviations;  ///< the same as estimated from the residuals, even where it is given
+  Eigen::VectorXd weights;         ///< factor by which the loss reduces each residual's weight
+  std::vector<bool> constant;      ///< columns that no unknown changes; they have no part in the fit
   int missing = 0;
   int starts = 0;
   int different = 0;
@@ -23,11 +23,12 @@ struct FitSolution {
   bool started = false;  ///< false: no candidate could be started
 };
 
-/// Looks for the least loss: from the profile's numbers, and from random ones where all variables have
-/// bounds. The noise of columns that have none given and the weights of the loss are found along with it.
+/// Minimises the loss: from the profile's numbers, and from random ones where all variables have bounds. The
+/// noise of columns for which none is given and the weights of the loss are estimated along with it.
 [[nodiscard]] FitSolution solve_fit(const FitProblem& problem, const FitSettings& settings);
 
-/// Residuals in units of noise, with √weight of columns and loss; of columns without a part 0.
+/// Factors that give residuals in units of noise, with √weight of columns and loss; 0 for columns that have
+/// no part in the fit.
 [[nodiscard]] Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution);
 
 }  // namespace higherpair

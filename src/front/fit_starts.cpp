@@ -14,14 +14,14 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostIterations = 100;
-constexpr int kBoundedStarts = 12;  // where all variables have bounds
-constexpr int kCandidates = 10;     // random ones of which the best is where a search begins
+constexpr int kBoundedStarts = 12;  // searches where all variables have bounds
+constexpr int kCandidates = 10;     // random points, the best of which begins a search
 
 class Starts {
 public:
   Starts(const FitProblem& problem, const FitSettings& settings) : problem_(problem), settings_(settings) {}
 
-  // Each by itself, so that the number of threads makes no difference.
+  // Each search is independent, so that the number of threads makes no difference.
   FitStart best() {
     const Eigen::VectorXd first = problem_.start();
     const int count = start_count();
@@ -60,7 +60,7 @@ public:
 private:
   [[nodiscard]] bool stopped() const { return is_raised(settings_.stop); }
 
-  // By the spread of each column, before its noise is known.
+  // Scales by the spread of each column, before its noise is known.
   [[nodiscard]] Eigen::VectorXd spread_scales() const {
     Eigen::VectorXd scales(place(problem_.values().size()));
     for (std::size_t i = 0; i < problem_.values().size(); ++i) {

@@ -18,7 +18,7 @@
 namespace higherpair {
 namespace {
 
-// A basis of the directions in which as many unknowns as possible have no part: reduced row echelon form.
+// A basis in whose directions as many unknowns as possible have no part: reduced row echelon form.
 Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     Eigen::Index row = 0, column = 0;
@@ -37,7 +37,7 @@ std::string list_of(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", joined_words(std::span(names).first(names.size() - 1)), names.back());
 }
 
-// \param z  changes of the unknowns that leave everything as it is; only those with a part
+// \param z  changes of the unknowns that leave the residuals unchanged; only unknowns with a part
 std::string direction_text(const std::vector<double>& z, const std::vector<double>& x,
                            const std::vector<std::string>& names) {
   if (z.size() == 1) return fmt::format("these columns do not say what {} is", names[0]);
@@ -67,7 +67,7 @@ std::string direction_text(const std::vector<double>& z, const std::vector<doubl
       list_of(names), joined_words(shares, " : "));
 }
 
-// Inverse of JᵀJ over the unknowns in `free`, without directions that are not determined.
+// Pseudoinverse of JᵀJ: directions that are not determined are left out.
 Eigen::MatrixXd covariance_shape(const Eigen::MatrixXd& J) {
   const Eigen::VectorXd lengths = J.colwise().norm().cwiseMax(kNeverZero);
   const SingularValues svd = singular_values(triangular_factor(J * lengths.cwiseInverse().asDiagonal()));
@@ -79,7 +79,7 @@ Eigen::MatrixXd covariance_shape(const Eigen::MatrixXd& J) {
   return root * root.transpose();
 }
 
-// The variance of a unit of noise, and of a loss other than squares how much less its minimum is worth.
+// The variance of residuals in units of noise; for a robust loss, with the lower efficiency of its minimum.
 // Huber, Robust Statistics, 1981, section 7.6.
 double variance_factor(const FitProblem& problem, const FitSolution& solution, int freedoms) {
   const FitLoss loss = problem.data().task.loss;
@@ -102,7 +102,7 @@ double variance_factor(const FitProblem& problem, const FitSolution& solution, i
   return correction * correction * variance / (mean * mean);
 }
 
-// The unknowns that are not at a bound beyond which they would go on; notes which are.
+// The unknowns that are not held by a bound; notes which are.
 std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolution& solution,
                                         const Eigen::MatrixXd& jacobian, FitStatistics& statistics) {
   const Eigen::VectorXd scales = scales_of(problem, solution);
@@ -117,8 +117,8 @@ std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolu
   return free;
 }
 
-// Derivatives by the free unknowns in units of the noise. Not weighted by the loss: the curvature of robust
-// ones is in the factor of the variance.
+// Derivatives by the free unknowns in units of the noise. Not weighted by the loss: the curvature of a robust
+// loss is part of variance_factor.
 Eigen::MatrixXd noise_jacobian(const FitProblem& problem, const FitSolution& solution,
                                const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& free) {
   Eigen::VectorXd plain(jacobian.rows());
@@ -131,7 +131,7 @@ Eigen::MatrixXd noise_jacobian(const FitProblem& problem, const FitSolution& sol
   return plain.asDiagonal() * jacobian(Eigen::all, free);
 }
 
-// Which of the free unknowns the columns do not say.
+// Finds the free unknowns that the columns do not determine.
 void find_undetermined(const FitProblem& problem, const FitSolution& solution, const Eigen::MatrixXd& J,
                        const std::vector<Eigen::Index>& free, FitStatistics& statistics) {
   std::vector<std::string> names;
@@ -162,7 +162,7 @@ void set_errors(const Eigen::MatrixXd& covariance, const std::vector<Eigen::Inde
   }
 }
 
-// Whether the residuals can be held against deviations that are given.
+// Whether the residuals can be compared with given deviations.
 bool has_all_deviations(const FitProblem& problem, const FitSolution& solution) {
   const std::vector<FitColumn>& columns = problem.data().columns;
   bool all = problem.data().task.loss == FitLoss::kSquares;

@@ -13,8 +13,8 @@
 namespace higherpair {
 namespace {
 
-// Root of the mean square of what is left of `measured` · factor beside `fitted`, over that of `fitted`; of a
-// column whose zero is not known without the means.
+// RMS of `measured` · factor - `fitted`, divided by the RMS of `fitted`; for a column whose zero is unknown,
+// both without their means.
 double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted, double factor,
               bool free_zero) {
   double mean_off = 0, mean = 0, count = 0;
@@ -47,7 +47,7 @@ std::string advice(const std::string& name, const std::string& own, const OtherU
       name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
 }
 
-// Of all columns: their misfits' mean, or none where the motion cannot be run.
+// The mean misfit of all columns; none where the motion cannot be run.
 std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<double>& variables,
                                    const FitData& data) {
   const FitMotion motion(data, problem.motion().branch());

@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// Columns, drivers and times whose values would fit the profile's motion as it is if they were in
-/// another unit, and do not as they are: a message for each. What has its unit in the header is believed.
+/// A message for each column, driver or time whose values do not fit the profile's motion in the assumed
+/// unit, but would in another one. Units given in the header are trusted.
 [[nodiscard]] Diagnostics unit_suspicions(const FitProblem& problem);
 
 }  // namespace higherpair

@@ -1,4 +1,4 @@
-// Columns of jerk and of higher derivatives. What all of them are made from is worked out by one block.
+// Columns of jerk and of higher derivatives, each kind as one block, since its columns are computed together.
 #include "column_set.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -42,7 +42,7 @@ std::vector<HigherRates> higher_rates(const RowSource& source) {
   return rates;
 }
 
-// Of the drivers that follow a law; the jerk of the others is 0.
+// Jerk of the drivers that follow a law; that of the others is 0.
 void add_driver_jerks(ColumnSet& set, const Profile& profile) {
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
     if (!profile.programs[i].law) {

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// Length of the UTF-8 sequence that begins there; 0: it is none.
+// Length of the UTF-8 sequence at the beginning of the text; 0 if it is invalid.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);

@@ -6,8 +6,8 @@
 
 namespace higherpair {
 
-/// Writes JSON that may stand within a page of HTML: `<` and what is not ASCII-printable below it is escaped,
-/// what is no UTF-8 replaced. The caller opens and closes; commas come by themselves.
+/// Writes JSON that may be embedded in a page of HTML: `<` and control characters are escaped, invalid UTF-8
+/// is replaced. The caller opens and closes brackets; commas are added automatically.
 class JsonWriter {
 public:
   JsonWriter& open(char bracket) {
@@ -31,7 +31,7 @@ public:
   JsonWriter& boolean(bool value) { return plain(value ? "true" : "false"); }
   JsonWriter& null() { return plain("null"); }
   JsonWriter& integer(long long value);
-  /// \param digits  significant ones at most; null where the value is not finite
+  /// \param digits  maximum number of significant digits; writes null where the value is not finite
   JsonWriter& number(double value, int digits);
 
   [[nodiscard]] std::string take() { return std::move(text_); }

@@ -14,7 +14,7 @@
 namespace higherpair {
 namespace {
 
-// From the coordinates of the pair to those of the joints.
+// Converts the coordinates of the pair to those of the joints.
 class Converter {
 public:
   Converter(const Profile& profile, const MappedContact& mapped)
@@ -31,7 +31,7 @@ public:
   [[nodiscard]] double distance(double q) const { return of_follower_.apply(q); }
   [[nodiscard]] bool reverses() const { return mapped_.known.sign < 0; }
 
-  // \param turn  added to q  \param phi  angle near which that of the normal is wanted
+  // \param turn  added to q  \param phi  the angle of the normal, in the turn nearest to its former value
   [[nodiscard]] MapRow row(const MapPoint& point, bool opposed, double turn, double& phi) const {
     const bool reversed = !mapped_.known_is_first && opposed;
     phi = nearest_turn(angle_of(reversed ? Vector2d(-point.n_W) : point.n_W), phi);
@@ -98,8 +98,9 @@ MapBranchReport branch_of(const MapBranch& branch, const MappedContact& mapped, 
   return report;
 }
 
-// The place of an event: that of the end of its first branch there, whole turns included, so that one place
-// has one pair of coordinates; without branches the follower's nearest to the pose.
+// The coordinates of an event: those of the end of its first branch there, whole turns included, so that one
+// place has one pair of coordinates. Without branches, the follower's coordinate is taken nearest to the
+// pose.
 MapPoint place_of(const ContactMap& map, std::size_t event, const MappedContact& mapped) {
   const MapEvent& here = map.events[event];
   MapPoint point = {{here.at.u, here.at.q, here.at.p_W, here.at.n_W}, false, std::nullopt};
@@ -185,7 +186,7 @@ ContactMapReport map_report(const Profile& profile, const MappedContact& mapped,
   return report;
 }
 
-// The whole turn from the start; of a slide the range over which the profile drives it.
+// A whole turn from the start; for a slide the range over which the profile drives it.
 MapRange range_of(const MappedContact& mapped, const DriverSchedule& schedule, const MapSettings& settings) {
   MapRange range;
   range.start = mapped.u;

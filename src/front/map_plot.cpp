@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-// The parts of a branch on which the bodies are free of each other, or the others, which reach up to them.
+// The parts of a branch on which the bodies do not overlap, or the others, extended to the next free row.
 PlotSeries part_of(const MapBranchReport& branch, const std::string& unit, bool free) {
   PlotSeries part;
   part.unit = unit;

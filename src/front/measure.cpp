@@ -23,12 +23,12 @@ std::string where_column(const Mechanism& mechanism, bool in_time) {
   return in_time ? "time" : driver_name(mechanism.drivers.front());
 }
 
-// All columns that a run of the model could have, and for each what it takes to have it.
+// All columns that a run of the model can have, ordered by what they require.
 struct Available {
   std::vector<Column> columns;
   std::vector<std::string> names;
-  std::size_t plain = 0;   // so many without forces and jerk
-  std::size_t forces = 0;  // so many without jerk
+  std::size_t plain = 0;   // number of columns without forces and jerk
+  std::size_t forces = 0;  // number of columns without jerk
 
   [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -63,7 +63,7 @@ Result<Available> available_columns(const Model& model, RunSettings settings) {
   return available;
 }
 
-// Empty where there is a row at the place that the measure wants.
+// The objection to the place of a measure; empty where there is a row at that place.
 std::string place_objection(const DriverSchedule& schedule, const Measure& measure, bool in_time) {
   double low = -std::numeric_limits<double>::infinity();  // the rows on both sides of the place
   double high = std::numeric_limits<double>::infinity();

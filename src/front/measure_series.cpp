@@ -10,7 +10,7 @@
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kParallel = 8;  // comparisons that do not wait for each other
+constexpr std::size_t kParallel = 8;  // independent comparisons, which can be done at once
 
 }  // namespace
 
@@ -36,8 +36,8 @@ Extremes extremes_of(std::span<const double> values) {
 
 namespace {
 
-// Scaling keeps the order, so that the extremes need be scaled alone; the first row of equal ones is among
-// those next to the extreme.
+// Scaling keeps the order, so that only the extremes have to be scaled. Values next to an extreme may become
+// equal to it: the first of them is its row.
 class SeriesMeasure {
 public:
   SeriesMeasure(const Series& series, bool wants_where)

@@ -11,18 +11,18 @@ struct Extremes {
   double low = 0;
   double high = 0;
 };
-/// \pre there are values, all of them numbers
+/// \pre there are values, none of them NaN
 [[nodiscard]] Extremes extremes_of(std::span<const double> values);
 
 /// A column of a whole run, defined in every row.
 struct Series {
   std::span<const double> values;  ///< in SI units
-  Extremes extremes;               ///< of them
+  Extremes extremes;               ///< of these values
   Scaling scale;                   ///< to the units of the run; its factor > 0
-  std::span<const double> where;   ///< of each row, as Measured::where
+  std::span<const double> where;   ///< for each row, as Measured::where
 };
 
-/// What MeasureSet says of these rows, digit by digit.
+/// What MeasureSet returns for these rows, identical in every digit.
 /// \param wants_where  false: Measured::where may be left undefined
 [[nodiscard]] Measured measured(const Measure& measure, const Series& series, bool wants_where);
 

@@ -37,8 +37,8 @@ bool all_touch(const Run& run) {
                      [](const ContactMotion& contact) { return contact.touches; });
 }
 
-// The first row in which every contact touches, of a run at the first row: those that may part hold their
-// bodies there, as all others do. The first row where there is none.
+// Moves a run from the first row to the first row in which every contact touches: there contacts that may
+// separate constrain their bodies as all others do. Stays at the first row if there is none.
 std::int64_t row_in_touch(Run& run, const DriverSchedule& schedule) {
   Run start = run;
   std::vector<DriverMotion> drivers(schedule.driver_count());
@@ -78,7 +78,7 @@ Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
       findings.plan.push_back({group.bodies, describe(mechanism, group)});
     }
   }
-  // By the rank first.
+  // Objections from the rank come first.
   findings.objection = driver_objection(mechanism, findings.mobility);
   if (!findings.objection && !run) {
     findings.objection = run.error().reason + start_advice(data.profile, question.drivers, tolerance);

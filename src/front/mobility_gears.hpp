@@ -11,7 +11,7 @@ namespace higherpair {
 /// The key `gears` of mobility_json(). Empty where the mechanism is not assembled.
 [[nodiscard]] nlohmann::ordered_json gears_json(const MobilityFindings& findings);
 
-/// The same in sentences, a paragraph for each pair.
+/// The same as text, a paragraph for each pair.
 [[nodiscard]] std::string gears_text(const nlohmann::ordered_json& gears, const std::string& length_unit,
                                      const std::string& angle_unit);
 

@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// What mobility_json() is the text of.
+/// The JSON whose text mobility_json() returns.
 [[nodiscard]] nlohmann::ordered_json json_of(const MobilityFindings& findings);
 
 }  // namespace higherpair

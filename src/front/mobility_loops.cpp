@@ -46,8 +46,8 @@ bool slides_on_ground(const Mechanism& mechanism, int body) {
   });
 }
 
-// The body that the lever moves to and fro on ground, joined to it or by one link; none if there is no such
-// body.
+// The ram: a body that slides on ground, joined to the lever directly or by one link; none if there is no
+// such body.
 std::optional<int> ram_of(const Mechanism& mechanism, int lever, int crank) {
   const int count = static_cast<int>(mechanism.bodies.size());
   for (int ram = 1; ram < count; ++ram) {
@@ -155,7 +155,7 @@ private:
     return {{"crank", angle_.apply(at.theta2)}, {"slider", length_.apply(at.r1)}};
   }
 
-  // Of a slider-crank whose guide moves: its parts by the names that they have then.
+  // A slider-crank whose guide moves as a quick-return mechanism, with the names its parts have there.
   [[nodiscard]] Json quick_return_of(const SliderCrankInMechanism& loop) const {
     const bool turning = loop.inversion == SliderCrankInversion::kCrank;
     if (!turning && loop.inversion != SliderCrankInversion::kCoupler) {

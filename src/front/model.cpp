@@ -24,7 +24,7 @@ bool is_same(const CurveRef& a, const CurveRef& b) {
   return a.body == b.body && a.curve == b.curve;
 }
 
-// Of a mechanism that was built: there is no text that could have slips.
+// The profile of a mechanism that was built, not read from text.
 Profile profile_of(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs,
                    const std::string& name) {
   Profile profile;

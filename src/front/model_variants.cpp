@@ -7,7 +7,7 @@
 namespace higherpair {
 
 struct ModelVariants::Impl {
-  Model like;  // whose plan is kept
+  Model like;  // whose plan is used again
   ProfileVariants profiles;
 };
 

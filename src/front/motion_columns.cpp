@@ -52,7 +52,7 @@ void add_time(ColumnSet& set, const Profile& profile, const Units& units) {
 }
 
 void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
-  const bool as_given = units == profile.units;  // the positions of the profile, digit by digit
+  const bool as_given = units == profile.units;  // the positions of the profile, unchanged
   for (std::size_t i = 0; i < profile.mechanism.drivers.size(); ++i) {
     const std::string name = driver_name(profile.mechanism.drivers[i]);
     const Coordinate of = coordinate_of(driven_joint(profile.mechanism, i));
@@ -132,7 +132,7 @@ void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
           });
 }
 
-// The two bodies of a contact on their joints to ground.
+// The two bodies of a contact with their freedoms on joints to ground, where they have one.
 struct Sides {
   std::optional<OneFreedom> first, second;
 

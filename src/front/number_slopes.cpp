@@ -25,7 +25,7 @@ double scale_of(const ProfileNumber& number, double size, const Units& units) {
   return value > 0 ? value : 1;
 }
 
-// Numbers of joints that for_each_number leaves out.
+// Whether joints differ in numbers that for_each_number leaves out.
 bool joints_differ(const Mechanism& a, const Mechanism& b) {
   return !std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), [](const Joint& p, const Joint& q) {
     const bool teeth = p.teeth.has_value() == q.teeth.has_value() &&
@@ -104,7 +104,7 @@ NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : c
   state_ = by_ ? State::kExact : State::kOther;
 }
 
-// False, with the state set, where the rows are others.
+// False where there is no schedule, or, with the state set, where the number of rows changes.
 bool NumberSlopes::find_drivers(NumberModels& models) {
   const DriverSchedule& own = columns_.drivers().schedule();
   for (int k = -kReach; k <= kReach; ++k) {

@@ -13,23 +13,23 @@
 
 namespace higherpair {
 
-/// A number of a profile, and what it measures.
+/// A number of a profile, with its dimension.
 struct ProfileNumber {
   SensitivityNumber number;
   Dimension dimension;
 };
 
-/// Models that differ in one number. One thread at a time.
+/// Models that differ in one number. For use by one thread at a time.
 class NumberModels {
 public:
   /// \param size  of the mechanism [m]
   [[nodiscard]] static Result<NumberModels> of(const Model& model, const ProfileNumber& number, double size);
 
-  /// With the number changed by h, in its unit.
+  /// The model with the number changed by h, in its unit.
   [[nodiscard]] Result<Model> at(double h);
   [[nodiscard]] const Model& nominal() const { return model_; }
-  /// A change of the number that matters as much as that of other ones by theirs: the mechanism's size, a
-  /// radian, the number itself.
+  /// The size of change of the number that makes a substantial difference: the mechanism's size for a length,
+  /// one radian for an angle, else the number itself.
   [[nodiscard]] double scale() const { return scale_; }
 
 private:
@@ -47,30 +47,31 @@ private:
   double scale_;
 };
 
-/// Why no column of a mechanism can be differentiated exactly; empty: those of has_exact_slope can.
+/// Why no column of a mechanism can be differentiated exactly; if empty, those with has_exact_slope can.
 [[nodiscard]] std::string exactness_objection(const Mechanism& mechanism);
-/// Arcs count from the first row: they are not functions of one row alone.
+/// False for arcs: they count from the first row, and are not functions of one row alone.
 [[nodiscard]] bool has_exact_slope(const Column& column);
 
-/// Derivatives of columns by one number.
+/// Derivatives of all columns by one number.
 class NumberSlopes {
 public:
-  /// \param columns  of the model without the change; to outlive this
+  /// \param columns  of the unchanged model; must outlive this
   NumberSlopes(const PathColumns& columns, NumberModels& models);
 
   enum class State {
     kExact,
     kNoInfluence,  ///< nothing changes with the number
-    kOther,        ///< it changes what is not differentiated, or not smoothly: left to differences
-    kRows,         ///< it changes how many rows there are
+    kOther,        ///< it changes something not differentiable: left to differences
+    kRows,         ///< it changes the number of rows
   };
   [[nodiscard]] State state() const { return state_; }
 
-  /// Of all columns where a run of the model has moved to; none where that has no rates. \pre kExact
+  /// Derivatives of all columns at the place to which a run of the model has moved; none where the run has no
+  /// rates. \pre kExact
   [[nodiscard]] std::optional<std::vector<double>> at(const Run& run, const PathPlace& place) const;
 
 private:
-  // Of the drivers and the time at a place, by the number.
+  // Derivatives of the drivers and the time at a place by the number.
   struct DriverSlopes {
     std::vector<DriverState> drivers;
     double time = 0;
@@ -81,7 +82,7 @@ private:
 
   const PathColumns& columns_;
   State state_ = State::kOther;
-  double step_ = 0;                    // of the number
+  double step_ = 0;                    // step of the number
   std::vector<DriverPlaces> drivers_;  // with the number changed by -4 … 4 steps
   std::optional<Sensitivity> by_;
 };

@@ -13,17 +13,17 @@ namespace {
 constexpr int kMostDigits = 17;  // of the shortest decimal of a double
 constexpr std::uint64_t kZeros = 0x3030303030303030U;
 
-// The eight digits of a number below 10⁸ as characters, the first in the lowest byte: four and four, then
-// pairs, then single ones are parted in all places of the word at once.
+// The eight digits of a number below 10⁸ as characters, the first in the lowest byte. The number is split
+// into groups of four digits, then of two, then of one, all groups of the word at once.
 std::uint64_t eight_digits(std::uint32_t number) {
   const std::uint64_t fours = number / 10000 | static_cast<std::uint64_t>(number % 10000) << 32;
-  const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x0000007F0000007FU;  // 10486/2^20: a hundredth
+  const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x0000007F0000007FU;  // 10486/2^20: about 1/100
   const std::uint64_t twos = hundreds | (fours - 100 * hundreds) << 16;
-  const std::uint64_t tens = (twos * 103 >> 10) & 0x000F000F000F000FU;  // 103/2^10: a tenth
+  const std::uint64_t tens = (twos * 103 >> 10) & 0x000F000F000F000FU;  // 103/2^10: about 1/10
   return (tens | (twos - 10 * tens) << 8) | kZeros;
 }
 
-// Writes all seventeen digits; how many zeros there are before the first other one.
+// Writes seventeen digits; returns the number of leading zeros.
 int put_digits(std::uint64_t number, char* out) {
   constexpr std::uint64_t kEight = 100'000'000;
   const std::uint64_t upper = number / kEight;
@@ -37,8 +37,8 @@ int put_digits(std::uint64_t number, char* out) {
   return first > 0 ? 0 : middle != kZeros ? 1 + zeros(middle) : 9 + zeros(last);
 }
 
-// 0.digits with zeros after the point is as long as digits with an exponent, or shorter: of one digit there
-// is no point to be saved.
+// Whether 0.digits, with zeros after the point, is no longer than the form with an exponent, which needs no
+// point if there is only one digit.
 bool is_short_enough(int zeros, int digits) {
   return zeros <= (digits > 1 ? 3 : 2);
 }
@@ -55,19 +55,19 @@ char* put_shortest(double value, char* out) {
     return put_standard(value, out);
   }
   const auto decimal = fmt::detail::dragonbox::to_decimal(size);
-  if (decimal.exponent >= 0) {  // seldom, and with an exponent if that is shorter
+  if (decimal.exponent >= 0) {  // whole: rare, and with an exponent if that is shorter
     return put_standard(value, out);
   }
   std::array<char, 2 * kMostDigits> all{};
   const int skipped = put_digits(decimal.significand, all.data());
   const char* const digits = all.data() + skipped;
   const int count = kMostDigits - skipped;
-  const int point = count + decimal.exponent;  // so many digits are before it
+  const int point = count + decimal.exponent;  // number of digits before it
   std::array<char, 3 * kMostDigits> text{};
   char* end = text.data();
   *end = '-';
   end += value < 0 ? 1 : 0;
-  // More is copied than there are digits: lengths that are known are cheap.
+  // Copies more than the digits: a copy of constant length is cheap.
   if (point > 0) {
     std::memcpy(end, digits, kMostDigits - 1);
     std::memcpy(end + point + 1, digits + point, kMostDigits - 1);

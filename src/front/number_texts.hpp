@@ -9,21 +9,21 @@
 
 namespace higherpair {
 
-/// Writes the fewest digits that give back the same double, as std::to_chars does, in less time; returns the
-/// end of them. \param out  has room for NumberTexts::kLongest characters, all of which may be changed
+/// Writes the fewest digits that read back as the same double, as std::to_chars does, but faster; returns the
+/// end of the text. \param out  has room for NumberTexts::kLongest characters, all of which may be changed
 [[nodiscard]] char* put_shortest(double value, char* out);
 
-/// Numbers as text: the fewest digits that give back the same double. Half of the numbers in a row repeat
-/// within it, or from the row before: the texts of the latest ones are kept.
+/// Numbers as text: the fewest digits that read back as the same double. Half of the numbers in a row repeat
+/// another one in it, or in the row before: the texts of recent numbers are kept.
 class NumberTexts {
 public:
-  /// So many characters a number takes at most.
+  /// Maximum number of characters of a number.
   static constexpr std::size_t kLongest = 24;
 
   NumberTexts() : known_(std::size_t{1} << kKnownBits) {}
 
-  /// Writes a number and returns the end of it. \param out  has room for kLongest characters, all of which
-  /// may be changed
+  /// Writes a number and returns the end of the text. \param out  has room for kLongest characters, all of
+  /// which may be changed
   [[nodiscard]] char* put(double value, char* out) {
     const auto bits = std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
     Text& known = known_[bits * 0x9E3779B97F4A7C15U >> (64 - kKnownBits)];

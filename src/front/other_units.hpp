@@ -7,13 +7,13 @@
 
 namespace higherpair {
 
-/// A unit that numbers may be in by mistake.
+/// A unit in which numbers may have been given by mistake.
 struct OtherUnit {
   std::string unit;
-  double factor = 1;  ///< from it to the one that is meant
+  double factor = 1;  ///< from it to the intended unit
 };
 
-/// A unit of tables with another base unit in the place of one of its own: "rad/s" of "deg/s".
+/// The variants of a unit of tables in which one of its base units is replaced: "rad/s" for "deg/s".
 [[nodiscard]] std::vector<OtherUnit> other_units(const std::string& unit, const Units& units);
 
 }  // namespace higherpair

@@ -12,11 +12,11 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostDifferences = 6;
-constexpr double kMostSteps = 1e13;  // of a number: differences of all orders stay exact in JavaScript
+constexpr double kMostSteps = 1e13;  // bound of a number: differences of all orders are exact in JavaScript
 constexpr int kMostExponent = 300;
 constexpr int kConstantDigits = 12;
 
-// A digit below 32 ends its number, the others say that more follow. None means anything in JSON or HTML.
+// A digit below 32 ends its number, a larger one is followed by more. None is special in JSON or HTML.
 constexpr std::string_view kBase64Digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 using Whole = std::int64_t;
@@ -27,7 +27,7 @@ std::size_t length_of(std::uint64_t digits) {
   return length;
 }
 
-// Small numbers of either sign are small.
+// Maps small numbers of either sign to small unsigned ones.
 std::uint64_t unsigned_of(Whole value) {
   return value < 0 ? 2 * static_cast<std::uint64_t>(-(value + 1)) + 1 : 2 * static_cast<std::uint64_t>(value);
 }
@@ -63,7 +63,7 @@ void write_gaps(JsonWriter& json, std::span<const double> values) {
   if (undefined) json.integer(static_cast<long long>(values.size()));
 }
 
-// 10^-e <= step.
+// The exponent e for which 10^-e <= step.
 int exponent_for(std::span<const double> values, double step) {
   double largest = 0;
   for (const double value : values) {
@@ -89,7 +89,7 @@ void write_packed(JsonWriter& json, std::span<const double> values, double step)
   const int exponent = exponent_for(values, step);
   const double steps = std::pow(10, exponent);
   std::vector<Whole> best;
-  double last = *first;  // goes on where the numbers are undefined
+  double last = *first;  // is repeated where the numbers are undefined
   for (const double value : values) {
     if (std::isfinite(value)) last = value;
     best.push_back(std::llround(last * steps));

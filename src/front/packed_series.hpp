@@ -8,10 +8,10 @@ namespace higherpair {
 
 /// Writes numbers, one for each row, as short JSON that web/src/packed.ts reads:
 ///     null                                  none is finite
-///     v                                     all finite ones are v, and all are finite
+///     v                                     all are v
 ///     [e, n, "digits", from, to, …]         rows from ≤ k < to are undefined; the others, times 10^e, are
-///                                           whole numbers, of which the n-th differences are in base 32
-/// What changes smoothly takes two or three characters a row.
+///                                           whole numbers, whose n-th differences are written in base 32
+/// Smoothly varying numbers take two or three characters a row.
 /// \param step  largest step to which numbers may be rounded; > 0
 void write_packed(JsonWriter& json, std::span<const double> values, double step);
 

@@ -16,19 +16,19 @@ struct PathPlace {
   double row = 0;  ///< number of the row, with a fraction between two
   double at = 0;   ///< parameter of RowPath
 
-  /// The row at which it is; none between two.
+  /// Number of the row; none between two rows.
   [[nodiscard]] std::optional<std::int64_t> on_row() const;
 };
 
-/// What the drivers do at the rows of a schedule and between them.
+/// The motion of the drivers at the rows of a schedule and between them.
 class DriverPlaces {
 public:
   DriverPlaces(const Profile& profile, DriverSchedule schedule);
 
-  /// Of Mechanism::drivers. On a row that of the row, whatever the schedule; else of a schedule in time at
-  /// the time, of another one in proportion.
+  /// State of each of Mechanism::drivers. On a row it is that of the row, whatever the schedule; between rows
+  /// it is that at the time for a schedule in time, else interpolated linearly.
   [[nodiscard]] std::vector<DriverState> at(const PathPlace& place) const;
-  /// In the profile's unit; 0 without time.
+  /// In the profile's unit; 0 if the schedule is not in time.
   [[nodiscard]] double time(const PathPlace& place) const;
   [[nodiscard]] const DriverSchedule& schedule() const { return schedule_; }
 
@@ -48,11 +48,11 @@ private:
 
 [[nodiscard]] std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers);
 
-/// The columns of a run at any place of its path.
+/// The columns of a run at any place on its path.
 class PathColumns {
 public:
-  /// \param analysis  without a row yet
-  /// \param settings  with which it was started
+  /// \param analysis  of which no row has been computed yet
+  /// \param settings  with which the analysis was started
   PathColumns(const Analysis& analysis, RunSettings settings);
 
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_.columns(); }
@@ -60,7 +60,7 @@ public:
   [[nodiscard]] const Model::Data& data() const { return *data_; }
   [[nodiscard]] const RunSettings& settings() const { return settings_; }
   [[nodiscard]] const Units& units() const { return data_->profile.units; }
-  /// At the first positions, as started.
+  /// The run at the first positions, as started.
   [[nodiscard]] const Run& start() const { return start_; }
   [[nodiscard]] const RowPath& path() const { return path_; }
   [[nodiscard]] const DriverPlaces& drivers() const { return drivers_; }
@@ -68,7 +68,7 @@ public:
   /// The parameter of a row.
   [[nodiscard]] double parameter_of(std::int64_t row) const;
 
-  /// The values of all columns where `run`, of this model, has moved to; a NaN: undefined.
+  /// The values of all columns at the place to which `run`, of this model, has moved; NaN: undefined.
   void values(const Run& run, const PathPlace& place, std::vector<double>& values);
 
 private:
@@ -82,17 +82,17 @@ private:
 };
 
 /// The same for a run whose mechanism has other numbers than the model.
-/// \param like  a copy of the model's data, whose mechanism becomes that of the run
+/// \param like  a copy of the model's data; its mechanism is overwritten by that of the run
 [[nodiscard]] std::vector<double> columns_of_run(Model::Data& like, const RunSettings& settings,
                                                  const Run& run, const std::vector<DriverState>& drivers,
                                                  double time);
 
-/// Goes along a path from place to place, in their order, over all rows and turning points between.
+/// Moves along a path from place to place, in their order, passing all rows and turning points between them.
 class PathWalk {
 public:
   explicit PathWalk(const PathColumns& columns) : columns_(&columns), run_(columns.start()) {}
 
-  /// \pre not before the last place
+  /// \pre place is not before the last one
   const Run& go_to(const PathPlace& place);
 
 private:
@@ -100,7 +100,7 @@ private:
 
   const PathColumns* columns_;
   Run run_;
-  std::int64_t next_row_ = 0;  // not passed yet
+  std::int64_t next_row_ = 0;  // first one not passed yet
   std::size_t next_knot_ = 0;
 };
 

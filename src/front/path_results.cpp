@@ -14,8 +14,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kSamples = 720;   // of a path, where other extremes are looked for
-constexpr int kMarkEvery = 24;  // samples: from there the run can go on again
+constexpr int kSamples = 720;   // of a path, among which other extremes are sought
+constexpr int kMarkEvery = 24;  // samples between states that are kept to continue from
 constexpr std::size_t kMostTies = 6;
 constexpr std::size_t kMostRefined = 12;
 
@@ -41,7 +41,7 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
 
 }  // namespace
 
-// One extreme of a column, as a largest value of sign times the column.
+// One extreme of a column: the largest value of sign times the column.
 struct PathResults::Extreme {
   double value = -kInf;  // of sign times the column
   std::vector<ExtremePlace> places;
@@ -51,7 +51,7 @@ struct PathResults::Extreme {
   bool grows = false;
 };
 
-// All columns at equally spaced places of the path, to see where else they are large.
+// All columns at equally spaced places of the path, to find where else they are large.
 class PathResults::Sampled {
 public:
   explicit Sampled(PathColumns& columns) : columns_(columns) {
@@ -85,7 +85,7 @@ public:
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](std::size_t a, std::size_t b) { return level(a) > level(b); });
-    // Of a plateau some places everywhere.
+    // Of a plateau, places spread over all of it.
     const std::size_t stride = std::max<std::size_t>(1, candidates.size() / kMostRefined);
     std::vector<Peak> found;
     for (std::size_t i = 0; i < candidates.size(); i += stride) {
@@ -204,7 +204,7 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
     if (!is_extreme(measures[m].of) || std::isnan(results_[m].value)) continue;
     PathResult result =
         extreme_result(measures[m], results_[m].column, ranges.front(), sampled ? &*sampled : nullptr);
-    if (!std::isfinite(result.value)) {  // rows alone have it, at singular positions
+    if (!std::isfinite(result.value)) {  // only rows have a value, at singular positions
       result = PathResult();
       result.column = results_[m].column;
     }
@@ -273,7 +273,7 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   extreme.jumps = jumps_at(column, *found, spread);
   const double noise = rounding_of(columns_, column);
   const double same = std::max(kSameResult * spread, noise);
-  const double worth = std::abs(extreme.value) + spread;  // everything: rivals are named however small
+  const double worth = std::abs(extreme.value) + spread;  // accept everything: rivals are named however small
   for (const Peak& peak : sampled->others(column, sign, found->at, extreme.value - worth, noise)) {
     if (peak.value >= extreme.value - same) {
       if (extreme.places.size() < kMostTies) extreme.places.push_back({columns_.place(peak.at), sign});
@@ -285,7 +285,8 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   return extreme;
 }
 
-// At the ends of the path the place is fixed. Anywhere else the column has to be level.
+// Whether the column jumps or has a kink at an extreme. At the ends of the path the place is fixed; anywhere
+// else a smooth column is level there.
 bool PathResults::jumps_at(std::size_t column, const PathExtreme& found, double spread) {
   const std::vector<double>& knots = columns_.path().path.knots;
   const double beside = kBesideExtreme * (knots.back() - knots.front());

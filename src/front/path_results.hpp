@@ -11,34 +11,34 @@
 
 namespace higherpair {
 
-/// Where the path has an extreme: there the result is `weight` times the column.
+/// A place of an extreme on the path: there the result is `weight` times the column.
 struct ExtremePlace {
   PathPlace place;
   double weight = 1;
 };
 
-/// What a measure comes to on a path, and which places its derivative depends on.
+/// The value of a measure on a path, and the places on which its derivative depends.
 struct PathResult {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::optional<PathPlace> where;
   std::optional<double> rival;  ///< see ResultSensitivity
   std::optional<PathPlace> rival_where;
-  std::size_t column = 0;  ///< of PathColumns
-  /// Of extremes: value = factor · Σ over parts of the largest weight · column of their places, which are all
-  /// those where it is largest. Empty of other measures.
+  std::size_t column = 0;  ///< index in PathColumns
+  /// value = factor · Σ over parts of the largest weight · column among the places of the part; for an
+  /// extreme these are all places where it is largest. Empty for means.
   std::vector<std::vector<ExtremePlace>> parts;
   double factor = 1;
-  bool jumps = false;  ///< the column has a jump or a kink at one of the places: they move with the numbers
-  bool grows = false;  ///< without bounds, towards a singular position
-  bool constant = false;  ///< an extreme of a column that does not change along the path
-  double rounding = 0;    ///< of an extreme [unit of the column]; 0 where forces or masses are in it
+  bool jumps = false;  ///< the column has a jump or a kink at one of the places, which move with the numbers
+  bool grows = false;  ///< unbounded, towards a singular position
+  bool constant = false;  ///< an extreme of a column that is constant along the path
+  double rounding = 0;    ///< of an extreme [unit of the column]; 0 if it depends on forces
 };
 
-/// Measures on a run, each of which has a column there.
+/// Measures on a run, each of a column of the run.
 class PathResults {
 public:
-  /// Runs through the analysis, which has no row yet.
-  /// \param ties  whether all places of an extreme are looked for, and rivals; else the first one alone
+  /// Runs through the analysis, of which no row has been computed yet.
+  /// \param ties  whether to find all places of an extreme, and rivals; else only the first place
   PathResults(Analysis& analysis, PathColumns& columns, std::span<const Measure> measures, bool ties);
 
   [[nodiscard]] const std::vector<PathResult>& results() const { return results_; }
@@ -57,7 +57,7 @@ private:
 
   PathColumns& columns_;
   std::vector<PathResult> results_;
-  std::vector<double> low_, high_;  // of every column over the rows
+  std::vector<double> low_, high_;  // of each column over the rows
 };
 
 [[nodiscard]] constexpr bool is_extreme(MeasureKind kind) {

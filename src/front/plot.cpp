@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Errors of the run call the columns an option of their own.
+// Replaces `--columns` in errors of the run by the plot's own option.
 Error renamed(Error error, const std::string& x) {
   for (Diagnostic& diagnostic : error.diagnostics) {
     const std::string before = "--columns ";
@@ -25,7 +25,7 @@ Error renamed(Error error, const std::string& x) {
   return error;
 }
 
-// Columns of forces and of the jerk are worked out only where they are asked for.
+// Columns of forces and jerk are computed only where they are asked for.
 Result<Analysis> started(const Model& model, const RunSettings& settings) {
   auto first = model.start(settings);
   if (first || first.error().kind != ErrorKind::kInput) {

@@ -42,7 +42,7 @@ std::vector<Stretch> bad_stretches(std::span<const RowStatus> statuses) {
   return stretches;
 }
 
-// Where on the path to its row an event is, and between which rows.
+// The rows between which an event is, and where between them.
 struct Between {
   std::size_t before, after;
   double share;
@@ -61,7 +61,7 @@ Between place_of(const Event& event, std::span<const double> drivers) {
   return {row - 1, row, step == 0 ? 1.0 : std::clamp((event.driver - drivers[row - 1]) / step, 0.0, 1.0)};
 }
 
-// Where rows begin to have another status: at the event between it and the row before, else halfway.
+// Where rows begin to have another status: at the event between `row` and the row before, else halfway.
 double edge_at(std::size_t row, const Motion& motion, std::span<const double> x,
                std::span<const double> drivers) {
   if (row == 0 || row == x.size()) {

@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// The values of x, and whether they never turn back.
+/// The values of x, and whether they are monotone, never turning back.
 struct XColumn {
   std::span<const double> values;
   bool monotone = false;
@@ -15,11 +15,12 @@ struct XColumn {
 
 [[nodiscard]] XColumn x_column(const ColumnValues& x);
 
-/// Adds the rows that are not ok: shaded, or in words where x turns back.
+/// Adds the rows that are not ok: as shaded ranges, or as notes where x is not monotone.
 /// \param driver  the first driver
 void add_ranges(const Motion& motion, const XColumn& x, const ColumnValues& driver, PlotData& data);
 
-/// Adds the events: lines at x, or points on the series, which are there, where x turns back.
+/// Adds the events: as lines at x, or, where x is not monotone, as points on the series, which must be
+/// present.
 void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driver, PlotData& data);
 
 }  // namespace higherpair

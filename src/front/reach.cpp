@@ -46,7 +46,7 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
   return *std::move(best);
 }
 
-// Positions are bounded as those of a profile.
+// Positions have the bounds of those of a profile.
 std::optional<Error> out_of_range(const Model& model, double at) {
   const Dimension of_driver = driver_dimension(model.mechanism());
   const bool turns = of_driver == dimension::kAngle;
@@ -59,7 +59,7 @@ std::optional<Error> out_of_range(const Model& model, double at) {
       fmt::format("driver = {}: expected a position of at most {}", at, turns ? "1e9 turns" : "1e50 m"));
 }
 
-// The run after its last row, and the first limit position on the path.
+// The run after its last row, and the last limit position on the path.
 Result<Reached> go_to(const Model& model, RunSettings settings, double from, double at) {
   settings.positions = {from, at};
   auto analysis = model.start(settings);
@@ -73,7 +73,7 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
     return tl::unexpected(interrupted(model));
   }
   Reached reached{analysis->impl().run, at, std::nullopt, analysis->impl().faults_before(row.number)};
-  // The last one: before it a contact may have gone on over the edge at the end of a curve.
+  // The last one: earlier ones may be ends of curves from which the contact went on over the edge.
   const auto limit =
       std::find_if(analysis->events().rbegin(), analysis->events().rend(), [](const Event& event) {
         return event.type == EventType::kLimitPosition || event.type == EventType::kEnd;

@@ -9,23 +9,24 @@
 
 namespace higherpair {
 
-/// Where a picture of one position is taken.
+/// The position at which a picture is taken.
 struct Reached {
   Run run;
   double driver = 0;           ///< position of the (first) driver, in its unit
-  std::optional<Event> limit;  ///< the limit position at which it is, where it could not go on
-  std::vector<Event> passed;   ///< else what lies on the way and keeps the path from being good
+  std::optional<Event> limit;  ///< the limit position reached instead, where it could not go on
+  std::vector<Event> passed;   ///< otherwise the events on the path that make it bad
 };
 
-/// Settings of a run of which only the position of the (first) driver is asked for.
+/// Settings of a run that outputs only the position of the (first) driver.
 [[nodiscard]] RunSettings driver_alone(const Model& model, double tolerance, const std::atomic<bool>* stop);
 
-/// Moves the driver from its first position to `at`, or to the limit position before it. With several drivers
-/// the row of their run in which the first one is nearest to `at`, of those that have a position.
-/// \param settings  as driver_alone gives them
+/// Moves the driver from its first position to `at`, or to the limit position before it. With several
+/// drivers: the row of their run in which the first driver is nearest to `at`, among those that could be
+/// assembled.
+/// \param settings  from driver_alone
 [[nodiscard]] Result<Reached> reach(const Model& model, const RunSettings& settings, double at);
 
-/// An error unless bodies have a place in one of the rows.
+/// An error unless some body has a position in one of the rows.
 [[nodiscard]] std::optional<Error> nothing_to_draw(const Model& model, const std::vector<MotionRow>& rows);
 
 }  // namespace higherpair

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kDataMark = "@REPORT_DATA@";
 
-// Whether a driver is at another place in some row.
+// Whether a driver changes its position during the run.
 bool moves(const Model& model, std::size_t driver, bool in_time) {
   const DriverProgram& program = model.profile().programs[driver];
   if (program.law) return true;
@@ -32,7 +32,7 @@ bool moves(const Model& model, std::size_t driver, bool in_time) {
                      : has_angle(driven_joint(model.mechanism(), driver).type);
 }
 
-// The first one that moves, or the first of all.
+// The first driver that moves, or the first of all.
 std::size_t shown_driver(const Model& model, bool in_time) {
   for (std::size_t i = 0; i < model.profile().programs.size(); ++i) {
     if (moves(model, i, in_time)) return i;
@@ -52,7 +52,7 @@ void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) 
   }
 }
 
-// From one row of the page to the next.
+// Number of rows of the run from one row of the page to the next.
 std::int64_t stride_of(std::int64_t size, const ReportSettings& settings) {
   const std::int64_t gaps = settings.most_rows - 1;
   return std::max<std::int64_t>(1, (size - 1 + gaps - 1) / gaps);

@@ -16,52 +16,53 @@ namespace higherpair {
 struct ColumnExtremes {
   struct Value {
     double value = std::numeric_limits<double>::quiet_NaN();
-    double driver = 0;  ///< position of the driver ReportData::driver
+    double driver = 0;  ///< position of the driver with index ReportData::driver
     std::int64_t row = 0;
   };
   Value low, high;
 };
 
-/// What a report shows of a run.
+/// The data of a run that a report shows.
 struct ReportData {
   std::vector<Column> columns;
-  std::int64_t size = 0;                 ///< rows of the whole run
-  std::size_t driver = 0;                ///< of Mechanism::drivers, the one by which places are named
-  std::vector<Row> rows;                 ///< that the page holds
-  std::vector<MotionRow> motions;        ///< the same
-  std::vector<Reactions> reactions;      ///< the same, of a run with forces
-  std::vector<ColumnExtremes> extremes;  ///< of columns, over the whole run
-  /// Of columns: what is small against it by kReportNoise is rounding.
+  std::int64_t size = 0;                 ///< number of rows of the whole run
+  std::size_t driver = 0;                ///< index in Mechanism::drivers; its positions name places
+  std::vector<Row> rows;                 ///< shown on the page
+  std::vector<MotionRow> motions;        ///< of these rows
+  std::vector<Reactions> reactions;      ///< of these rows, in a run with forces
+  std::vector<ColumnExtremes> extremes;  ///< of the columns, over the whole run
+  /// Scale of each column: kReportNoise times it is rounding.
   std::vector<double> scales;
   std::vector<Event> events;
   bool good = true;
 };
 
-/// The largest of all values in the unit of each column; of an acceleration at least speed²/way.
+/// The largest absolute value of all columns with the unit of each column; for accelerations at least
+/// speed²/travel.
 [[nodiscard]] std::vector<double> scales_of(const ReportData& data);
 
-/// A finding at the top of the page, such as the stroke of the follower.
+/// A fact at the top of the page, such as the stroke of the follower.
 struct Fact {
   std::string of;  ///< joint or contact
   std::string name;
   double value = 0;
   std::string unit;
-  std::string column;                     ///< to be looked at
-  std::vector<ColumnExtremes::Value> at;  ///< where; empty: everywhere
+  std::string column;                     ///< to be shown for it
+  std::vector<ColumnExtremes::Value> at;  ///< where the value occurs; empty: everywhere
 };
 
 [[nodiscard]] std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data);
 
-/// The columns that are plotted at first, plot by plot.
+/// The columns that are plotted at first, one list for each plot.
 [[nodiscard]] std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism,
                                                                 const ReportData& data);
 
-/// Everything that the page needs, as one object of JSON that may stand within HTML.
-/// \param source  text of the profile \param stop  once true, what is long is left out
+/// All data of the page, as one JSON object that may be embedded in HTML.
+/// \param source  text of the profile \param stop  once true, the long parts are left out
 [[nodiscard]] std::string json_of(const Model& model, const ReportData& data, const std::string& source,
                                   const std::atomic<bool>* stop = nullptr);
 
-/// The row of the page that is at this row of the run, or the next one.
+/// The page's row that is this row of the run, or the next one after it.
 [[nodiscard]] std::size_t page_row(const ReportData& data, std::int64_t row);
 
 }  // namespace higherpair

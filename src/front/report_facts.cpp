@@ -88,12 +88,12 @@ std::vector<const Joint*> outputs(const Mechanism& mechanism) {
   return joints;
 }
 
-// Whether nothing but what is driven moves.
+// Whether nothing moves except what is driven.
 bool is_driven_alone(const Mechanism& mechanism) {
   return mechanism.joints.size() == mechanism.drivers.size() && mechanism.contacts.empty();
 }
 
-// Those that are there and change.
+// The columns of these names that exist and change.
 std::vector<std::string> changing(const ReportData& data, const std::vector<std::string>& names) {
   std::vector<std::string> found;
   for (const std::string& name : names) {
@@ -102,7 +102,7 @@ std::vector<std::string> changing(const ReportData& data, const std::vector<std:
   return found;
 }
 
-// Of a mechanism without outputs: the body that is named last is as a rule the last that moves.
+// For a mechanism without outputs: the body named last is usually the last one to be moved.
 void add_last_body(const Mechanism& mechanism, const ReportData& data, FactList& list) {
   const std::string& body = mechanism.bodies.back().name;
   for (const auto& [column, name] : {std::pair(".x", "Travel along x"), std::pair(".y", "Travel along y"),
@@ -149,7 +149,7 @@ std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism, co
   const auto add = [&](const std::vector<std::string>& names) {
     if (auto found = changing(data, names); !found.empty()) plots.push_back(std::move(found));
   };
-  // Positions are far apart as a rule, rates are about zero.
+  // Positions are usually far apart, and are plotted alone; rates vary about zero.
   for (const Joint* joint : joints) {
     add({joint->name + ".position"});
   }

@@ -16,7 +16,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kValueDigits = 10;
-constexpr double kValueSteps = 4e10;  // of the largest value of a column
+constexpr double kValueSteps = 4e10;  // into which the largest value of a column is divided
 
 void write_values(JsonWriter& json, const ReportData& data, std::size_t column) {
   std::vector<double> values;

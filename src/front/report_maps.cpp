@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::int64_t kMapSamples = 181;  // of a map
 constexpr double kWidth = 560;             // of its picture [px]
-constexpr double kAxisSteps = 1e5;         // of an axis
+constexpr double kAxisSteps = 1e5;         // into which an axis is divided
 
-// Of a joint's coordinate in every row.
+// The column of a joint's coordinate.
 std::optional<std::size_t> column_of(const Model& model, const ReportData& data, const std::string& joint) {
   const Mechanism& mechanism = model.mechanism();
   std::string name = joint + ".position";
@@ -31,7 +31,7 @@ std::optional<std::size_t> column_of(const Model& model, const ReportData& data,
   return slot < data.columns.size() ? std::optional(slot) : std::nullopt;
 }
 
-// Of a joint's coordinate in its unit; none of a slide.
+// A whole turn in the unit of a joint's coordinate; none for a slide.
 std::optional<double> turn_of(const Model& model, const std::string& name) {
   const auto& joints = model.mechanism().joints;
   const auto joint =
@@ -40,7 +40,7 @@ std::optional<double> turn_of(const Model& model, const std::string& name) {
   return from_si(dimension::kAngle, model.units()).apply(2 * kPi);
 }
 
-// The branch's coordinate there; none where it is not.
+// The branch's position at a driver position; none outside of the branch.
 std::optional<double> position_on(const MapBranchReport& branch, double driver) {
   const auto after = std::lower_bound(branch.rows.begin(), branch.rows.end(), driver,
                                       [](const MapRow& row, double at) { return row.driver < at; });
@@ -57,8 +57,8 @@ struct MapPlace {
   int branch = 0;  ///< from 1
 };
 
-// The place of a row in the map, each coordinate by whole turns, so that it is on the branch that is next to
-// it.
+// The place of a row in the map: each coordinate is shifted by whole turns so that the place is on the
+// nearest branch.
 MapPlace place_on(const ContactMapReport& map, double driver, double position, std::optional<double> turn,
                   std::optional<double> follower_turn) {
   MapPlace best;

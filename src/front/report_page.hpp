@@ -4,11 +4,11 @@
 
 namespace higherpair {
 
-/// The page of reports without its data, with the mark @REPORT_DATA@ where these belong; empty where the
-/// build could not make it.
+/// The report page without its data, with the mark @REPORT_DATA@ in their place; empty where the build could
+/// not make it.
 [[nodiscard]] std::string_view report_page();
 
-/// Why there is none.
+/// Why there is no report page.
 [[nodiscard]] std::string_view report_page_missing();
 
 }  // namespace higherpair

@@ -15,9 +15,9 @@
 namespace higherpair {
 namespace {
 
-constexpr double kVectorSteps = 1e5;  // of the longest vector: rounding of what is drawn and listed
-constexpr double kUsual = 0.95;       // share of the rows that a picture has room for
-constexpr double kRoom = 1.2;         // and some more
+constexpr double kVectorSteps = 1e5;  // into which the longest vector is divided when drawn and listed
+constexpr double kUsual = 0.95;       // fraction of the rows whose polygons fit in the picture
+constexpr double kRoom = 1.2;         // size of the picture relative to these
 constexpr int kVectorDigits = 6;
 
 // The x and y of a vector in every row.
@@ -25,11 +25,11 @@ struct Track {
   std::vector<double> x, y;
 };
 
-// One polygon over all rows. Its parts are found again by their names, since not all are in every row.
+// One polygon over all rows. Its parts are identified by name, since not all of them are in every row.
 struct MovingPolygon {
-  Polygon richest;            ///< the row with the most arrows
-  std::vector<double> sizes;  ///< of its rows
-  bool flat = true;           ///< in each of them all arrows are on one line
+  Polygon richest;            ///< that of the row with the most arrows
+  std::vector<double> sizes;  ///< in each of its rows
+  bool flat = true;           ///< in every row all arrows are on one line
   struct Part {
     PolygonArrow arrow;
     Track from, to;
@@ -134,7 +134,8 @@ private:
   std::vector<const Track*> tracks_;
 };
 
-// Sizes beyond it run out of the picture: near a limit position rates are out of all proportion.
+// The largest size that is shown. Larger ones leave the picture: near a limit position rates grow without
+// bounds.
 double largest_shown(std::vector<double> sizes) {
   std::sort(sizes.begin(), sizes.end());
   const double usual =

@@ -22,7 +22,8 @@ LargestOfUnit largest_of(const ReportData& data) {
   return largest;
 }
 
-// Of "mm/s^2" by "mm/s" and "mm": accelerations that ought to vanish are rounding of that size.
+// Scale of "mm/s^2" from those of "mm/s" and "mm": accelerations that ought to vanish are rounding of that
+// size.
 double from_speed(const std::string& unit, const LargestOfUnit& largest) {
   const std::size_t slash = unit.find('/');
   if (slash == std::string::npos || !unit.ends_with("^2")) {

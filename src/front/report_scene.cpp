@@ -74,7 +74,7 @@ bool same_place(const RowScene& a, const RowScene& b, const Box& view) {
                     });
 }
 
-// One series for each number that a shape ever has.
+// One series for each number that a shape has in any row.
 void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size_t shape, double step) {
   const auto numbers_in = [&](const RowScene& row) -> std::span<const double> {
     return shape < row.moving.size() ? row.moving[shape] : std::span<const double>();
@@ -110,7 +110,7 @@ void write_places(JsonWriter& json, const std::vector<RowScene>& rows, double st
   json.close(']');
 }
 
-// What a unit of arrows is: mm of the drawing, of a torque rad of its arc.
+// Drawn size of one unit: mm of an arrow, rad of the arc of a torque.
 void write_scales(JsonWriter& json, const Scene& scene, const DrawSettings& units) {
   const auto write = [&](Role role, double scale, const PictureUnit& unit) {
     if (!(scale > 0)) return;

@@ -1,8 +1,8 @@
-// The rows of a run on several threads. A scout passes over the path ahead of them and leaves a copy of how
-// the run is at the end of every block; the next block is worked out from there, on its own. They come
-// together in their order: where a block ends otherwise than the next one has begun (a row on a change point,
-// to rounding), that one is worked out again from there. Analysis::next does the same with one block after
-// the other.
+// Computes the rows of a run on several threads. A scout moves along the path ahead of them and leaves a copy
+// of the run at the end of every block; the next block is computed from there, on its own. Blocks are handed
+// over in order: where one ends in another state than the next one has begun with (a row within rounding of a
+// change point), the next one is computed again from that end. Analysis::next does the same with one block
+// after the other.
 #include "analysis_impl.hpp"
 #include "arena.hpp"
 #include "higherpair/front/motion.hpp"
@@ -18,17 +18,17 @@
 namespace higherpair {
 namespace {
 
-// So many blocks are under way or wait for one before them.
+// Blocks per thread that are in progress or wait for an earlier one.
 constexpr std::size_t kRowBlocksPerThread = 2;
 
 struct Block {
   RowBlock rows;
-  RunPlace from;  // at the row before; of the first block at the start
-  RunPlace end;   // at its last row
+  RunPlace from;  // state at the row before; for the first block, at the start
+  RunPlace end;   // state at its last row
   BlockTexts texts;
   std::vector<Event> events;
   bool good = true;
-  bool complete = false;  // else stopped
+  bool complete = false;  // false: stopped
 };
 
 class BlockRun {
@@ -41,7 +41,7 @@ public:
 
   [[nodiscard]] bool has_more() const { return !ended_ && next_ < whole_.schedule.size(); }
 
-  // In their order, one at a time.
+  // Called in order, for one block at a time.
   Block begin() {
     Block block = take_memory();
     block.rows.first = next_;
@@ -50,7 +50,7 @@ public:
     return block;
   }
 
-  // Any number at once.
+  // Called for any number of blocks at once.
   void work_out(Block& block) {
     if (ended_) {
       return;
@@ -78,7 +78,7 @@ public:
     give_back(std::move(worker));
   }
 
-  // In their order, one at a time.
+  // Called in order, for one block at a time.
   void hand_over(Block& block) {
     if (block.complete && last_ && !go_on_alike(*last_, block.from)) {
       block.from = *std::move(last_);
@@ -101,8 +101,8 @@ private:
     BlockTexts texts;
   };
 
-  // With the memory of a block that has been handed over: blocks are megabytes, which the system would clear
-  // each time.
+  // A block that uses the memory of one that has been handed over: blocks take megabytes, which the system
+  // would clear each time.
   Block take_memory() {
     Block block;
     const std::lock_guard lock(mutex_);
@@ -137,7 +137,7 @@ private:
   RowScout scout_;
   std::int64_t next_ = 0;
   std::atomic<bool> ended_ = false;
-  std::optional<RunPlace> last_;  // at the end of the block that was handed over last
+  std::optional<RunPlace> last_;  // at the end of the last block handed over
   std::mutex mutex_;
   std::vector<std::unique_ptr<Analysis::Impl>> idle_;
   std::vector<Memory> written_;

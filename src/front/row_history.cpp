@@ -17,7 +17,7 @@ ContactDetails details_in(const Run& run, const Contact& contact, const ContactM
   return details_of(side(contact.first), side(contact.second), motion.at, motion.phi);
 }
 
-// The motion was lost on the way, or a contact has begun or ended to touch.
+// The motion was lost on the path, or a contact has begun or ceased to touch.
 bool interrupts(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
          event.type == EventType::kEngage || event.type == EventType::kRelease;

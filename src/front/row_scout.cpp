@@ -19,7 +19,7 @@ const RunPlace& RowScout::go_to(const DriverSchedule& schedule, std::int64_t row
   return place_;
 }
 
-// By halves, until there is nothing between its ends that rows would have to see.
+// Moves to a row, halving the interval until nothing between its ends depends on the rows there.
 void RowScout::leap(const DriverSchedule& schedule, std::int64_t to) {
   if (row_ >= to || is_stopped(place_.run)) {
     return;
@@ -33,7 +33,7 @@ void RowScout::leap(const DriverSchedule& schedule, std::int64_t to) {
   }
 }
 
-// False, and nothing is done, where rows between may have a history.
+// Moves in a single step. If rows in between may change the history, undoes it and returns false.
 bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
   Run before = place_.run;
   const std::int64_t row = row_;
@@ -46,7 +46,7 @@ bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
   return false;
 }
 
-// The drivers turn back at most between this row and the one before.
+// The drivers turn back at most between row `to` and the row before it.
 void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
   for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(to)) {
     move_to(place_.run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});

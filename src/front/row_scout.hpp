@@ -10,23 +10,24 @@
 
 namespace higherpair {
 
-/// All that later rows take from a run that has come to a row.
+/// Everything that later rows need from a run that has come to a row.
 struct RunPlace {
   Run run;
   RowHistory history;
 };
 
-/// Whether either may take the place of the other (go_on_alike of their runs).
+/// Whether either may replace the other (go_on_alike for their runs).
 [[nodiscard]] bool go_on_alike(const RunPlace& a, const RunPlace& b);
 
-/// Goes ahead of a run over few of its rows, as few as its path allows, and knows how the run is at others:
-/// so the rows behind them can be worked out before those in front of them.
+/// Moves ahead of a run over as few of its rows as the path allows, and gives the state of the run at
+/// selected rows, so that the rows after them can be computed before the rows in front of them.
 class RowScout {
 public:
-  /// \param start  a run that has moved to no row yet
+  /// \param start  a run that has not moved to a row yet
   explicit RowScout(Run start) : place_{std::move(start), {}} {}
 
-  /// The run at a row of the schedule, not before the last one asked for. Means nothing once it is stopped.
+  /// The state at a row of the schedule, not before the last one asked for. Undefined once the run is
+  /// stopped.
   const RunPlace& go_to(const DriverSchedule& schedule, std::int64_t row);
 
 private:

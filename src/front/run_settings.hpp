@@ -4,7 +4,7 @@
 
 namespace higherpair {
 
-/// The run that a task is worked out from: what its settings say by the same names.
+/// Settings of the run on which a task is based: the members that both kinds of settings share.
 template <class Settings>
 [[nodiscard]] RunSettings run_settings(const Settings& settings, bool in_time) {
   RunSettings run;

@@ -24,7 +24,7 @@
 namespace higherpair {
 namespace {
 
-// Everything that the slopes of one report are made from.
+// Computes all slopes of one report.
 class Differentiator {
 public:
   Differentiator(const Model& model, const SensitivitySettings& settings, std::vector<Measure> measures,
@@ -35,7 +35,7 @@ public:
         run_(std::move(run)),
         numbers_(std::move(numbers)) {}
 
-  // The run itself; then all slopes.
+  // Performs the run itself, then computes all slopes.
   [[nodiscard]] std::optional<Error> work(SensitivityReport& report) {
     auto analysis = model_.start(run_);
     if (!analysis) return analysis.error();
@@ -116,7 +116,7 @@ private:
     }
   }
 
-  // What is rounding becomes 0.
+  // Sets slopes that are rounding to 0.
   void snap(Slope& slope, std::size_t number, std::size_t m) const {
     const double noise = results_[m].constant ? kNoSlopeOfRounding * results_[m].rounding : 0;
     const double least = std::max(kNoSlope * largest(m), noise) / models_[number]->scale();
@@ -130,7 +130,7 @@ private:
     return std::max(std::abs(results_[m].value), std::abs(results_[m].rival.value_or(0)));
   }
 
-  // What could not be differentiated.
+  // Finite differences for what could not be differentiated.
   void differences(SensitivityReport& report) const {
     for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
       const NumberSlopes::State state = slopes_[i]->state();
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  // With one number changed; NaN where it cannot be run so.
+  // The results with one number changed; NaN where the mechanism cannot be run with it.
   [[nodiscard]] std::vector<double> results_with(std::size_t number, double h) const {
     std::vector<double> values(measures_.size(), kNoValue);
     const auto model = models_[number]->at(h);

@@ -1,4 +1,4 @@
-// By which numbers results are differentiated, and which results.
+// Selects the numbers by which results are differentiated, and the results.
 #include "sensitivity_numbers.hpp"
 
 #include "higherpair/front/pictures.hpp"
@@ -28,7 +28,7 @@ bool is_of_mechanism(std::string_view path) {
                      [&](std::string_view table) { return path.starts_with(table); });
 }
 
-// What is asked of a profile, not the profile itself.
+// Whether a number belongs to a task in the profile, not to the mechanism.
 bool is_of_task(std::string_view path) {
   constexpr std::string_view kTasks[] = {"limits.", "sweep.", "design.", "tolerances."};
   return std::any_of(std::begin(kTasks), std::end(kTasks),
@@ -82,7 +82,8 @@ std::vector<ProfileNumber> of_tolerances(const ToleranceTask& task, const Quanti
   return numbers;
 }
 
-// Variables that measure something; there are others, such as factors of laws.
+// The variables of a design. Those that are no quantity of the profile, such as factors of laws, count as
+// pure numbers.
 std::vector<ProfileNumber> of_variables(const DesignTask& task, const Quantities& quantities,
                                         const Units& units) {
   std::vector<ProfileNumber> numbers;

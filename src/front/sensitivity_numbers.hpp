@@ -6,16 +6,16 @@
 
 namespace higherpair {
 
-/// The numbers by which a report differentiates: see SensitivitySettings::by.
+/// The numbers by which the results of a report are differentiated: see SensitivitySettings::by.
 [[nodiscard]] Result<std::vector<ProfileNumber>> numbers_for(const Model& model,
                                                              const std::vector<std::string>& by);
 
 struct WantedResults {
   std::vector<NamedMeasure> results;
-  bool in_time = false;  ///< as the settings or the table of the profile have it that names them
+  bool in_time = false;  ///< from the settings, or from the table of the profile that names the results
 };
 
-/// The results that it differentiates: see SensitivitySettings::results.
+/// The results to be differentiated: see SensitivitySettings::results.
 [[nodiscard]] WantedResults results_for(const Model& model, const SensitivitySettings& settings);
 
 }  // namespace higherpair

@@ -19,7 +19,7 @@
 namespace higherpair {
 namespace {
 
-// Columns of forces and of the jerk are worked out only where a glob means nothing else.
+// Columns of forces and jerk are computed only where a glob matches nothing else.
 Result<RunSettings> settings_for_columns(const Model& model, RunSettings settings) {
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  // Of the next row, of all columns.
+  // Derivatives of all columns in the next row.
   [[nodiscard]] std::vector<double> next(std::size_t columns) {
     std::vector<double> slopes(columns, kNoValue);
     std::array<Row, 4> rows;
@@ -98,7 +98,7 @@ public:
 private:
   [[nodiscard]] bool stopped() const { return is_raised(run_.stop); }
 
-  // No words, and nothing that is but rounding.
+  // Leaves out columns of words, and the residual, which is mere rounding.
   void choose_slots(SlopeTable& table) {
     for (std::size_t c = 0; c < columns_->columns().size(); ++c) {
       const Column& column = columns_->columns()[c];
@@ -175,7 +175,7 @@ private:
   std::vector<std::size_t> slots_;  // of the columns of the table
   std::vector<std::unique_ptr<NumberModels>> models_;
   std::vector<std::unique_ptr<NumberSlopes>> slopes_;
-  std::vector<std::unique_ptr<SteppedRuns>> runs_;  // of those that need differences
+  std::vector<std::unique_ptr<SteppedRuns>> runs_;  // for the numbers that need differences
 };
 
 }  // namespace

@@ -17,11 +17,11 @@
 namespace higherpair {
 namespace {
 
-// Before a sweep is run so many variants are read, or as many as can be in this time.
+// Number of variants that are read before a sweep is run, and the time after which no more are read.
 constexpr std::int64_t kTried = 1000;
 constexpr std::chrono::seconds kTrying{2};
 
-// How bad a status is, in the order of RowStatus, and `not_started`.
+// Severity of each RowStatus, in its order, and of `not_started`.
 constexpr std::array<int, kSweepStatusCount> kSeverity = {0, 5, 1, 3, 4, 2, 6};
 
 bool ends_path(const Event& event) {
@@ -38,7 +38,7 @@ std::int64_t cut(std::int64_t size, std::int64_t part, std::int64_t parts) {
   return size / parts * part + size % parts * part / parts;
 }
 
-// Works out one variant after the other; one for each block.
+// Computes one variant after the other; each block has a worker of its own.
 class Worker {
 public:
   explicit Worker(const Sweep::Data& data)
@@ -50,7 +50,7 @@ public:
     if (data.chain) chain_ = ChainVariants::of(*data.chain);
   }
 
-  /// The values of all paths.
+  /// The values of all paths in a variant.
   [[nodiscard]] const std::vector<double>& numbers(std::int64_t variant) {
     data_.variants.values(variant, variables_);
     std::size_t next = 0;
@@ -65,7 +65,7 @@ public:
   [[nodiscard]] Result<Model> model(std::int64_t variant) { return models_.with(numbers(variant)); }
   [[nodiscard]] ModelVariants& models() { return models_; }
 
-  /// Its rows appended to the block; false where it was stopped.
+  /// Appends the rows of a variant to the block; false if the run was stopped.
   [[nodiscard]] bool add(std::int64_t variant, SweepBlock& block) {
     variant_ = variant;
     const bool writes = chain_ && data_.chain->writes();
@@ -151,7 +151,7 @@ private:
     end_row(static_cast<int>(worst), analysis.good() ? "" : cause_of(analysis, worst, worst_at), block);
   }
 
-  // A variant of which it is known that all is well.
+  // Adds a variant that is known to be good.
   void add_proven(SweepBlock& block) {
     begin_row(block);
     put_results(block, [&](std::size_t i) { return chain_->value(i, data_.task.results[i].where); });
@@ -215,13 +215,13 @@ SweepForecast forecast_of(const Sweep::Data& data) {
   return forecast;
 }
 
-// Events are not known to a chain, nor what every row is.
+// None where rows or counts are written: a chain does not give events, nor the single rows.
 std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
   constexpr std::int64_t kTries = 5;
   if (data.writes_rows() || data.task.counts) {
     return std::nullopt;
   }
-  // Of the whole sweep: all its parts are worked out in the same way.
+  // Tries from the whole sweep, so that all its parts are computed in the same way.
   Worker worker(data);
   const std::int64_t size = data.variants.size();
   std::vector<std::vector<double>> tries;

@@ -11,26 +11,26 @@
 
 namespace higherpair {
 
-/// Status of a variant, or of one of its rows: a RowStatus, or this.
+/// Status of a variant, or of one of its rows: a RowStatus, or this one.
 inline constexpr int kNotStarted = 6;
 inline constexpr int kSweepStatusCount = 7;
 
-/// The names of all, for a column of words.
+/// The names of all statuses, for a column of words.
 [[nodiscard]] std::span<const std::string_view> sweep_statuses();
 
-/// What a sweep is, ready to be run.
+/// A sweep, ready to be run.
 struct Sweep::Data {
   Model model;
   SweepTask task;
   Variants variants;
-  std::vector<std::string> paths;      ///< of all variables, one behind the other
-  std::vector<Measure> measures;       ///< of the results
-  RunSettings run;                     ///< of every variant
-  std::vector<Column> run_columns;     ///< of its rows
-  std::vector<std::size_t> row_slots;  ///< of these, which are written where rows are
+  std::vector<std::string> paths;      ///< of all variables, one after the other
+  std::vector<Measure> measures;       ///< of the task's results
+  RunSettings run;                     ///< for every variant
+  std::vector<Column> run_columns;     ///< of a variant's run
+  std::vector<std::size_t> row_slots;  ///< of these, the ones that are written where rows are
   std::vector<Column> columns;         ///< of the table
   std::int64_t begin = 0;              ///< first variant of this part
-  std::int64_t end = 0;                ///< behind the last
+  std::int64_t end = 0;                ///< one past the last
   std::int64_t block_variants = 1;
   SweepForecast forecast;
   std::optional<ChainRecipe> chain;  ///< where most variants need not be read and run
@@ -38,7 +38,7 @@ struct Sweep::Data {
   [[nodiscard]] bool writes_rows() const { return !task.rows.empty(); }
 };
 
-/// The settings of every variant's run, and the columns of the table. Fails for names that do not exist.
+/// Sets up the run of every variant and the columns of the table. Fails for names that do not exist.
 [[nodiscard]] Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings);
 
 }  // namespace higherpair

@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-// So many blocks are under way or wait for one before them: memory does not grow with the sweep.
+// Blocks per thread that are in progress or wait for an earlier one: memory does not grow with the sweep.
 constexpr std::size_t kBlocksPerThread = 4;
 
 void run_sweep(const Sweep& sweep, std::int64_t first, int threads,

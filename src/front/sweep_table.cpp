@@ -17,7 +17,7 @@ Column number(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
 }
 
-// Columns of forces and of the jerk are worked out only where a glob means nothing else.
+// Columns of forces and jerk are computed only where a glob matches nothing else.
 Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task, RunSettings settings) {
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
@@ -65,7 +65,7 @@ void add_row_columns(Sweep::Data& data) {
   }
 }
 
-// A name that two columns have; none.
+// A name that two columns share; none if all differ.
 std::optional<std::string> repeated(const std::vector<Column>& columns) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -75,7 +75,7 @@ std::optional<std::string> repeated(const std::vector<Column>& columns) {
   return std::nullopt;
 }
 
-// About as much work in every block, whatever the length of a run.
+// About the same work in every block, whatever the length of a run.
 std::int64_t variants_in_block(std::int64_t rows) {
   constexpr std::int64_t kRows = std::int64_t{1} << 18;
   constexpr std::int64_t kMost = 1024;

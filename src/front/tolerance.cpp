@@ -13,7 +13,7 @@ double change_by(const Slope& slope, double of_number) {
   return (of_number < 0 ? slope.down : slope.up) * of_number;
 }
 
-// What the scatter of a result is made of, σ² = Σ_i Σ_k ρ_ik d_i d_k with d_i = s_i σ_i.
+// The parts of a result's scatter, σ² = Σ_i Σ_k ρ_ik d_i d_k with d_i = s_i σ_i.
 class Scatter {
 public:
   Scatter(const ToleranceTask& task, const std::vector<double>& deviations)
@@ -32,7 +32,7 @@ public:
   // Σ_k ρ_ik d_i d_k of each number: they add up to the variance.
   [[nodiscard]] const std::vector<double>& parts() const { return parts_; }
 
-  // The largest factor on σ_i alone that brings the variance down to `target`; none: there is none.
+  // The largest factor on σ_i alone that brings the variance down to `target`; none if no factor does.
   [[nodiscard]] std::optional<double> factor_for(std::size_t i, double target) const {
     const double own = deviations_[i] * deviations_[i];
     const double common = parts_[i] - own;
@@ -49,13 +49,13 @@ private:
   double variance_ = 0;
 };
 
-// Of a wanted band: how far a narrower scatter brings it.
+// Finds by which factors scatter would have to be reduced for the band to be kept.
 void find_tightening(ToleranceBand& band, double value, const Scatter& scatter) {
   const double room = *band.within - std::abs(band.center - value);
   if (room < 0 || !(band.deviation > 0)) {
     return;
   }
-  const double target = room / kBandSigmas;  // of σ
+  const double target = room / kBandSigmas;  // for σ
   band.tighten_all = target / band.deviation;
   band.tighten = scatter.factor_for(band.order.front(), target * target);
 }
@@ -74,7 +74,7 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
       continue;
     }
     const double low = change_by(slope, -tolerance.minus), high = change_by(slope, tolerance.plus);
-    const bool around = tolerance.minus >= 0 && tolerance.plus >= 0;  // of a kink the number itself counts
+    const bool around = tolerance.minus >= 0 && tolerance.plus >= 0;  // at a kink the nominal value counts
     band.worst_low += std::min({low, high, around ? 0 : low});
     band.worst_high += std::max({low, high, around ? 0 : high});
     band.center += change_by(slope, tolerance.middle() - tolerance.value);

@@ -1,4 +1,4 @@
-// Random variants within tolerances, beside what slopes say of them.
+// Random variants within tolerances, compared with what slopes predict for them.
 #include "analysis_impl.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "higherpair/front/sweep.hpp"
@@ -24,7 +24,7 @@ std::shared_ptr<const SweepTask> task_of(const ToleranceTask& tolerances, const 
   task->in_time = in_time;
   task->place = tolerances.place;
   for (std::size_t i = 0; i < tolerances.tolerances.size(); ++i) {
-    // Columns of one table have names of their own: the results have theirs by number.
+    // Columns of a table need different names: these are named by number, as are the results.
     task->plan.variables[i].name = fmt::format("number.{}", i);
     task->units.push_back(tolerances.tolerances[i].unit);
   }
@@ -63,7 +63,7 @@ double quantile_of(std::vector<double>& values, double share) {
   return std::lerp(at, next, place - static_cast<double>(low));
 }
 
-// What the variants show of one result.
+// The values of one result in all variants.
 struct Collected {
   std::vector<double> values, linear;
 

@@ -4,201 +4,212 @@
 
 #include <array>
 
-// The tolerances of this room. Lengths are shares of the mechanism's size, values shares of what they are
-// compared with: of a result, of the largest value of a column, of the range of a variable.
+// Tolerances of this folder. Lengths are relative to the mechanism's size, values to what they are compared
+// with: a result, the largest value of a column, the range of a variable.
 
 namespace higherpair {
 
 // Rows and events.
 
-/// Share of the path between two rows: as near as this to the end is there.
+/// Fraction of the path between two rows: an event this close to the end is at the row.
 inline constexpr double kAtRowEnd = 1e-9;
-/// Of the distance of two rows: as near as this is on a row.
+/// Fraction of the row spacing: a place this close to a row is on it.
 inline constexpr double kOnRow = 1e-9;
-/// Of a place on the path: by halving.
+/// Relative width at which bisection for a place on the path ends.
 inline constexpr double kPlaceOnPath = 1e-15;
-/// Of the span of all rows: a row as near to a place is there.
+/// Fraction of the span of all rows: a row this close to a place is at that place.
 inline constexpr double kAtPlace = 1e-9;
-/// Positions of a driver that are one, of itself and of 1 in its unit.
+/// Driver positions that differ by less are the same; relative to 1 + |position| in its unit.
 inline constexpr double kSamePosition = 1e-9;
-/// Arcs that a contact has run along its curves up to a row, and that are alike, of the size.
+/// Arcs of contacts up to a row that differ by less are the same; relative to the mechanism's size.
 inline constexpr double kSameRowArc = 1e-9;
-/// Travel of a driver that slides, in sizes of the mechanism: farther away positions are rounded by more than
-/// the default tolerance, and a path is followed in steps of a sixth of the size.
+/// Longest travel of a sliding driver, in sizes of the mechanism: farther away, positions are rounded by more
+/// than the default tolerance; the path is followed in steps of a sixth of the size.
 inline constexpr double kLongestDriverSlide = 1e7;
-/// The same of a driver that turns, in turns: a path is followed in steps of 10 degrees.
+/// The same for a turning driver, in turns; the path is followed in steps of 10 degrees.
 inline constexpr double kMostDriverTurns = 1e7;
-/// Least tolerance of a DyadChain.
+/// Smallest tolerance for which a DyadChain is used.
 inline constexpr double kLeastChainTolerance = 1e-9;
-/// Length of a direction that is given as a unit vector, less 1.
+/// Largest deviation from 1 of the length of a unit vector.
 inline constexpr double kUnitDirection = 1e-9;
 
 // Results of a path.
 
-/// Of what lengths and the drivers' speed make of a column's dimension: smaller values are rounding.
+/// Relative to the value that the mechanism's size and the drivers' speed give in a column's dimension:
+/// values below are rounding.
 inline constexpr double kResultRounding = 1e-12;
-/// Of the spread of a column: extremes that differ by less are equal.
+/// Fraction of the spread of a column: extremes that differ by less are equal.
 inline constexpr double kSameResult = 1e-9;
-/// Of the whole path: so far to either side of an extreme the column is looked at, and by so much of its
-/// spread it may be lower there if it is smooth.
+/// An extreme is tested for smoothness at this fraction of the whole path to either side; there a smooth
+/// column is lower by at most kSmoothFall times its spread.
 inline constexpr double kBesideExtreme = 1e-5;
 inline constexpr double kSmoothFall = 3e-7;
-/// Of a value: what scaling may make of two neighbours, generously.
+/// Relative difference below which scaling may make two values equal; a generous bound.
 inline constexpr double kScalingRounding = 1e-15;
 
 // Checks.
 
-/// A value that differs from its limit by less is at it.
+/// A value within this fraction of its limit is at the limit.
 inline constexpr double kAtCheckLimit = 1e-9;
-/// Of a value on the path: equal but for rounding.
+/// Values on the path whose relative difference is below this are equal to within rounding.
 inline constexpr double kSamePathValue = 1e-9;
-/// Of a size of a flank: rounding.
+/// Relative to the size of a flank: differences below count as zero.
 inline constexpr double kNoFlankSize = 1e-9;
-/// Breaks of a flank's path that are one, of the path.
+/// Fraction of the path: breaks of a flank's law closer together than this are one.
 inline constexpr double kSameBreak = 1e-12;
-/// Of the curvature 1/size: straight but for rounding.
+/// Relative to the curvature 1/size: smaller curvatures are straight.
 inline constexpr double kStraightContact = 1e-9;
-/// Of the speed along a contact: rounding.
+/// Fraction of the speeds at a contact: a slower motion along the normal is rounding.
 inline constexpr double kRestingContact = 1e-9;
-/// Of the largest entrainment speed: 0 but for rounding.
+/// Relative to the largest entrainment speed: values below count as zero.
 inline constexpr double kNoEntrainment = 1e-9;
 
-// Extremes of rounding are not looked for: they lie at places without meaning, thousands of steps away.
+// Noise levels: extremes below are rounding and are not searched for. Their places would mean nothing, and
+// finding them would take thousands of steps.
 inline constexpr double kNoAngle = 1e-13;          // [rad]
-inline constexpr double kNoCurvature = 1e-13;      // of the curvature 1/size
-inline constexpr double kSlidingRounding = 1e-13;  // of what the drivers' speed makes of the size
-inline constexpr double kTravelRounding = 1e-12;   // the same of accelerations
-inline constexpr double kRoundingOfJerk = 1e-11;   // and of jerks
+inline constexpr double kNoCurvature = 1e-13;      // relative to the curvature 1/size
+inline constexpr double kSlidingRounding = 1e-13;  // relative to the drivers' speed times the size
+inline constexpr double kTravelRounding = 1e-12;   // the same for accelerations
+inline constexpr double kRoundingOfJerk = 1e-11;   // and for jerks
 
 // Mobility in words.
 
-/// Offset of a slider-crank that is central, of its links together.
+/// A slider-crank with a smaller offset is central; relative to the sum of its links.
 inline constexpr double kCentralOffset = 1e-12;
-/// What a crank that turns fully has to spare, of the coupler: none at a change point.
+/// Relative to the coupler: a crank with less than this to spare turns fully through a change point only.
 inline constexpr double kChangePointSlack = 1e-12;
-/// Numbers of the text that are none but for rounding.
+/// Numbers of the text below this are written as 0.
 inline constexpr double kNoNumber = 1e-12;
 
 // Pictures and reports.
 
-/// Of columns: what is small against it is rounding.
+/// Relative to the scale of a column: smaller values and changes are rounding.
 inline constexpr double kReportNoise = 1e-9;
-// Precisions of what a report draws.
-inline constexpr double kPlaceStep = 1e-8;  // of the picture: places of bodies
+// Rounding steps of what a report draws.
+inline constexpr double kPlaceStep = 1e-8;  // of the picture's size: positions of bodies
 inline constexpr double kAngleStep = 1e-8;  // [rad]
-inline constexpr double kShapeStep = 1e-6;  // of the picture: what is drawn in one row alone
-// Of the picture, and [rad]: first and last row show one picture.
+inline constexpr double kShapeStep = 1e-6;  // of the picture's size: shapes that are redrawn in each row
+// Fraction of the picture's size, and [rad]: first and last row closer than this show the same picture.
 inline constexpr double kSamePicture = 1e-6;
-inline constexpr double kPowerOfTen = 1e-9;  // of an exponent: that of a step that is a power of ten
-/// Of the longest arrow: a polygon none of whose arrows leads farther across it is a line.
+inline constexpr double kPowerOfTen = 1e-9;  // rounding of the exponent of a step that is a power of ten
+/// A polygon is a line if no arrow reaches farther sideways than this fraction of the longest one.
 inline constexpr double kFlatPolygon = 1e-6;
-/// Positions of a driver with one mark in a plot, in SI units.
+/// Driver positions closer together than this, in SI units, share one mark in a plot.
 inline constexpr double kSameMark = 1e-6;
-/// Of a step: scenes of `every` up to the end of the path.
+/// Fraction of the path: rounding allowed for the last scene of `every`, at the end of the path.
 inline constexpr double kLastScene = 1e-12;
-/// Of a lap: places of a run on a map that is drawn again and again.
+/// Fraction of a lap: rounding allowed at the ends of a branch of a map over which a run is drawn lap by lap.
 inline constexpr double kWholeLap = 1e-9;
-/// Overlap of a contact that counts as free on a map, of the size.
+/// Overlap of a contact that counts as free on a map, relative to the size.
 inline constexpr double kMapOverlap = 1e-9;
 
 // Derivatives by numbers of a profile.
 
-/// Steps of differences, of the scale of the number.
+/// Step of finite differences, as a fraction of the number's scale.
 inline constexpr double kDifferenceStep = 2e-4;
-/// Change of a number of the mechanism over all steps, of the mechanism's largest: less is rounding.
+/// Change of the mechanism's numbers over one step, relative to the largest of them: smaller changes are
+/// rounding.
 inline constexpr double kNoNumberChange = 1e-14;
-/// Change of a result by a change of a number over its whole scale, of the largest value of its column: less
-/// is rounding; and of the rounding of a column that is the same everywhere.
+/// Change of a result when a number changes by its whole scale, relative to the result or its rival: smaller
+/// changes are rounding. For a column that is constant along the path, kNoSlopeOfRounding times its rounding
+/// is the bound as well.
 inline constexpr double kNoSlope = 1e-10;
 inline constexpr double kNoSlopeOfRounding = 100;
-/// Slopes at places where a column is equally large that differ by less are equal, of the larger one.
+/// Slopes at several equal extremes of a column whose difference is smaller are equal; relative to the larger
+/// one.
 inline constexpr double kSameSlope = 1e-7;
-/// Of the result: a bend of less is no kink.
+/// Relative to the result: a smaller second difference is no kink.
 inline constexpr double kKinkRounding = 1e-8;
-/// Of the bend with two steps: with one step as much is a kink.
+/// A kink if the second difference over two steps is below this fraction of the value for a smooth function,
+/// four times that over one step.
 inline constexpr double kKinkOfDifference = 0.75;
-/// Of the slope: less is no kink.
+/// Relative to the change by the slope over one step: a smaller second difference is no kink.
 inline constexpr double kKinkOfSlope = 1e-3;
 
-// Bands of tolerances, of the variance and of the value: rounding.
+// Rounding of tolerance bands, relative to the variance and to the value.
 inline constexpr double kVarianceRounding = 1e-14;
 inline constexpr double kBandSlack = 1e-12;
 
 // Design.
 
-/// Of the range of a variable: at its bound.
+/// Fraction of a variable's range: closer to its bound it is at the bound.
 inline constexpr double kAtBound = 1e-6;
-/// Of a limit: what rounding may take from it.
+/// A limit missed by less than this, relative to its scale, holds.
 inline constexpr double kHoldsLimit = 1e-9;
-/// What dyads are to have to spare: on the very edge of their reach rounding loses the motion.
+/// Margin that dyads must keep to the edge of their reach, where rounding loses the motion; relative to the
+/// size.
 inline constexpr double kSpareReach = 1e-7;
-/// Bodies that are no farther apart have the same pose.
+/// Bodies closer than this, relative to the size and [rad], have the same pose.
 inline constexpr double kSamePose = 1e-6;
-/// Of the largest number: what rounding leaves of a linear function.
+/// Rounding of a function that is linear in the variables, relative to the number.
 inline constexpr double kLinearRounding = 1e-13;
-/// Displacement for slopes of what a linkage has to spare to Grashof's condition.
+/// Step of finite differences for the derivative of the Grashof margin, relative to the size.
 inline constexpr double kGrashofStep = 1e-6;
-/// Of a range: how far from the start things are tried.
+/// Changes of a variable, as fractions of its range, that are tried to see whether it has any effect.
 inline constexpr std::array kIdleShares = {1e-3, 0.02};
-/// Times what the profile has, or a part of it: a target that may be a slip.
+/// A target that differs from the profile's value by more than this factor may be given in a wrong unit.
 inline constexpr double kTargetApart = 20;
-/// The same: where it is in the unit that is meant.
+/// Another unit is suggested where it brings the target to within this factor.
 inline constexpr double kTargetAsMuch = 3;
 
-// Of a driver, between two places where the reach of dyads is looked at: a pin's angle [rad], or of the size.
+// Steps of a driver at which the reach of dyads is checked: [rad] for a pin, relative to the size for a
+// slide.
 inline constexpr double kGapStep = kPi / 30;
 inline constexpr double kGapSlide = 0.05;
-inline constexpr double kWholeGapSteps = 1e-9;  // a count of them that is whole
-inline constexpr double kEvenStep = 1e-6;       // of a step: steps that are even
+inline constexpr double kWholeGapSteps = 1e-9;  // rounding of a number of steps
+inline constexpr double kEvenStep = 1e-6;       // relative: steps that are equal
 
-/// Of the distance between rows: a step as small as this ends Newton's method.
+/// Fraction of the row spacing: a smaller step ends Newton's method.
 inline constexpr double kSharpestStep = 1e-13;
-/// Of the way round: ends of a path that are no farther apart are one point.
+/// Fraction of a path's length: a path whose ends are closer together is closed.
 inline constexpr double kClosedPath = 1e-6;
-/// Of the path: a change of its placement as small as this ends it.
+/// A smaller relative change of a path's placement ends its iteration.
 inline constexpr double kSettledPlacement = 1e-13;
-/// Scale of a placement: a path that is placed smaller has become a point.
+/// Scale of a placement: a path scaled to less has shrunk to a point.
 inline constexpr double kLeastPathScale = 1e-9;
 
 // Fits to a measured motion.
 
-/// Of the largest value of a column: what no noise is smaller than.
+/// Lower bound of the noise of a column, relative to its largest value.
 inline constexpr double kNoiseRounding = 1e-13;
-/// Noise and weights that change by less.
+/// Noise and weights that change by less have settled.
 inline constexpr double kNoiseSettled = 1e-6;
-/// Of the most that a variable changes, each by its own scale: nothing.
+/// Relative to the largest effect of any variable, each scaled: a smaller effect is none.
 inline constexpr double kNoFitChange = 1e-12;
-/// Of the largest value of a column: a spread that is none, and the least robust deviation.
+/// Relative to the largest value of a column: a smaller spread counts as zero; also the least robust
+/// deviation.
 inline constexpr double kNoSpread = 1e-12;
-/// The same of residuals that are noise, and not what rounding leaves of exact values.
+/// The same for residuals: those below are not noise but rounding of exact values.
 inline constexpr double kNoisyColumn = 1e-9;
-/// Rounding of a value, of the largest of its column.
+/// Rounding of a value, relative to the largest of its column.
 inline constexpr double kValueNoise = 1e-15;
-/// Of a range: ends of two searches are one.
+/// Fraction of a range: searches that end closer together have found the same solution.
 inline constexpr double kSameFitEnd = 1e-4;
-/// Of a sum: a better end of a search.
+/// Relative: an end of a search is better only if its sum is smaller by this.
 inline constexpr double kBetterSum = 1e-9;
-/// Of a column's largest value: the new profile moves as was fitted.
+/// Relative to a column's largest value: the new profile moves as was fitted.
 inline constexpr double kSameMotion = 1e-9;
-/// Of a variable's scale, for differences of the fourth order.
+/// Step of fourth-order differences, as a fraction of a variable's scale.
 inline constexpr double kFourthOrderStep = 1e-3;
-/// Of a driver's position [rad], and of what moves it by as much.
+/// Step of differences by the offset of a driver: [rad], a fraction of the size, or of the time span.
 inline constexpr double kOffsetStep = 1e-3;
-/// Of the largest: derivatives by two ways that agree; and where all are 0.
+/// Derivatives found by two methods agree to within this fraction of the largest, plus kNoDerivative.
 inline constexpr double kDerivativesAgree = 1e-5;
 inline constexpr double kNoDerivative = 1e-12;
-/// Of the largest singular value: columns scaled to length 1.
+/// Rank of the Jacobian with columns scaled to length 1: singular values below this fraction of the largest
+/// are zero.
 inline constexpr double kFitRank = 1e-8;
-/// Of a direction: an unknown with a smaller part has none.
+/// An unknown with a smaller component has no part in a direction.
 inline constexpr double kPartOfDirection = 1e-5;
-/// Changes that are alike.
+/// Relative difference of changes that are equal.
 inline constexpr double kAlikeChanges = 1e-4;
-/// Two unknowns that can hardly be told from each other.
+/// Correlation beyond which two unknowns can hardly be told apart.
 inline constexpr double kCloseCorrelation = 0.99;
-/// Misfit, as a share of the values' own size, that is no matter of dimensions, and one that may be.
+/// Misfit relative to the size of the values above which the unit is doubted, and below which another one
+/// fits.
 inline constexpr double kFarMisfit = 0.5;
 inline constexpr double kNearMisfit = 0.25;
-/// Of the misfit as it is.
+/// The other unit must also bring the misfit below this fraction of that in the given unit.
 inline constexpr double kBetterMisfit = 0.2;
 
 }  // namespace higherpair

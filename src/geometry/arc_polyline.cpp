@@ -23,12 +23,12 @@ public:
 
   [[nodiscard]] double bulge() const { return std::abs(bulge_) < kStraightBulge ? 0 : bulge_; }
   [[nodiscard]] double kappa() const { return kappa_; }
-  // Mirrored in the perpendicular of the chord.
+  // The tangent at the start, mirrored in the chord.
   [[nodiscard]] Vector2d end_tangent() const {
     const Vector2d c = chord_.normalized();
     return 2 * t_.dot(c) * c - t_;
   }
-  // Of its circle, also where that is nearly straight.
+  // Distance from its circle, also where that is nearly straight.
   [[nodiscard]] double distance(const Vector2d& p) const {
     const Vector2d r = p - from_;
     const double w = 2 * cross(t_, r) - kappa_ * r.squaredNorm();
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  // All of its turning, there and back.
+  // The whole turning of its normal, in either sense.
   static double turn_of(const Span& span) {
     const Bounds range = span.range();
     double sum = 0;

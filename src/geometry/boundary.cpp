@@ -26,7 +26,7 @@ double angle_from_to(const Vector2d& a, const Vector2d& b) {
   return std::atan2(cross(a, b), a.dot(b));
 }
 
-// The chain with its convex corners as spans.
+// The chain with its convex corners inserted as spans.
 std::vector<SpanPtr> with_corners(std::vector<SpanPtr> spans, bool closed) {
   std::vector<SpanPtr> all;
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -160,7 +160,7 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
   BoundaryPlace place = from;
   const bool corner = is_corner(place);
   place.t += corner ? dphi : ds / at(place).speed;
-  // More than once round is no step but an iteration that has gone astray.
+  // Only an iteration that has gone astray passes more spans than there are.
   for (int passed = 0; passed <= count; ++passed) {
     const Span& span = *spans_[static_cast<std::size_t>(place.span)];
     const Bounds range = span.range();
@@ -177,7 +177,7 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
     }
     const Span& other = *spans_[static_cast<std::size_t>(next)];
     const double start = forward ? other.range().low : other.range().high;
-    // What is left is an arc; of a turn of a corner's normal it is not known which.
+    // What is left is an arc; the rest of a corner's turn cannot be converted into one.
     const double left = span.is_corner() || other.is_corner() ? 0 : beyond * span.at(end).speed;
     place = {next, left == 0 ? start : start + left / other.at(start).speed};
   }
@@ -228,7 +228,7 @@ Boundary boundary_of(const Curve& curve, double reach) {
     double from = -kPi;
     double to = kPi;
     if (normals) {
-      // Half of the cone that is within reach, by halving: farther out points move away without bound.
+      // Half of the cone that is within reach, by bisection: farther out, points move away without bound.
       double inside = 0;
       double outside = normals->half;
       for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-// Lines and circles; what all fits share.
+// Fits of lines and circles, and what all fits share.
 #include "boundary_fit.hpp"
 
 #include "higherpair/geometry/tolerances.hpp"
@@ -24,7 +24,7 @@ tl::expected<Normalised, BoundaryFitError> normalised(std::span<const Vector2d> 
   }
   const auto count = static_cast<double>(points.size());
   Normalised result;
-  // About the first point, so that a sum of places far from 0 does not round away what lies between them.
+  // Relative to the first point, so that summing positions far from 0 does not round away their differences.
   for (const Vector2d& p : points) result.center += (p - points.front()) / count;
   result.center += points.front();
   double largest = 0;
@@ -90,13 +90,13 @@ SingularValues spread_of(const std::vector<Vector2d>& points) {
   return singular_values(triangular_factor(rows));
 }
 
-// How far rounding of their places may take points that are on one line from it.
+// How far rounding of their coordinates may move points off a line that they are on.
 double place_rounding(const Normalised& points) {
   return std::numeric_limits<double>::epsilon() * points.center.cwiseAbs().maxCoeff() / points.size;
 }
 
 // A circle in Pratt's parameters, A (x² + y²) + B x + C y + D = 0 with (B, C) = √(1 + 4 A D) (cos t, sin t),
-// which a line is as well: A = 0. The distance d of a point where it is P has P = d + A d².
+// which includes lines: A = 0. The distance d of a point at which the left side is P satisfies P = d + A d².
 struct PrattCircle {
   double A, D, t;
 
@@ -116,12 +116,12 @@ struct PrattCircle {
            (1 + 2 * A * d);
   }
   [[nodiscard]] Vector2d center() const { return -root() / (2 * A) * unit_vector(t); }
-  /// The point of it that is nearest to the origin.
+  /// Its point nearest to the origin.
   [[nodiscard]] Vector2d foot() const { return -2 * D / (1 + root()) * unit_vector(t); }
 };
 
-// Least mean of (A |p|² + B x + C y + D)² over that of |∇|² = 4 A² 〈|p|²〉 + B² + C²; here 〈|p|²〉 = 1, and
-// the points are about their centroid.
+// Minimises the mean of (A |p|² + B x + C y + D)² relative to that of |∇|² = 4 A² 〈|p|²〉 + B² + C²; here
+// 〈|p|²〉 = 1, and the points are about their centroid.
 PrattCircle taubin_circle(const std::vector<Vector2d>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -137,7 +137,7 @@ PrattCircle circle_of(const Eigen::VectorXd& x) {
   return {x(0), x(1), x(2)};
 }
 
-// By the places' distances from it.
+// The circle of least distances from the points.
 LeastSquaresFit nearest_circle(const std::vector<Vector2d>& places, const PrattCircle& start) {
   LeastSquaresProblem problem;
   problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) {
@@ -221,7 +221,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
   if (spread.values(1) <= (kSpreadOfLine + 4 * place_rounding(*from)) * spread.values(0)) {
     return tl::unexpected(BoundaryFitError::kOneLine);
   }
-  // About a point of the circle: about its centre the angle t would mean nothing.
+  // About a point of the circle: about its centre the angle t would be undefined.
   const PrattCircle start = taubin_circle(from->points);
   const Vector2d origin = start.foot();
   std::vector<Vector2d> places;
@@ -235,7 +235,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
   const double radius = 1 / (2 * std::abs(circle.A));
   const Vector2d center = origin + circle.center();
   fit.parameters = {center.x(), center.y(), radius};
-  // In centre and radius a distance is ±(|p - c| - r).
+  // By centre and radius, a distance is ±(|p - c| - r).
   Eigen::MatrixXd J(found.r.size(), 3);
   std::vector<double> distances;
   for (Eigen::Index i = 0; i < J.rows(); ++i) {

@@ -14,16 +14,16 @@ struct Normalised {
   double size = 1;
 };
 
-/// Fails for too few points, for points that are no numbers, and where all are one.
+/// Fails for too few points, for points that are not finite or out of range, and for points all at one place.
 [[nodiscard]] tl::expected<Normalised, BoundaryFitError> normalised(std::span<const Vector2d> points,
                                                                     std::size_t least);
 
-/// What a fit of normalised points is in the points' own frame. Fills distances, rms and noise of `fit`.
-/// \param lengths  which of the parameters are lengths; the first two are a place
+/// Converts a fit of normalised points to the points' own frame, and fills distances, rms and noise of `fit`.
+/// \param lengths  which of the parameters are lengths; the first two are a position
 void to_own_frame(const Normalised& from, std::span<const double> distances, std::size_t freedoms,
                   const std::vector<bool>& lengths, BoundaryFit& fit);
 
-/// (JᵀJ)⁻¹; NaN where it has none.
+/// (JᵀJ)⁻¹; NaN where it does not exist.
 [[nodiscard]] Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& J);
 
 using Coefficients = Eigen::Matrix<double, 6, 1>;  ///< A … F of a conic
@@ -33,13 +33,13 @@ using Coefficients = Eigen::Matrix<double, 6, 1>;  ///< A … F of a conic
 /// ∇F at p
 [[nodiscard]] Vector2d slope(const Coefficients& conic, const Vector2d& p);
 
-/// \name Algebraic starts
+/// \name Starting values by algebraic fits
 /// @{
 [[nodiscard]] Coefficients taubin_conic(const std::vector<Vector2d>& points);
 /// None where the points have no such ellipse.
 [[nodiscard]] std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points);
-/// {vertex, direction of the axis, half the semi-latus rectum}: of parabolas with any axis the one of the
-/// least distances to first order.
+/// {vertex, direction of the axis, semi-latus rectum}: of the parabolas with any axis, the one of the least
+/// distances to first order.
 [[nodiscard]] Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points);
 /// @}
 

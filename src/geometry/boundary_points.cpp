@@ -9,10 +9,10 @@
 namespace higherpair {
 namespace {
 
-constexpr int kProbesOfChord = 8;  // between two points, of their distance from the straight line
+constexpr int kProbesOfChord = 8;  // between two points, to measure the distance from the straight line
 constexpr int kMostHalvings = 30;
 
-// Half of the places and weights on (-1, 1), which are symmetric.
+// Half of the nodes and weights on (-1, 1), which are symmetric.
 constexpr std::array<std::pair<double, double>, 4> kGauss = {{{0.18343464249564980, 0.36268378337836198},
                                                               {0.52553240991632899, 0.31370664587788729},
                                                               {0.79666647741362674, 0.22238103445337447},
@@ -28,7 +28,7 @@ double arc_between(const Span& span, double from, double to) {
   return half * sum;
 }
 
-// Lengths up to the parts of a span; 0 throughout on a corner.
+// Arc lengths up to the end of each part of a span; 0 throughout on a corner.
 std::vector<double> arcs_of(const Span& span) {
   const Bounds range = span.range();
   const int parts = span.is_corner() ? 1 : span.parts();
@@ -48,7 +48,7 @@ double distance_from_line(const Vector2d& p, const Vector2d& a, const Vector2d& 
   return length > 0 ? std::abs(cross(chord, Vector2d(p - a))) / length : (p - a).norm();
 }
 
-// The parameters within (from, to] at which a span is to have points.
+// The parameters within (from, to] at which points are placed.
 void divide(const Span& span, double from, double to, double tolerance, int halvings,
             std::vector<double>& places) {
   const Vector2d a = span.at(from).p_B;
@@ -66,7 +66,7 @@ void divide(const Span& span, double from, double to, double tolerance, int halv
   divide(span, half, to, tolerance, halvings + 1, places);
 }
 
-// Round half a turn two ends may be nearer to each other than the way between them: begin with parts.
+// Over half a turn, the ends may be closer to each other than to the curve between them: begin with parts.
 std::vector<double> places_of(const Span& span, double tolerance) {
   constexpr int kLeastParts = 4;
   const Bounds range = span.range();
@@ -146,7 +146,7 @@ std::vector<BoundaryStation> points_at_equal_arcs(const Boundary& boundary, int 
         if (within >= here && !to_end) {
           break;
         }
-        // Newton's method on the arc from the begin of the part.
+        // Newton's method for the arc length from the beginning of the part.
         double t = from + step_t * std::clamp(within / here, 0.0, 1.0);
         constexpr int kMost = 8;
         for (int k = 0; k < kMost; ++k) {

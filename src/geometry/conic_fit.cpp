@@ -31,7 +31,7 @@ CurveKind kind_of(ConicForm form) {
                                         : CurveKind::kHyperbola;
 }
 
-// Distances and their derivatives by the parameters that the conic's coefficients depend on.
+// A family of conics, given by parameters.
 struct Family {
   // The coefficients for parameters, and their derivatives.
   std::function<Coefficients(const Eigen::VectorXd&)> conic;
@@ -68,7 +68,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
   return least_squares(problem, start, options);
 }
 
-// All conics near one: its coefficients and any change that is no common factor.
+// All conics near one: its coefficients and any change of them other than a common factor.
 Family near(const Coefficients& conic) {
   const SingularValues svd = singular_values(conic.transpose());
   const Eigen::Matrix<double, 6, Eigen::Dynamic> basis = svd.V.rightCols(5);
@@ -111,7 +111,7 @@ Family parabolas() {
           }};
 }
 
-// On the branch of a hyperbola on which most points lie.
+// The curve of a conic; of a hyperbola, the branch on which most points lie.
 std::optional<Curve> curve_near(const Coefficients& conic, const std::vector<Vector2d>& points) {
   std::optional<Curve> best;
   double nearest = std::numeric_limits<double>::infinity();
@@ -146,7 +146,7 @@ Eigen::VectorXd parameters_of(const Curve& curve) {
   const Vector2d at = center(curve);
   Eigen::VectorXd parameters(5);
   if (curve.kind == CurveKind::kHyperbola) {
-    // axis_B points from the vertex to the focus: the way in which the branch opens.
+    // axis_B points from the vertex to the focus, in which direction the branch opens.
     parameters << at, axes[0], axes[1], angle_of(curve.axis_B);
     return parameters;
   }
@@ -156,13 +156,13 @@ Eigen::VectorXd parameters_of(const Curve& curve) {
   return parameters;
 }
 
-// A circle's axis may be any.
+// A circle is an ellipse with any axis.
 bool is_form(CurveKind kind, ConicForm form) {
   return form == ConicForm::kAny || kind == kind_of(form) ||
          (form == ConicForm::kEllipse && kind == CurveKind::kCircle);
 }
 
-// Of the natural parameters by those of the family, by differences.
+// Derivatives of the natural parameters by those of the family, by differences.
 Eigen::MatrixXd natural_derivatives(const Family& family, const Eigen::VectorXd& x,
                                     const std::vector<Vector2d>& points, const Eigen::VectorXd& natural) {
   Eigen::MatrixXd by(natural.size(), x.size());
@@ -214,7 +214,7 @@ BoundaryFitResult finished(const Normalised& from, const Family& family, const L
   const bool inside_is_negative = monomials(natural.head<2>()).dot(conic) < 0 ||
                                   form == ConicForm::kParabola || curve->kind == CurveKind::kParabola;
   std::vector<double> distances(found.r.begin(), found.r.end());
-  // Outside is where the centre of an ellipse is not, and where that of a hyperbola is.
+  // Distances are > 0 outside; the centre of an ellipse is inside, that of a hyperbola outside.
   const bool turn =
       (curve->kind == CurveKind::kHyperbola) == inside_is_negative && curve->kind != CurveKind::kParabola;
   if (turn) {

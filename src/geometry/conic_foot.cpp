@@ -1,4 +1,4 @@
-// The point of a conic that is nearest to another.
+// The point of a conic nearest to a given one.
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/tolerances.hpp"
@@ -14,8 +14,8 @@ namespace higherpair {
 namespace {
 
 // Foot points p' = (I + 2 t Q)⁻¹ (p - t g) in the axes of Q, with F(p') = 0. Where I + 2 t Q is positive
-// definite F falls with t, and its zero is the nearest foot; the ends of that interval have one only where
-// p is on an axis, beyond the centre of curvature.
+// definite, F falls with t, and its zero gives the nearest foot; at the ends of that interval there is one
+// only if p is on an axis, beyond the centre of curvature.
 class Foot {
 public:
   Foot(const std::array<double, 6>& c, const Vector2d& p) {
@@ -56,7 +56,7 @@ private:
     return p.cwiseAbs2().dot(lambda_.cwiseAbs()) + g_.cwiseAbs().dot(p.cwiseAbs()) + std::abs(constant_);
   }
 
-  // Newton's steps, halved where they leave the bracket.
+  // Newton's method; bisection where a step leaves the bracket.
   [[nodiscard]] double zero_between(double low, double high) const {
     double t = 0;
     for (int step = 0; step < 200; ++step) {
@@ -76,7 +76,7 @@ private:
     return t;
   }
 
-  // One coordinate is free at an end of the interval.
+  // The foot at an end of the interval, where one coordinate does not follow from t.
   void on_axis(double low, double high, Vector2d& foot) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Eigen::Index free : {Eigen::Index{1}, Eigen::Index{0}}) {

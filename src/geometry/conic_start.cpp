@@ -1,4 +1,4 @@
-// Where fits of conics start: curves of a least algebraic distance.
+// Starting values for fits of conics: curves of least algebraic distance.
 #include "boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/least_norm.hpp"
@@ -35,8 +35,8 @@ Vector2d slope(const Coefficients& conic, const Vector2d& p) {
           2 * conic(1) * p.y() + conic(2) * p.x() + conic(4)};
 }
 
-// Least Σ F² over Σ |∇F|²: F = 0 takes the means of the monomials, what is left is a smallest singular vector
-// in the metric of the slopes.
+// Minimises Σ F² relative to Σ |∇F|²: the constant term removes the means of the monomials, and the rest is
+// the last singular vector in the metric of the slopes.
 Coefficients taubin_conic(const std::vector<Vector2d>& points) {
   Eigen::MatrixXd rows = monomial_rows(points).leftCols(5);
   const Eigen::RowVectorXd mean = rows.colwise().mean();
@@ -56,8 +56,9 @@ Coefficients taubin_conic(const std::vector<Vector2d>& points) {
   return conic.normalized();
 }
 
-// Least Σ F² with a form 4 A B - C² > 0 of given size: with F² left by the squares alone, R, as a metric that
-// form has one positive eigenvalue, and its vector is the ellipse.
+// Minimises Σ F² for a given 4 A B - C² > 0: the linear terms are eliminated, and in the metric of the Σ F²
+// that is left for the coefficients of the squares this form has one positive eigenvalue, whose vector is the
+// ellipse.
 std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) {
   const Eigen::MatrixXd rows = monomial_rows(points);
   const Eigen::MatrixXd squares = rows.leftCols(3);
@@ -80,7 +81,7 @@ std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) 
   return std::nullopt;
 }
 
-// With each direction of the axis by linear least squares, u = a v² + b v + c.
+// By linear least squares for each direction of the axis: u = a v² + b v + c.
 Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points) {
   Eigen::Vector4d best(0, 0, 0, 1);
   double least = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// One function for each kind of piece.
+// An overload set with one function for each kind of piece.
 template <class... Functions>
 struct Each : Functions... {
   using Functions::operator()...;
@@ -31,7 +31,7 @@ SpanPtr arc_span(const ArcPiece& arc) {
   if (arc.sweep > 0) {
     return conic_span(*make_circle(arc.center, arc.radius), arc.from, arc.from + arc.sweep);
   }
-  // Outward normals of a hollow arc point to its centre.
+  // Outward normals of a concave arc point to its centre.
   return conic_span(*make_circle(arc.center, arc.radius, Side::kOutside), arc.from + arc.sweep + kPi,
                     arc.from + kPi);
 }

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// The end 2i is the begin of the piece i, 2i + 1 its end.
+// Index 2i is the beginning of piece i, 2i + 1 is its end.
 using EndIndex = std::size_t;
 
 struct Cell {
@@ -26,7 +26,7 @@ struct CellHash {
   }
 };
 
-// All ends by their places.
+// The ends of all pieces, found by their positions.
 class Ends {
 public:
   Ends(const std::vector<ContourPiece>& pieces, double tolerance) : tolerance_(tolerance) {
@@ -36,7 +36,7 @@ public:
       far_ = std::max(
           {far_, places_.back().cwiseAbs().maxCoeff(), places_[places_.size() - 2].cwiseAbs().maxCoeff()});
     }
-    width_ = std::max(2 * tolerance, far_ * kNarrowestCell);  // so that the numbers of cells are exact
+    width_ = std::max(2 * tolerance, far_ * kNarrowestCell);  // so that the indices of cells are exact
     for (EndIndex end = 0; end < places_.size(); ++end) {
       cells_[cell(places_[end])].push_back(end);
     }
@@ -44,7 +44,7 @@ public:
 
   [[nodiscard]] const Vector2d& place(EndIndex end) const { return places_[end]; }
 
-  // The other ends at the place of this one.
+  // The other ends at the position of this one.
   [[nodiscard]] std::vector<EndIndex> others_at(EndIndex end) const {
     std::vector<EndIndex> found;
     const Cell center = cell(places_[end]);
@@ -81,7 +81,7 @@ EndIndex other_end(EndIndex end) {
   return end ^ 1U;
 }
 
-// The path from an end over pieces that are not used yet: the ends at which it enters them.
+// The path from an end over unused pieces, as the ends at which it enters them.
 std::vector<EndIndex> way_from(EndIndex end, const std::vector<EndIndex>& partner, std::vector<char>& used) {
   std::vector<EndIndex> way;
   while (end != kNone && used[end / 2] == 0) {
@@ -115,7 +115,7 @@ tl::expected<std::vector<Contour>, JoinFault> join(const std::vector<ContourPiec
     if (used[piece] != 0) {
       continue;
     }
-    // Forwards to an end or round; then what comes before, if it is open.
+    // Forwards to an end or all the way round; if open, also the pieces before.
     std::vector<EndIndex> way = way_from(2 * piece, partner, used);
     const EndIndex last = other_end(way.back());
     Contour contour;

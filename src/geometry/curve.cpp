@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// Of the two vertices of a circle or ellipse the one nearer to the body's origin: it has the smaller rounding
+// Takes that vertex of a circle or ellipse which is nearer to the body's origin: it has the smaller rounding
 // error.
 CurveResult vertex_form_of_ellipse(const Vector2d& center_B, double a, double b, Vector2d axis_B, Side side) {
   const double distance = center_B.stableNorm();

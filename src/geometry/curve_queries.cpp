@@ -20,7 +20,7 @@ const SupportPiece& piece_of(const PlacedCurve<double>& curve) {
   return curve.support->pieces()[curve.piece];
 }
 
-// The angle of a normal in the body's frame, on the turn that the piece is on.
+// The angle of a normal in the body's frame, on the same turn as the angles of the piece.
 double angle_on_piece(const PlacedCurve<double>& curve, const Vector2d& n_W) {
   const double angle = angle_of(Vector2d(n_W.dot(curve.axis_W), cross(curve.axis_W, n_W)));
   const SupportPiece& piece = piece_of(curve);
@@ -40,7 +40,7 @@ Bounds negative(const Bounds& x) {
   return {-x.high, -x.low};
 }
 
-// A few values along the piece, and half the angle between them.
+// Calls `take` for a few angles along the piece; returns half of their spacing.
 template <class F>
 double for_samples(const Curve& curve, const F& take) {
   constexpr int kSamples = 16;
@@ -94,7 +94,7 @@ Bounds radius_bounds(const Curve& curve) {
   if (curve.support != nullptr) {
     return curve.support->radius(curve.piece, whole_piece(curve));
   }
-  // A conic is sharpest at its vertex and flattest across; parabolas and hyperbolas end flat.
+  // A conic is sharpest at its vertex; an ellipse is flattest on its minor axis, an open conic at infinity.
   const double flattest = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : kInfinity;
   const Bounds rho{curve.semi_latus, flattest};
   return curve.side == Side::kInside ? rho : negative(rho);
@@ -157,7 +157,7 @@ std::optional<double> reach_from(const Curve& curve, const Vector2d& p_B) {
     return (curve.vertex_B - p_B).norm();
   }
   if (curve.support != nullptr) {
-    // Between samples a point is at most the arc from the next one away.
+    // A point between two samples is no farther from the nearer one than the arc between them.
     const Bounds rho = radius_bounds(curve);
     double farthest = 0;
     const double half = for_samples(curve, [&](double phi) {
@@ -198,13 +198,13 @@ double arc_to_normal(const Curve& curve, double phi_B) {
     const int parts = 1 + static_cast<int>(std::abs(phi_B) / (kPi / 8));
     double arc = 0;
     for (int i = 0; i < parts; ++i) {
-      // Halved where it is nearly flat, ρ being large there.
+      // Subdivided where the curve is nearly flat, since ρ is large there.
       arc += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
           rho, phi_B * i / parts, phi_B * (i + 1) / parts, kMostHalvingsOfArc, kArcPrecision);
     }
     return arc;
   }
-  // A body on the outside has the convex side's normal turned round, and runs through the arc the other way.
+  // For a body on the outside the normal is reversed, and the arc runs the other way.
   const bool inside = curve.side == Side::kInside;
   const double psi = phi_B - vertex_normal_angle(curve) - (inside ? 0 : kPi);
   const double arc = arc_length(curve, curve.q > 0 ? psi : nearest_turn(psi, 0));

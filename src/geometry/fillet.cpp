@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kHalvings = 12;
 
-// Centres of circles of one radius that are tangent to a piece on one side: a line, or a circle.
+// The locus of the centres of circles of one radius that are tangent to a piece on one side: a line or a
+// circle.
 struct Track {
   bool straight = true;
   Vector2d p = Vector2d::Zero();  // a point of the line, or the centre
@@ -17,7 +18,7 @@ struct Track {
   double radius = 0;
 };
 
-// The track on the left (side = 1) or right (-1) of a piece.
+// The locus on the left (side = 1) or right (-1) of a piece.
 Track track(const ContourPiece& piece, double radius, double side) {
   if (const auto* line = std::get_if<LinePiece>(&piece)) {
     const Vector2d t = (line->to - line->from).normalized();
@@ -57,7 +58,7 @@ std::vector<Vector2d> common_points(const Track& a, const Track& b) {
   return on_line({true, a.p + along * t, perp(t), 0}, a);
 }
 
-// How far along a piece, as a part of it, the point of tangency lies.
+// Fraction of a piece at which a circle about `center` is tangent to it.
 double part_at(const ContourPiece& piece, const Vector2d& center) {
   if (const auto* line = std::get_if<LinePiece>(&piece)) {
     const Vector2d all = line->to - line->from;
@@ -94,7 +95,7 @@ std::optional<Rounding> rounding(const ContourPiece& a, const ContourPiece& b, d
   for (const Vector2d& center : common_points(track(a, radius, side), track(b, radius, side))) {
     const double end = part_at(a, center);
     const double begin = part_at(b, center);
-    // The nearest to the corner takes the least away.
+    // The one nearest to the corner cuts the least off.
     if (end > kLengthRounding && end < 1 && begin > 0 && begin < 1 - kLengthRounding && end - begin > most) {
       most = end - begin;
       const ContourPiece before = cut(a, 0, end);

@@ -17,13 +17,13 @@ double tip_radius(const InvoluteTooth& tooth) {
   return pitch_radius(tooth) + (1 + tooth.profile_shift) * tooth.module;
 }
 
-// From where the line of action leaves the base circle to where the tip circle cuts it.
+// Distance along the line of action from its point on the base circle to the tip circle.
 double reach_of_tip(const InvoluteTooth& tooth) {
   const double base = base_radius(tooth);
   return std::sqrt(std::max(0.0, (tip_radius(tooth) - base) * (tip_radius(tooth) + base)));
 }
 
-// Of a tooth at the radius at which the pressure angle is α_w.
+// Thickness of a tooth at the radius at which the pressure angle is α_w.
 double thickness(const InvoluteTooth& tooth, double alpha_w) {
   return 2 * base_radius(tooth) / std::cos(alpha_w) *
          (half_angle_at_base(tooth) - involute_function(alpha_w));
@@ -35,8 +35,8 @@ double involute_function(double pressure_angle) {
   return std::tan(pressure_angle) - pressure_angle;
 }
 
-// Convex and growing: from above Newton's method comes down on the root without passing it. α³/3 <= inv α,
-// and tan α - π/2 <= inv α.
+// inv α is convex and increasing, so that from above Newton's method approaches the root without passing it.
+// Bounds from above follow from α³/3 <= inv α and tan α - π/2 <= inv α.
 double inverse_involute(double value) {
   assert(value >= 0);
   double alpha = std::min(std::cbrt(3 * value), std::atan(value + kPi / 2));

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-// Conics given by six coefficients, brought to the frame of their focal axis and from there to a vertex.
+// Conics given by six coefficients, transformed to the frame of their focal axis and from there to a vertex.
 
 namespace higherpair {
 namespace {
@@ -43,7 +43,7 @@ Eigen2 eigen_decomposition(double a, double b, double c) {
   const double major = mean + std::copysign(radius, mean);
   const double ac = a * b;
   const double quarter = c / 2 * (c / 2);
-  // a b - c²/4 with the rounding of both products given back.
+  // a b - c²/4, with the rounding errors of both products added back.
   const double det = (ac - quarter) + (std::fma(a, b, -ac) - std::fma(c / 2, c / 2, -quarter));
   // The eigenvector of `major` is at half the angle of (half_difference, c/2), turned by 90° where major < 0.
   const double angle = std::atan2(c / 2, half_difference) / 2;
@@ -52,8 +52,8 @@ Eigen2 eigen_decomposition(double a, double b, double c) {
   return {minor, major, std::signbit(mean) ? algebraic_largest_axis : perp(algebraic_largest_axis)};
 }
 
-// Turns and shifts the conic so that the y axis belongs to the eigenvalue `lambda_y` and no term in y is
-// left.
+// Turns and shifts the conic so that the y axis belongs to the eigenvalue `lambda_y` and no term linear in y
+// is left.
 AxisForm to_axis_form(const std::array<double, 6>& k, double lambda_x, double lambda_y,
                       const Vector2d& x_axis_B) {
   const Vector2d y_axis_B = perp(x_axis_B);
@@ -65,23 +65,23 @@ AxisForm to_axis_form(const std::array<double, 6>& k, double lambda_x, double la
   return {-e * y_axis_B, x_axis_B, q, d, f, e, std::fma(d, d, -q * f)};
 }
 
-// The same conic with the two axes in each other's place: the discriminant is -det/λ_y³, and computing it
-// anew would lose digits where λ_x is the larger by far.
+// The same conic with the two axes exchanged: the discriminant is -det/λ_y³, and computing it anew would lose
+// digits where λ_x is much larger.
 AxisForm with_axes_exchanged(const AxisForm& form, const std::array<double, 6>& k, const Eigen2& eigen) {
   AxisForm other = to_axis_form(k, eigen.major, eigen.minor, perp(eigen.minor_axis));
   other.discriminant = form.discriminant / (form.q * form.q * form.q);
   return other;
 }
 
-// What rounding of the six coefficients does to the discriminant d² - q f of the form with λ_y = major, q, d
-// and f being moved by `kConicNoise` times what they consist of.
+// The effect of rounding of the six coefficients on the discriminant d² - q f of the form with λ_y = major:
+// q, d and f may be off by `kConicNoise` times the terms that they consist of.
 double discriminant_noise(const AxisForm& form, const std::array<double, 6>& k, double major,
                           double dropped_q) {
   const double linear = std::hypot(k[3], k[4]) / std::abs(2 * major);
   const double constant = std::abs(k[5] / major);
   if (form.q == 0) {
-    // Two parallel lines about the axis have no linear part that could be rounded, but a distance; and what
-    // was dropped of q makes a parabola of two nearly parallel ones.
+    // Two parallel lines on either side of the axis have no linear part that could be rounded, but a
+    // distance; and dropping a small q makes a parabola of two nearly parallel ones.
     const double d_noise = kConicNoise * (linear + std::sqrt(constant));
     return (2 * std::abs(form.d) + d_noise) * d_noise + 2 * (std::abs(dropped_q) + kEps) * std::abs(form.f);
   }

@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// The curve itself, unless its numbers have left the range of double.
+/// The curve itself; an error if its numbers are out of the range of double.
 [[nodiscard]] CurveResult if_in_range(const Curve& curve);
 
 /// The vertex form of a conic given by its coefficients, of which the largest of A, B, C is between 1 and 2;

@@ -10,8 +10,8 @@
 namespace higherpair {
 namespace {
 
-// The material is on the left of the way: a right flank is run through outwards, φ = t, a left one inwards,
-// φ = -t.
+// The material is on the left of the direction of travel: a right flank is traversed outwards, φ = t, a left
+// one inwards, φ = -t.
 class InvoluteSpan final : public Span {
 public:
   explicit InvoluteSpan(const Involute& involute)

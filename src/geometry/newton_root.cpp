@@ -10,8 +10,8 @@ namespace higherpair {
 
 namespace {
 
-// The search between two ends: `near`, on the side of 0, where value and slope are known, and `far`, beyond
-// the root.
+// The bracket of the search: its end `near`, on the side of 0, where value and slope are known, and its end
+// `far`, beyond the root.
 class Search {
 public:
   Search(const ValueAndSlope& at_0, double h) : h_(h), at_near_(at_0), far_(h), last_(std::abs(h)) {}
@@ -23,8 +23,8 @@ public:
       return from_far_;
     }
     const double step = -at_near_.value / at_near_.slope;
-    // Where f jumps to the other side it is approached from this one: short of the root by twice what the
-    // bend of f makes of the step, and more than rounding.
+    // Where f jumps to the other side, the root is approached from this side: short of it by twice the change
+    // of the step that the curvature of f makes, and by more than rounding.
     const double x =
         near_ +
         (jumps_ ? step * (1 - std::clamp(2 * bend_ * std::abs(step), kLeastShortOfRoot, kMostShortOfRoot))
@@ -33,7 +33,7 @@ public:
     return halved_ ? near_ + (far_ - near_) / 2 : x;
   }
 
-  // Whether the value found at x ends the search there.
+  // Takes in the value found at x; returns whether the search ends there.
   bool take(double x, const ValueAndSlope& at) {
     const bool known = std::isfinite(at.value);
     const double step = -at.value / at.slope;
@@ -60,7 +60,7 @@ public:
     return false;
   }
 
-  // The near end, where f falls to 0 there.
+  // The near end, if f falls to 0 there.
   [[nodiscard]] std::optional<double> end() const {
     const bool is_root = std::abs(at_near_.value / at_near_.slope) <= kNewtonRootNear * std::abs(h_);
     return is_root ? std::optional(near_) : std::nullopt;
@@ -71,11 +71,11 @@ private:
   double near_ = 0;
   ValueAndSlope at_near_;
   double far_;
-  double from_far_ = std::numeric_limits<double>::quiet_NaN();  // where the slope there leads
-  bool jumps_ = false;                                          // that leads nowhere
-  bool halved_ = false;                                         // the last place is no step of Newton's
-  double bend_ = std::numeric_limits<double>::infinity();       // |f''/2f'| at the near end
-  double last_;                                                 // step
+  double from_far_ = std::numeric_limits<double>::quiet_NaN();  // where Newton's step from the far end leads
+  bool jumps_ = false;                                          // that step does not lead into the bracket
+  bool halved_ = false;                                    // the last place is a bisection, not a Newton step
+  double bend_ = std::numeric_limits<double>::infinity();  // |f''/2f'| at the near end
+  double last_;                                            // size of the last step
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ Eigen::MatrixXd powers_between(const NurbsCurve& curve, std::size_t k) {
   return powers;
 }
 
-// Intervals whose curvature goes on continuously.
+// Neighbouring intervals across which the curvature is continuous.
 struct Stretch {
   std::vector<double> breaks;
   std::vector<Eigen::MatrixXd> powers;
@@ -69,7 +69,7 @@ void close(const Stretch& stretch, int degree, std::vector<SpanPtr>& spans) {
 
 }  // namespace
 
-// A knot of multiplicity m leaves degree - m derivatives continuous; the curvature takes two.
+// A knot of multiplicity m leaves degree - m derivatives continuous; a continuous curvature needs two.
 std::vector<SpanPtr> nurbs_spans(const NurbsCurve& curve) {
   const auto degree = static_cast<std::size_t>(curve.degree);
   const std::size_t count = curve.control.size();

@@ -7,8 +7,8 @@
 namespace higherpair {
 namespace {
 
-// Where 1 + κ d, by which the span is longer in its offset, is least and largest, at four times as many
-// places as show the shape.
+// Where 1 + κ d, the ratio of the offset's length to the span's, is least and largest, sampled four times as
+// finely as the span's parts.
 struct OffsetStretch {
   SpanPoint least;
   SpanPoint largest;
@@ -30,7 +30,7 @@ OffsetStretch stretch_of(const Span& span, double distance) {
   return stretch;
 }
 
-// An arc about its own centre becomes that point.
+// An arc that is offset by its radius becomes a point.
 bool vanishes(const OffsetStretch& stretch, double distance) {
   return std::abs(1 + stretch.least.kappa * distance) <= kVanishedRadius &&
          std::abs(1 + stretch.largest.kappa * distance) <= kVanishedRadius;
@@ -66,7 +66,7 @@ tl::expected<std::vector<SpanPtr>, OffsetFault> offset_spans(const Boundary& bou
       spans.push_back(offset_span(span, distance));
     }
     if (notch) {
-      // A hollow corner goes on as a hollow arc; its normals turn backwards.
+      // A concave corner becomes a concave arc, whose normals turn backwards.
       const Vector2d p = span->at(range.high).p_B;
       const SpanPtr& next = boundary.spans()[(i + 1) % boundary.spans().size()];
       const double from = angle_of(span->at(range.high).n_B);

@@ -13,8 +13,9 @@ namespace {
 
 using Derivatives = std::array<Vector2d, 4>;  // 0th to 3rd, by the parameter
 
-// Cells of equal length, each with the interval that it begins in: so the interval of a parameter is found
-// without a search. A few cells an interval, so that hardly any has more than one break in it.
+// Cells of equal length, each with the interval in which it begins, so that the interval of a parameter is
+// found without a search. There are a few cells per interval, so that hardly any contains more than one
+// break.
 class Intervals {
 public:
   explicit Intervals(std::vector<double> breaks) : breaks_(std::move(breaks)) {
@@ -43,7 +44,7 @@ public:
     while (interval + 2 < breaks_.size() && t >= breaks_[interval + 1]) {
       ++interval;
     }
-    // The rounding of `cell` may have put a parameter just before a break behind it.
+    // Rounding of `cell` may have put a parameter that is just before a break into the cell behind it.
     return interval > 0 && t < breaks_[interval] ? interval - 1 : interval;
   }
 
@@ -67,7 +68,8 @@ SpanPoint point_of(const Derivatives& d) {
   return {d[0], vector_of(d[1].y() * inverse, -d[1].x() * inverse), kappa, slope, speed};
 }
 
-// Value and Taylor coefficients up to the 3rd of a polynomial, its highest power first, by Horner's scheme.
+// Value and Taylor coefficients up to the 3rd of a polynomial, by Horner's scheme from the highest power
+// down.
 template <class T>
 std::array<T, 4> taylor(const T* coefficients, int degree, double t) {
   std::array<T, 4> d = {coefficients[0], T(0 * coefficients[0]), T(0 * coefficients[0]),
@@ -81,10 +83,11 @@ std::array<T, 4> taylor(const T* coefficients, int degree, double t) {
   return d;
 }
 
-constexpr int kHalvingsOfInterval = 10;  // where a curve turns much, or is slow, within one interval
+constexpr int kHalvingsOfInterval = 10;  // at most, where a curve turns much or is slow within one interval
 
-// A polynomial and its first two derivatives over u ± r, from its Taylor coefficients at u and those of the
-// sizes of its own at the end of its interval: no derivative is larger before that.
+// Encloses a polynomial and its first two derivatives over u ± r, from its Taylor coefficients at u and from
+// `most`: those, at the end of its interval, of the polynomial with absolute coefficients, which bound its
+// derivatives before that.
 std::array<Interval, 3> enclosed(const std::array<double, 4>& at, const std::array<double, 4>& most,
                                  double r) {
   const double bend = r * (2 * std::abs(at[2]) + 3 * r * most[3]);
@@ -155,7 +158,8 @@ private:
     return {p[0], p[1], 2 * p[2], 6 * p[3]};
   }
 
-  // Taylor coefficients at an interval's end of the sizes of its own ones.
+  // Taylor coefficients, at an interval's end, of the polynomial with the absolute values of its
+  // coefficients.
   template <class T, class Size>
   [[nodiscard]] std::array<T, 4> most_of(const std::vector<T>& coefficients, std::size_t interval,
                                          const Size& size) const {
@@ -216,8 +220,8 @@ private:
     return true;
   }
 
-  // So many that none turns by more than a tenth of a radian; no more than some an interval, for where the
-  // curvature is all noise.
+  // So many that the curve turns by no more than a tenth of a radian in each, but only a few per interval
+  // where the curvature is all noise.
   [[nodiscard]] int count_parts() const {
     constexpr int kProbes = 4;
     constexpr int kFewest = 8;
@@ -237,7 +241,7 @@ private:
   Intervals intervals_;
   int degree_ = 0;
   int parts_ = 0;
-  std::vector<Vector2d> numerators_;  // interval by interval, the highest power first
+  std::vector<Vector2d> numerators_;  // by intervals, the highest power first
   std::vector<double> denominators_;
 };
 

@@ -18,7 +18,7 @@ std::optional<double> root_between(const std::function<double(double)>& f, doubl
   if (!(std::signbit(at_0) != std::signbit(at_h)) || !std::isfinite(at_0) || !std::isfinite(at_h)) {
     return std::nullopt;
   }
-  // Where there is no value the search ends: a value of 0 stops it.
+  // Where f has no value, returning 0 ends the search.
   bool known = true;
   const auto known_value = [&](double x) {
     const double value = f(x);

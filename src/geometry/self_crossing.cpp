@@ -19,11 +19,11 @@ struct Chord {
   Vector2d to = Vector2d::Zero();
 };
 
-// Neighbouring samples between which a span hardly turns share a chord.
+// Neighbouring samples share a chord as long as the span hardly turns.
 std::vector<Chord> chords_of(const Boundary& boundary) {
   const double straight = std::cos(0.15);
   std::vector<Chord> chords;
-  Vector2d n_B = Vector2d::Zero();  // normal at the begin of the last chord
+  Vector2d n_B = Vector2d::Zero();  // normal at the beginning of the last chord
   const auto& samples = boundary.samples();
   for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
     const auto& a = samples[i];
@@ -43,8 +43,8 @@ std::vector<Chord> chords_of(const Boundary& boundary) {
   return chords;
 }
 
-// The parts of both chords before their common point, if that lies on both: their ends belong to them, which
-// rounding does not take away.
+// The fractions of both chords at which they meet, if that is on both; their ends count as well, with a
+// margin for rounding.
 std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   const Vector2d u = a.to - a.from;
   const Vector2d v = b.to - b.from;
@@ -59,7 +59,7 @@ std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   return on_both ? std::optional(parts) : std::nullopt;
 }
 
-// The span beyond the end of a span, corners left out; none at the end of an open boundary.
+// The next span beyond the end of a span, skipping corners; none at the end of an open boundary.
 std::optional<int> span_beyond(const Boundary& boundary, int span, bool high) {
   do {
     if (boundary.joint_after(high ? span : boundary.next_span(span, high)) == SpanJoint::kEnd) {
@@ -70,7 +70,7 @@ std::optional<int> span_beyond(const Boundary& boundary, int span, bool high) {
   return span;
 }
 
-// A place moved along its span, no farther than to where the next one begins.
+// A place moved along its span, at most to the beginning of the next one.
 BoundaryPlace moved_along(const Boundary& boundary, const BoundaryPlace& from, double dt) {
   const Bounds range = range_of(boundary, from.span);
   const double t = from.t + dt;
@@ -97,7 +97,7 @@ bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const Bounda
          is_joint(false) || is_joint(true);
 }
 
-// The crossing of the curves themselves, by Newton's method, if it is no more than a chord away.
+// The crossing of the curves themselves, by Newton's method; none if the iteration leaves the chords.
 std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, const Chord& b,
                                     const Vector2d& parts) {
   const auto begin = [](const Chord& chord, double part) {
@@ -132,7 +132,7 @@ std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, co
   return std::nullopt;
 }
 
-// Squares over all chords, about as many as there are chords, each with those that may pass through it.
+// A grid of squares, about as many as there are chords, each with the chords that may pass through it.
 class Grid {
 public:
   explicit Grid(const std::vector<Chord>& chords) {

@@ -12,7 +12,8 @@
 namespace higherpair {
 namespace {
 
-// By the angle of the outward normal, or, on the concave side, where that falls along t, by minus the angle.
+// By the angle of the outward normal; on the concave side, where the angle decreases along t, by minus the
+// angle.
 class ConicSpan final : public Span {
 public:
   ConicSpan(const Curve& curve, double from, double to)
@@ -28,7 +29,7 @@ public:
     return {point.p_W, n, 1 / point.rho, -slope / (point.rho * point.rho * point.rho), std::abs(point.rho)};
   }
   [[nodiscard]] Bounds range() const override { return range_; }
-  // The radius grows or falls from vertex to vertex.
+  // The radius is monotonic from vertex to vertex.
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
     const double a = at(t.low).speed;
     const double b = at(t.high).speed;
@@ -49,7 +50,7 @@ private:
   Bounds range_;
 };
 
-// By the distance from its beginning.
+// Parametrised by the distance from its beginning.
 class FaceSpan final : public Span {
 public:
   FaceSpan(const Vector2d& from_B, const Vector2d& to_B)
@@ -89,7 +90,7 @@ class ReversedSpan final : public Span {
 public:
   explicit ReversedSpan(SpanPtr span) : span_(std::move(span)) {}
 
-  // Both κ and the sense of s change sign, so that dκ/ds keeps its own.
+  // Both κ and the sense of s change their signs, so that dκ/ds does not.
   [[nodiscard]] SpanPoint at(double t) const override {
     const SpanPoint point = span_->at(-t);
     return {point.p_B, -point.n_B, -point.kappa, point.slope, point.speed};
@@ -108,7 +109,7 @@ private:
   SpanPtr span_;
 };
 
-// κ of the offset is κ/m with m = 1 + κ d, its arc ds m, so that dκ/ds falls by m³.
+// κ of the offset is κ/m with m = 1 + κ d, and its arc is m ds, so that dκ/ds is divided by m³.
 class OffsetSpan final : public Span {
 public:
   OffsetSpan(SpanPtr span, double distance) : span_(std::move(span)), distance_(distance) {}

@@ -24,7 +24,7 @@ double size_of(const Points& points) {
   return box.diagonal().norm();
 }
 
-// Each point and the next one; of a closed curve the first comes after the last.
+// The number of steps from each point to the next; a closed curve also has one from the last to the first.
 std::size_t step_count(const Points& points, bool closed) {
   return closed ? points.size() : points.size() - 1;
 }
@@ -58,7 +58,7 @@ std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
   return std::nullopt;
 }
 
-// The parameters at the points, and of a closed curve at its end.
+// The parameters at the points, and at the end of a closed curve.
 std::vector<double> parameters(const Points& points, const SplineOptions& options) {
   std::vector<double> t = {0};
   for (std::size_t i = 0; i < step_count(points, options.closed); ++i) {
@@ -68,7 +68,7 @@ std::vector<double> parameters(const Points& points, const SplineOptions& option
   return t;
 }
 
-// Derivative by the parameter in a given direction. By arc length it is a unit vector.
+// Derivative by the parameter in a given direction; a unit vector if the parameter is the arc length.
 Eigen::RowVectorXd slope(const std::optional<Vector2d>& tangent, SplineParameter parameter,
                          const Vector2d& step, double dt) {
   if (!tangent) {
@@ -99,7 +99,7 @@ Eigen::MatrixXd powers_of(const Points& points, const SplineOptions& options, co
   return spline_powers(task);
 }
 
-// Lengths of a curve of polynomials, interval by interval, by Gauss' rule of four points.
+// Arc lengths of a piecewise polynomial curve at the breaks, by Gauss's rule of four points.
 std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::MatrixXd& powers) {
   constexpr std::array<double, 2> kPlaces = {0.33998104358485626, 0.86113631159405258};
   constexpr std::array<double, 2> kWeights = {0.65214515486254614, 0.34785484513745386};
@@ -124,7 +124,7 @@ std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::Matri
   return s;
 }
 
-// Where the spline is much slower than its parameter wants it, or goes against the order of the points.
+// Where the spline is much slower than its parameter requires, or runs against the order of the points.
 std::optional<SplineFault> fault_of_curve(const Span& span, const Points& points,
                                           const std::vector<double>& t) {
   constexpr int kProbes = 4;
@@ -160,8 +160,8 @@ tl::expected<SpanPtr, SplineFault> spline_span(const std::vector<Vector2d>& give
   }
   std::vector<double> t = parameters(points, options);
   if (options.parameter == SplineParameter::kArc) {
-    // Distances are the curve's lengths but for the square of the distance; with each turn two orders more
-    // (Floater and Surazhsky, Parameterization for curve interpolation, 2006).
+    // Chords equal arcs up to a relative error of second order; each iteration gains two more orders (Floater
+    // and Surazhsky, Parameterization for curve interpolation, 2006).
     constexpr int kTurns = 2;
     for (int turn = 0; turn < kTurns; ++turn) {
       t = arc_lengths(t, powers_of(points, options, t, 0));

@@ -10,7 +10,8 @@
 namespace higherpair {
 namespace {
 
-// By the angle of the outward normal, or, on a concave piece, where that falls along t, by minus the angle.
+// By the angle of the outward normal; on a concave piece, where the angle decreases along t, by minus the
+// angle.
 class SupportSpan final : public Span {
 public:
   SupportSpan(const SupportCurve& curve, std::size_t piece, const Bounds& phi, double sense)

@@ -13,10 +13,10 @@
 namespace higherpair::io_detail {
 namespace {
 
-// A curve where the pose of its body has it, in ground.
+// A curve in ground, as the pose of its body places it.
 struct PosedCurve {
   const Curve* curve;
-  Vector2d middle_W;  // its centre; of a line a point of it, of an open conic the vertex
+  Vector2d middle_W;  // centre of a closed conic, vertex of an open one, a point of a line
   Vector2d axis_W;
   std::string name;
 };
@@ -30,7 +30,7 @@ PosedCurve posed_curve(const Mechanism& mechanism, const CurveRef& ref) {
           X_WB.R_WB * named.curve.axis_B, body.name + "." + named.name};
 }
 
-// The radius of the largest circle within a closed curve, and of the smallest around it.
+// The radii of the largest circle within a closed curve and of the smallest one around it.
 double inner_radius(const Curve& curve) {
   return is_conic(curve) ? std::min(semi_axes(curve)[0], semi_axes(curve)[1]) : 0;
 }
@@ -38,8 +38,8 @@ double outer_radius(const Curve& curve) {
   return is_conic(curve) ? std::max(semi_axes(curve)[0], semi_axes(curve)[1]) : 0;
 }
 
-// What touches a face is in front of it, with its centre too. Of a face that is drawn where it touches and
-// has its normal reversed the centre is behind it by as much as it should be in front.
+// Whatever touches a face lies in front of it, including its centre. If a face was drawn where it touches but
+// with its normal reversed, the centre is as far behind it as it should be in front.
 std::string behind_face(const PosedCurve& face, const PosedCurve& other, const Units& units) {
   const double behind = face.axis_W.dot(other.middle_W - face.middle_W);
   const double reach = other.curve->q > 0 ? inner_radius(*other.curve) / 2 : 0;
@@ -57,7 +57,7 @@ bool is_within(const PosedCurve& inner, const PosedCurve& outer) {
   return apart + outer_radius(*inner.curve) < inner_radius(*outer.curve);
 }
 
-// Whether the body is the inside of a circle or ellipse.
+// Whether the body is the interior of a circle or ellipse.
 bool is_solid_outline(const Curve& curve) {
   return is_conic(curve) && curve.q > 0 && curve.side == Side::kInside;
 }

@@ -7,8 +7,9 @@
 
 namespace higherpair::io_detail {
 
-/// What is probably a slip in the curves of a contact, by where the poses have them: a curve behind the flat
-/// face that it touches, a disc within the outline of a solid one, teeth that interfere. Empty if nothing is.
+/// Names a probable mistake in the curves of a contact, judged by the bodies' poses: a curve behind the flat
+/// face that it touches, a disc within the outline of a solid one, teeth that interfere. Empty if there is
+/// none.
 [[nodiscard]] std::string contact_note(const Mechanism& mechanism, const Contact& contact,
                                        const Units& units);
 

@@ -12,11 +12,11 @@
 namespace higherpair {
 namespace {
 
-// Significant digits of the free lengths that are proposed: more where the room between too little and too
-// much is narrower.
+// Significant digits of the proposed free lengths, tried in turn: a narrow range between too little and too
+// much preload takes more digits.
 constexpr int kDigits[] = {7, 9, 12};
 
-// The number up to six digits, rounded away from 0: what is needed at least.
+// The number rounded to six digits away from 0, as a lower bound of what is needed.
 double rounded_up(double value) {
   if (value == 0) {
     return 0;
@@ -25,7 +25,7 @@ double rounded_up(double value) {
   return std::copysign(std::ceil(std::abs(value) / digit * (1 - kLastDigitUp)) * digit, value);
 }
 
-// A multiple of 10^-decimals, as the double that its decimal number is read as.
+// The nearest multiple of 10^-decimals, as the double that its decimal text reads as.
 double rounded_to(double value, int decimals) {
   const double power = std::pow(10.0, std::abs(decimals));
   return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
@@ -66,7 +66,7 @@ public:
   [[nodiscard]] double si(double number) const { return to_si_.apply(number); }
   [[nodiscard]] double addition(double number) const { return (si(number) - origin_) * rate_; }
 
-  // Decimals that give so many digits to the number, or to its change where that is larger.
+  // Decimals that give the number, or its change where that is larger, this many digits.
   [[nodiscard]] int decimals(double addition, int digits) const {
     const double size = std::max(std::abs(of(addition)), std::abs(of(addition) - of(0)));
     return size > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(size))) : 0;
@@ -79,14 +79,14 @@ public:
   }
 
 private:
-  double rate_ = 1;    // addition for a unit of the number in SI
-  double origin_ = 0;  // the number in SI without addition
+  double rate_ = 1;    // change of the addition per unit of the number, in SI units
+  double origin_ = 0;  // the number without addition, in SI units
   Scaling from_si_, to_si_;
 };
 
 struct Advice {
   std::vector<double> additions;
-  std::vector<double> numbers;  // that set them
+  std::vector<double> numbers;  // that produce the additions
 };
 
 // Whether no contact opens with these free lengths.
@@ -116,7 +116,7 @@ bool stays_closed(const Profile& profile, const DriverPath& path, const Run& sta
   return follow_contact_forces(*run, path).openings.empty();
 }
 
-// The smallest preloads by numbers that can be printed, tried out.
+// The smallest preloads, as numbers short enough to be printed and checked by a run.
 std::optional<Advice> advice_for(const ContactForces& forces, const Profile& profile, const DriverPath& path,
                                  const Run& start) {
   const auto exact = smallest_preloads(forces, profile.mechanism, start.plan().size);
@@ -219,7 +219,7 @@ std::string describe(const Preload& preload, double addition, const Profile& pro
 
 ContactForceReport report_contacts(const Profile& profile, const DriverSchedule& schedule, const Run& start) {
   if (profile.mechanism.contacts.empty()) {
-    return {};  // nothing can open: no need to follow forces along the path
+    return {};  // nothing can open: no need to follow the forces along the path
   }
   const RowPath rows = path_of(schedule);
   ContactForces forces =

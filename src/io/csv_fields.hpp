@@ -10,17 +10,17 @@ namespace higherpair::io_detail {
 /// \name Tables of numbers as text: separated by commas, semicolons, tabs or spaces
 /// @{
 
-/// The separator of a file is that of its first line; ' ' for any number of spaces.
+/// The separator found in the first line of a file; ' ' stands for any number of spaces or tabs.
 [[nodiscard]] char separator_of(std::string_view line);
 
-/// The fields of a line without spaces and quotes around them; parts of `line`.
+/// The fields of a line, stripped of surrounding spaces and quotes; they are views into `line`.
 [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
-/// A finite decimal number that takes up the whole field, with or without a sign.
+/// The number if a finite decimal, with or without a sign, fills the whole field.
 [[nodiscard]] std::optional<double> number_in(std::string_view field);
 
-/// Calls `line` with the text and number of each line; no line ends, byte order mark and empty lines and
-/// none that begin with #.
+/// Calls `line` with the text and number of each line, without its line end; skips a byte order mark, empty
+/// lines and lines that begin with #.
 void for_each_line(std::string_view text, const std::function<void(std::string_view line, int number)>& line);
 /// @}
 

@@ -9,7 +9,8 @@
 
 #include <fmt/core.h>
 
-// Of what the parser reports as an error it first asserts that it is none: `[` at the end of a line.
+// Disables the parser's assertions: one of them fails on a mistake that the parser goes on to report as an
+// error, `[` at the end of a line.
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
@@ -37,7 +38,7 @@ Array convert_items(const toml::array& items, int source) {
   return array;
 }
 
-// The parser sorts its tables by key; we want the order of the file.
+// The parser sorts its tables by key; restore the order of the file.
 Table convert_entries(const toml::table& entries, int source) {
   Table table;
   table.reserve(entries.size());
@@ -75,7 +76,7 @@ Value convert(const toml::node& node, int source) {
   }
 }
 
-// The place of a key with so many dotted parts that the recursive parser would run out of stack.
+// The position of a key with so many dotted parts that the recursive parser would run out of stack.
 std::optional<Mark> find_too_deep_key(std::string_view text) {
   int line = 1;
   int column = 0;
@@ -95,7 +96,7 @@ std::optional<Mark> find_too_deep_key(std::string_view text) {
   return std::nullopt;
 }
 
-// The only place where the TOML library's exception is seen.
+// Turns the exception of the TOML library into a result; it is caught nowhere else.
 tl::expected<toml::table, toml::parse_error> parse_toml(std::string_view text) {
   try {
     return toml::parse(text);
@@ -104,7 +105,7 @@ tl::expected<toml::table, toml::parse_error> parse_toml(std::string_view text) {
   }
 }
 
-// Never cut within a character: the bytes of one after its first begin with the bits 10.
+// Cuts a text, but never within a UTF-8 character: all bytes of one after the first begin with the bits 10.
 std::string_view shortened(std::string_view text) {
   std::size_t length = std::min(text.size(), kLongestText);
   while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {

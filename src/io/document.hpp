@@ -15,8 +15,8 @@
 
 namespace higherpair::io_detail {
 
-/// Where a value was written. Marks compare in the order in which mistakes are reported: the file by line and
-/// column, then the overrides in their order.
+/// Where a value was written. Marks are ordered as mistakes are reported: those of the file by line and
+/// column, then those of the overrides in their order.
 struct Mark {
   int source = 0;  ///< 0: the file; k: the k-th override, which has no lines
   int line = 0;
@@ -35,7 +35,7 @@ struct DateTime {};
 using Array = std::vector<struct Value>;
 using Table = std::vector<Entry>;
 
-/// A TOML value with its place; the entries of a table are in the order of the file.
+/// A TOML value and its position in the source; the entries of a table are in the order of the file.
 struct Value {
   std::variant<std::string, std::int64_t, double, bool, DateTime, Array, Table> content;
   Mark mark;
@@ -50,9 +50,9 @@ struct Entry {
 /// Nothing if the table has no such key.
 [[nodiscard]] const Value* find(const Table& table, std::string_view key);
 
-/// The entry of a table, or the item of a list, that one part of a path names; nothing if there is none.
+/// The entry of a table, or the item of a list, named by one part of a path; null if there is none.
 [[nodiscard]] const Value* find_part(const Value& value, std::string_view part);
-/// What a path leads to, and the entry of the last table on the way; null: nothing.
+/// The value at the end of a path, and the entry of the last table along it; null if there is none.
 struct PathEnd {
   const Value* value = nullptr;
   const Entry* entry = nullptr;
@@ -61,7 +61,7 @@ struct PathEnd {
 /// The value at a path, "bodies.crank.points.A.0".
 [[nodiscard]] Value* find_path(Value& document, std::string_view path);
 
-/// A number, also one that is written as an integer; nothing of any other value.
+/// A number, whether written as a float or as an integer; nothing for any other value.
 [[nodiscard]] std::optional<double> number_in(const Value& value);
 
 /// Calls `found` with the path of every number, in the order of the file.
@@ -74,16 +74,16 @@ void for_each_number(const Table& document,
 /// The value as TOML writes it, cut after some 40 characters, for messages.
 [[nodiscard]] std::string text_of(const Value& value);
 
-/// The table of a TOML text; the error is the first mistake of syntax.
+/// Parses a TOML text into a table; the error is the first syntax mistake.
 [[nodiscard]] tl::expected<Value, Diagnostic> parse_document(std::string_view text,
                                                              const std::string& source_name);
 
-/// Sets the key that "PATH=VALUE" names in `document`; everything set is marked as of source `number`.
-/// The error says what is wrong with the path.
+/// Sets the key named by "PATH=VALUE" in `document`; everything set is marked with source `number`. The error
+/// tells what is wrong with the path.
 [[nodiscard]] tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment,
                                                               int number);
 
-/// VALUE of an override: TOML, or else a string.
+/// The VALUE of an override: TOML where it can be parsed as such, otherwise a string.
 [[nodiscard]] Value parse_override_value(std::string_view text, int number);
 
 }  // namespace higherpair::io_detail

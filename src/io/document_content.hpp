@@ -10,8 +10,8 @@ namespace higherpair {
 
 struct ProfileDocument::Content {
   io_detail::Value root;               ///< a table
-  std::string text;                    ///< as it was parsed
-  std::vector<std::string> overrides;  ///< so far
+  std::string text;                    ///< as given to the parser
+  std::vector<std::string> overrides;  ///< applied so far
   std::vector<std::string> sources;    ///< what messages call the text and each override, by Mark::source
 };
 

@@ -1,4 +1,4 @@
-// A profile's text with other numbers in it.
+// A profile's text with some of its numbers replaced.
 #include "document_content.hpp"
 #include "higherpair/io/profile_document.hpp"
 
@@ -20,8 +20,8 @@ struct Edit {
   std::string text;
 };
 
-// The byte at a line and a column, which counts characters: bytes after the first of one begin with the
-// bits 10.
+// The byte offset of a line and column. Columns count characters: all bytes of a UTF-8 character after the
+// first begin with the bits 10.
 std::optional<std::size_t> offset_of(std::string_view text, const Mark& mark) {
   std::size_t at = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
   for (int line = 1; line < mark.line; ++line) {
@@ -46,7 +46,7 @@ std::size_t end_of_number(std::string_view text, std::size_t begin) {
   return begin;
 }
 
-// From `{` to its `}`; values of a pose hold no braces but in strings, which have quotes.
+// The end of the text from `{` to its `}`. Within a pose braces occur only in quoted strings.
 std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t begin) {
   if (begin >= text.size() || text[begin] != '{') return std::nullopt;
   char quote = 0;
@@ -62,7 +62,7 @@ std::optional<std::size_t> end_of_braces(std::string_view text, std::size_t begi
   return std::nullopt;
 }
 
-// `path` of a pose in a body whose table has a line of its own, [bodies.NAME].
+// Adds the missing pose at `path` to a body whose table has a heading [bodies.NAME] on a line of its own.
 std::optional<Edit> new_pose(const Table& root, std::string_view text, std::string_view path,
                              const std::string& value) {
   const std::string_view body = path.substr(0, path.rfind('.'));

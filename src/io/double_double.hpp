@@ -4,8 +4,8 @@
 
 namespace higherpair::io_detail {
 
-/// A number as the unevaluated sum high + low with |low| <= ulp(high)/2: about 32 decimal digits. Its users
-/// are compiled without contraction of a*b + c, which would undo the error terms.
+/// A number as the unevaluated sum high + low with |low| <= ulp(high)/2: about 32 decimal digits. Code that
+/// uses it is compiled without contraction of a*b + c (fused multiply-add), which would undo the error terms.
 struct DoubleDouble {
   double high = 0;
   double low = 0;

@@ -34,7 +34,7 @@ Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
   return mistakes;
 }
 
-// Where this driver ends, if it moves at all.
+// The position at which this driver ends; none if it does not move.
 std::optional<double> end_of(const Profile& profile, std::size_t driver) {
   const DriverProgram& program = profile.programs[driver];
   if (!program.end && is_turning(profile, driver)) {
@@ -65,7 +65,7 @@ tl::expected<std::int64_t, Diagnostic> analyze_rows(const Profile& profile, std:
   return samples.value_or(kDefaultSamples);
 }
 
-// When a law comes to a value first.
+// The first time at which a law reaches a value.
 std::optional<double> first_time(const MotionLaw& law, double value) {
   const LawExtremes range = law.extremes(0, 0, std::max(law.end(), 0.0));
   const double rounding = kBeyondLaw * (range.greatest - range.least);
@@ -76,7 +76,7 @@ std::optional<double> first_time(const MotionLaw& law, double value) {
   if (law(0.0) == reached) {
     return 0;
   }
-  if (reached == range.least || reached == range.greatest) {  // touched only: exact as an extreme
+  if (reached == range.least || reached == range.greatest) {  // touched without crossing: exact as an extreme
     return reached == range.least ? range.least_at : range.greatest_at;
   }
   const auto times = law.places(reached, 0, std::max(law.end(), 0.0));

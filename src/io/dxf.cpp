@@ -13,7 +13,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// Holders of curves that are not read.
+// Entities that contain curves but are not read.
 constexpr std::array<std::string_view, 6> kStrangers = {"INSERT", "3DFACE", "MLINE",
                                                         "BODY",   "REGION", "3DSOLID"};
 
@@ -64,7 +64,7 @@ private:
     if (!fault_) fault_ = DxfFault{line, std::move(message)};
   }
 
-  // The next pair into pair_; head_ says whether it begins something.
+  // Reads the next pair into pair_; head_ tells whether it begins a new group.
   bool step() {
     pair_ = pairs_.next();
     head_ = pair_ && pair_->code == 0;
@@ -74,7 +74,7 @@ private:
     return !fault_.has_value();
   }
 
-  // What begins here, up to the next beginning. Comments (999) are left out.
+  // The group that begins here, up to the beginning of the next one, without comments (code 999).
   DxfGroup take_group() {
     DxfGroup group = {pair_->value, pair_->line, {}};
     while (step() && pair_ && !head_) {
@@ -83,7 +83,7 @@ private:
     return group;
   }
 
-  // The variables of a header are its own pairs: a 9 with the name, then the value.
+  // Header variables are pairs of the header's own group: code 9 with the name, then the value.
   void header(const DxfGroup& group) {
     for (std::size_t i = 0; i + 1 < group.pairs.size(); ++i) {
       if (group.pairs[i].code != 9 || group.pairs[i].value != "$INSUNITS" || unit_) {
@@ -113,7 +113,7 @@ private:
       while (entity.type == "POLYLINE" && head_ && pair_->value == "VERTEX") {
         vertices.push_back(take_group());
       }
-      if (!fault_ && value_of(entity, 67, "0") != "1") {  // not of a sheet of paper
+      if (!fault_ && value_of(entity, 67, "0") != "1") {  // 1: in paper space
         add(entity, vertices, scaling);
       }
     }

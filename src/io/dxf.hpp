@@ -15,12 +15,12 @@ namespace higherpair::io_detail {
 /// A line, arc or other curve of a drawing, in metres.
 struct DxfPiece {
   ContourPiece piece;
-  std::optional<Curve> whole;  ///< of a circle or ellipse without ends
+  std::optional<Curve> whole;  ///< the whole curve, if it is a full circle or ellipse
   std::size_t layer = 0;       ///< index of DxfDrawing::layers
-  int line = 0;                ///< of the file, on which its entity begins
+  int line = 0;                ///< line of the file on which its entity begins
 };
 
-/// What may hold curves too but is not read: the insertion of a block, a 3D face.
+/// An entity that may contain curves but is not read, such as a block insertion or a 3D face.
 struct DxfStranger {
   std::string type;
   std::size_t layer = 0;
@@ -28,7 +28,7 @@ struct DxfStranger {
 };
 
 struct DxfDrawing {
-  std::vector<std::string> layers;  ///< of what was read, in the order of the file
+  std::vector<std::string> layers;  ///< of the entities read, in the order of the file
   std::vector<DxfPiece> pieces;
   std::vector<DxfStranger> strangers;
 };
@@ -39,10 +39,10 @@ struct DxfFault {
 };
 
 /// Reads the lines and curves in the model space of an ASCII drawing: LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE
-/// and POLYLINE with bulges, SPLINE. Heights above the plane are left out, as is what has no curves (texts,
-/// dimensions, hatches, points). Entities seen from below are mirrored.
-/// \param unit       of its numbers; none: what its header says ($INSUNITS)
-/// \param otherwise  where the header says nothing either
+/// and POLYLINE with bulges, SPLINE. Heights above the plane are dropped, and so are entities without curves
+/// (texts, dimensions, hatches, points). Entities seen from below are mirrored.
+/// \param unit       of its numbers; none: the unit in its header ($INSUNITS)
+/// \param otherwise  the unit where the header gives none either
 [[nodiscard]] tl::expected<DxfDrawing, DxfFault> read_dxf(std::string_view text, std::optional<Unit> unit,
                                                           Unit otherwise);
 

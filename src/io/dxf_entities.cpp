@@ -25,7 +25,7 @@ ReadShape result(const DxfNumbers& numbers, DxfShape shape) {
   return shape;
 }
 
-// As seen from below: x counts the other way.
+// The piece seen from below: x changes sign.
 ContourPiece mirrored(const ContourPiece& piece) {
   const auto mirror = [](const Vector2d& p) { return Vector2d(-p.x(), p.y()); };
   if (const auto* line = std::get_if<LinePiece>(&piece)) {
@@ -59,7 +59,7 @@ ReadShape circle(DxfNumbers& numbers) {
   return DxfShape{{piece}, *make_circle(piece.center, piece.radius)};
 }
 
-// The angle of the normal at the parameter u of an ellipse, which is u itself at whole quarters.
+// The angle of the normal at the parameter u of an ellipse; equal to u at multiples of a quarter turn.
 double normal_at(double a, double b, double u) {
   return nearest_turn(std::atan2(a * std::sin(u), b * std::cos(u)), u);
 }
@@ -92,7 +92,7 @@ ReadShape ellipse(DxfNumbers& numbers) {
 
 struct Vertex {
   Vector2d p = Vector2d::Zero();
-  double bulge = 0;  // tangent of a quarter of the angle of the arc to the next one, > 0 counter-clockwise
+  double bulge = 0;  // tan(angle of the arc to the next vertex / 4), > 0 counter-clockwise
 };
 
 ContourPiece piece_between(const Vertex& a, const Vertex& b) {
@@ -139,7 +139,7 @@ ReadShape light_polyline(DxfNumbers& numbers) {
 
 ReadShape old_polyline(DxfNumbers& numbers, const std::vector<DxfGroup>& groups) {
   constexpr unsigned kNotPlane = 8U | 16U | 64U;  // 3D polylines and meshes
-  constexpr unsigned kFrame = 16U;                // a vertex of the frame of a fitted spline
+  constexpr unsigned kFrame = 16U;                // a control vertex of a fitted spline
   if ((numbers.flags() & kNotPlane) != 0) {
     numbers.refuse("is a polyline or mesh in space: flatten it");
   }
@@ -214,7 +214,7 @@ ReadShape spline(DxfNumbers& numbers) {
 
 struct CurveType {
   std::string_view name;
-  ReadShape (*read)(DxfNumbers& numbers);  // none of an old polyline, which also takes its vertices
+  ReadShape (*read)(DxfNumbers& numbers);  // none for POLYLINE, which also needs its vertices
 };
 
 constexpr CurveType kCurves[] = {{"LINE", line},       {"ARC", arc},       {"CIRCLE", circle},

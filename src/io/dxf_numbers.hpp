@@ -17,11 +17,11 @@
 
 namespace higherpair::io_detail {
 
-/// The numbers of an entity by their group codes. The first mistake is kept and ends the reading; until then
-/// wrong numbers count as 0.
+/// The numbers of an entity by their group codes. The first mistake is kept as fault(); a wrong number reads
+/// as 0, so the caller can read on and check fault() at the end.
 class DxfNumbers {
 public:
-  /// \param unit  from its numbers to metres
+  /// \param unit  converts its numbers to metres
   DxfNumbers(const DxfGroup& entity, const Scaling& unit) : entity_(entity), unit_(unit) {}
 
   [[nodiscard]] const std::optional<DxfFault>& fault() const { return fault_; }
@@ -74,7 +74,7 @@ public:
 
   unsigned flags() { return static_cast<unsigned>(find(70).value_or(0)); }
 
-  /// -1 where the entity is drawn as seen from below.
+  /// -1 if the entity is seen from below (its extrusion points along -z), otherwise 1.
   double facing() {
     const double z = find(230).value_or(1);
     if (std::abs(find(210).value_or(0)) > kPlanarDrawing ||

@@ -8,19 +8,19 @@
 
 namespace higherpair::io_detail {
 
-/// A group of a drawing: a line with its code and a line with its value.
+/// One group code and its value, on a line each.
 struct DxfPair {
   int code = 0;
-  std::string_view value;  ///< without spaces around it
-  int line = 0;            ///< of the value, from 1
+  std::string_view value;  ///< without surrounding spaces
+  int line = 0;            ///< line of the value, counted from 1
 };
 
-/// A text taken apart into pairs, one after the other.
+/// Splits a text into pairs, one after the other.
 class DxfPairs {
 public:
   explicit DxfPairs(std::string_view text) : rest_(text) {}
 
-  /// The next pair; none at the end of the text, or where it is not one: then there is a mistake().
+  /// The next pair; none at the end of the text or at a malformed pair, for which mistake() is then set.
   [[nodiscard]] std::optional<DxfPair> next();
   [[nodiscard]] int line() const { return line_; }
   [[nodiscard]] const std::string& mistake() const { return mistake_; }
@@ -33,7 +33,7 @@ private:
   std::string mistake_;
 };
 
-/// One entity, or anything else that a pair with the code 0 begins.
+/// One entity, or anything else that begins with a pair of code 0.
 struct DxfGroup {
   std::string_view type;
   int line = 0;

@@ -10,7 +10,8 @@
 
 namespace higherpair::io_detail {
 
-/// $INSUNITS of drawings and the units that profiles have; the others stand for nothing here.
+/// Values of $INSUNITS and the units of profiles that they mean; other values have no counterpart in
+/// profiles.
 inline constexpr std::array<std::pair<std::string_view, Unit>, 7> kDxfUnits = {{{"1", Unit::kInch},
                                                                                 {"2", Unit::kFoot},
                                                                                 {"4", Unit::kMillimetre},

@@ -18,7 +18,7 @@ struct Circle {
   double radius;
 };
 
-// A closed polyline whose arcs all lie on one circle.
+// The circle formed by a closed polyline whose arcs all lie on it; none for any other polyline.
 std::optional<Circle> circle_of(const ArcPolyline& line) {
   std::optional<Circle> circle;
   for (std::size_t i = 0; line.closed && i < line.vertices.size(); ++i) {
@@ -52,7 +52,7 @@ public:
     text_ += '\n';
   }
   void add(int code, int value) { add(code, std::to_string(value)); }
-  // With a decimal point, by which some programs know a real number.
+  // Always with a decimal point, by which some programs recognise a real number.
   void number(int code, double value) {
     std::string digits;
     append_decimal(value, digits);
@@ -62,7 +62,7 @@ public:
     add(code, digits);
   }
   void length(int code, double metres) { number(code, scaling_.apply(metres)); }
-  // Of a place; there is nothing above the plane.
+  // A point; its height above the plane is 0.
   void place(int code, const Vector2d& p) {
     length(code, p.x());
     length(code + 10, p.y());

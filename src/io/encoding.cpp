@@ -14,7 +14,7 @@ unsigned byte_of(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-// What a byte of 0xA0 and above is in Latin-1, and in Windows-1252 as well.
+// The UTF-8 text of a byte >= 0xA0 of Latin-1; Windows-1252 has the same characters there.
 std::string latin1_character(unsigned byte) {
   return {static_cast<char>(0xC0U | (byte >> 6U)), static_cast<char>(0x80U | (byte & 0x3FU))};
 }
@@ -27,7 +27,8 @@ std::string not_utf8(unsigned byte) {
 
 }  // namespace
 
-// UTF-16 and UTF-32 by their marks; without one, by the zero bytes that every letter of ours has in them.
+// Detects UTF-16 and UTF-32 by their byte order marks, or else by the zero bytes that ASCII letters have in
+// them.
 bool is_wide(std::string_view text) {
   const auto zeros =
       std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(4, std::ssize(text)), '\0');
@@ -49,7 +50,7 @@ std::size_t character_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte_of(text, i) & 0xC0U) != 0x80U) return 0;
   }
-  // Neither longer than need be, nor half of a pair, nor beyond U+10FFFF.
+  // Reject overlong encodings, surrogates, and code points beyond U+10FFFF.
   const char32_t c = character_at(text.substr(0, length));
   const bool is_least = (length != 3 || c >= 0x800) && (length != 4 || c >= 0x10000);
   return is_least && (c < 0xD800 || c > 0xDFFF) && c <= 0x10FFFF ? length : 0;

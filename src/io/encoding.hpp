@@ -8,14 +8,14 @@
 
 namespace higherpair::io_detail {
 
-/// A mistake at a place of a text.
+/// A mistake at a position in a text.
 struct TextMistake {
   Mark mark;
   std::string message;
 };
 
-/// The bytes of the character of UTF-8 at the front of `text`, 1 to 4; 0 if they are not one, or none is
-/// left.
+/// The number of bytes, 1 to 4, of the UTF-8 character at the front of `text`; 0 if the text is empty or does
+/// not begin with a valid character.
 [[nodiscard]] std::size_t character_length(std::string_view text);
 
 /// The code point at the front of `text`, which must be a character of UTF-8.
@@ -24,11 +24,11 @@ struct TextMistake {
 /// Whether `text` is in UTF-16 or UTF-32.
 [[nodiscard]] bool is_wide(std::string_view text);
 
-/// What keeps `text` from being UTF-8: UTF-16 or UTF-32, Latin-1, data that are no text at all.
+/// Why `text` is not UTF-8: it is UTF-16 or UTF-32, Latin-1, or no text at all. None if it is UTF-8.
 [[nodiscard]] std::optional<TextMistake> encoding_mistake(std::string_view text);
 
-/// Line and column, in characters and both from 1, of a byte of the text; and the byte at such a place, the
-/// end of the line where the line is shorter.
+/// Converts between a byte offset and a line and column (in characters, both counted from 1). Where the line
+/// is shorter than `column`, byte_at() gives its end.
 [[nodiscard]] Mark mark_at(std::string_view text, std::size_t byte);
 [[nodiscard]] std::size_t byte_at(std::string_view text, int line, int column);
 

@@ -9,11 +9,12 @@
 namespace higherpair::io_detail {
 namespace {
 
-// A table is taken for rounded if its values have at most so many decimals, and it has enough points to tell.
+// A table is assumed to be rounded if its values have at most this many decimals and it has enough points to
+// judge.
 constexpr int kMostDecimals = 7;
 constexpr std::size_t kFewestPoints = 12;
 
-// The unit of the last decimal that all values make do with; none where they have many.
+// The unit of the last decimal that suffices for all values; none if they need more than kMostDecimals.
 std::optional<double> guessed_rounding(const std::vector<Vector2d>& points) {
   for (int decimals = 0; decimals <= kMostDecimals; ++decimals) {
     const double power = std::pow(10.0, decimals);
@@ -28,7 +29,7 @@ std::optional<double> guessed_rounding(const std::vector<Vector2d>& points) {
   return std::nullopt;
 }
 
-// Largest difference of the accelerations of two laws at the points and between them.
+// Largest difference of the accelerations of two laws, compared at the points and halfway between them.
 double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vector<Vector2d>& points) {
   double largest = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -40,9 +41,9 @@ double largest_difference(const MotionLaw& a, const MotionLaw& b, const std::vec
   return largest;
 }
 
-// A number of a law that has been made, in the profile's units.
+// A number of the law as made, converted to the profile's units.
 double in_shown_unit(const Reading& reading, const LawQuantities& quantities, const Dimension& dimension,
-             double number) {
+                     double number) {
   return quantities.units == LawUnits::kSi ? from_si(dimension, reading.units).apply(number) : number;
 }
 

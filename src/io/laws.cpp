@@ -58,7 +58,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   Known known{place, quantities, std::nullopt};
   const auto notes = static_cast<std::ptrdiff_t>(reading_->notes.size());
   if (auto law = read_item(*reading_, entry->item, quantities)) {
-    if (noted) {  // of the other units
+    if (noted) {  // noted before, when the law was read in the other units
       reading_->notes.erase(reading_->notes.begin() + notes, reading_->notes.end());
     }
     known.index = static_cast<int>(mechanism.laws.size());
@@ -78,7 +78,7 @@ void LawBook::finish() {
     if (entry.used) {
       continue;
     }
-    // Which quantities are meant is unknown: those with which it has no mistake.
+    // The intended quantities are unknown: the law is right if it can be read with any of these pairs.
     std::optional<Reading> first;
     bool right = false;
     for (const Dimension& coordinate : {dimension::kAngle, dimension::kTime, dimension::kLength}) {

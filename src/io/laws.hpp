@@ -13,7 +13,7 @@ namespace higherpair::io_detail {
 
 enum class LawUnits { kProfile, kSi };
 
-/// What a law is a function of, what it gives, and in which units its user wants it.
+/// The dimensions of a law's argument and value, and the units in which its user wants it.
 struct LawQuantities {
   Dimension coordinate;
   Dimension value;
@@ -22,43 +22,45 @@ struct LawQuantities {
   bool operator==(const LawQuantities&) const = default;
 };
 
-/// A law in two systems of units. It is made in one only: of a table that takes a large part of reading.
+/// A law in two systems of units. The MotionLaw is made in only one of them: for a table this takes a large
+/// part of the time of reading.
 struct ReadLaw {
   LawDescription profile;
   LawDescription si;
-  std::vector<int> lines;         ///< of the points, where they come from a file
-  std::optional<MotionLaw> made;  ///< in LawQuantities::units; always, once it has been read
+  std::vector<int> lines;         ///< line numbers of the points, if they come from a file
+  std::optional<MotionLaw> made;  ///< in LawQuantities::units; always set by read_law()
 
   [[nodiscard]] const LawDescription& in(LawUnits units) const {
     return units == LawUnits::kSi ? si : profile;
   }
 };
 
-/// Reads `[laws.NAME]` for these quantities; none where it has mistakes, which are reported.
+/// Reads `[laws.NAME]` for these quantities; none if it has mistakes, which are reported.
 [[nodiscard]] std::optional<ReadLaw> read_law(TableReader& table, const LawQuantities& quantities);
 
-/// The segments of a law, with `origin` and `start`; a mistake in them is reported. \param item  `segments`
+/// Reads the segments of a law, with `origin` and `start`; reports mistakes in them.
+/// \param item  `segments`
 void read_law_segments(TableReader& table, const Item& item, const LawQuantities& quantities, ReadLaw& law);
 
-/// What a law that has been read probably does not mean: the noise of a table's rounding, a turn that does
-/// not close.
+/// Notes what is probably a mistake in a law that was read: noise from rounded table values, a law over a
+/// turn that does not close.
 void note_law(TableReader& table, const LawQuantities& quantities, const ReadLaw& law);
 
-/// The laws of a profile. A law has the units of what uses it, so that it is read when it is used, for each
-/// pair of quantities once.
+/// The laws of a profile. A law takes its units from what uses it, so it is read only when it is used, once
+/// for each pair of quantities.
 class LawBook {
 public:
   explicit LawBook(TableReader& root);
 
-  /// The law of that name; reports that there is none, or what is wrong with it (once).
-  /// \return its place in Mechanism::laws, where it is put in SI units
+  /// The law of that name; reports that there is none, or (once) what is wrong with it.
+  /// \return its index in Mechanism::laws, where it is added in SI units
   [[nodiscard]] std::optional<int> find(const Item& name, const LawQuantities& quantities,
                                         Mechanism& mechanism);
 
-  /// The same law, in the units that it was looked for in.
+  /// The same law, in the units that were asked for in find().
   [[nodiscard]] const MotionLaw& made(int index) const;
 
-  /// Reads the laws that nothing has used, for their mistakes, and notes that.
+  /// Reads the laws that nothing has used, to find their mistakes, and notes that they are unused.
   void finish();
 
 private:
@@ -76,7 +78,7 @@ private:
   Reading* reading_;
   std::vector<Entry> entries_;
   std::vector<Known> known_;
-  std::vector<MotionLaw> laws_;  ///< of Mechanism::laws, in the units asked for
+  std::vector<MotionLaw> laws_;  ///< parallel to Mechanism::laws, in the units asked for
 };
 
 }  // namespace higherpair::io_detail

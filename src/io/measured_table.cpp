@@ -131,8 +131,8 @@ private:
   char separator_ = 0;
 };
 
-// What a unit's text is the unit of; columns of forces have torques, columns of jerk and higher derivatives
-// higher powers of time.
+// The dimension whose unit is written like this. The exponents tried cover torques in columns of forces, and
+// jerk and higher derivatives.
 std::optional<Dimension> dimension_with(const std::string& unit, const Units& units) {
   for (int length = 0; length <= 1; ++length) {
     for (int angle = 0; angle <= 1; ++angle) {

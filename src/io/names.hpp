@@ -17,14 +17,14 @@ namespace higherpair::io_detail {
                      [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; });
 }
 
-/// `text` without spaces and tabs in front and behind.
+/// `text` without leading and trailing spaces and tabs.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpaces = " \t";
   text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
   return text.substr(0, text.find_last_not_of(kSpaces) + 1);
 }
 
-/// `text` with a `?` for every control character: fit for a message of one line.
+/// `text` with every control character replaced by `?`, so that it fits into a one-line message.
 [[nodiscard]] inline std::string visible(std::string_view text) {
   std::string result(text);
   std::replace_if(

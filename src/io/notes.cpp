@@ -19,7 +19,7 @@ struct Moved {
   double by = 0;  // [m]
 };
 
-// The point or curve of a body that has moved farthest from where the pose has it.
+// The point or curve of a body that is farthest from its position in the pose.
 Moved farthest(const Body& body, const Pose<double>& X_WB) {
   const Pose<double> posed = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
   Moved moved;
@@ -43,13 +43,14 @@ bool is_driven_body(const Mechanism& mechanism, int body) {
   });
 }
 
-// Drawn in ground's frame, all bodies together: the drawing need not be that of the start.
+// All bodies are drawn together in the frame of ground; such a drawing need not show the start position.
 bool is_drawing(const Mechanism& mechanism) {
   return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
                      [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
 }
 
-// "from 65.835 to 294.16": few digits, and still within the range; "180" of one that has no width.
+// "from 65.835 to 294.16": few digits, rounded so that they stay within the range; "180" for a range without
+// width.
 std::string rounded_inwards(double low, double high) {
   const double unit = high > low ? std::pow(10, std::floor(std::log10(high - low)) - 3) : 0;
   const auto inside = [&](double x) { return unit > 0 && x >= low && x <= high ? x : (low + high) / 2; };

@@ -34,7 +34,8 @@ std::optional<std::size_t> item_number(std::string_view part) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-// The item of a list; or a new one at its end, which makes the list one that the option gives.
+// An item of a list. The index just past the end appends a new item; the whole list is then marked as set by
+// the option.
 Step item_of(Value& list, const std::string& part, const Mark& mark) {
   auto& items = std::get<Array>(list.content);
   const auto number = item_number(part);
@@ -62,7 +63,7 @@ Step entry_of(Table& table, const std::string& part, const Mark& mark) {
   return &table.back().value;
 }
 
-// The value at one more part of the path; a new empty table if there is none.
+// The value at the next part of the path; a new empty table if there is none.
 Step descend(Value& value, const std::string& part, const Mark& mark) {
   if (std::holds_alternative<Array>(value.content)) {
     return item_of(value, part, mark);
@@ -88,7 +89,7 @@ const Value* find_part(const Value& value, std::string_view part) {
 Value* find_path(Value& document, std::string_view path) {
   Value* value = &document;
   for (const std::string& part : split_path(path)) {
-    value = const_cast<Value*>(find_part(*value, part));  // of a document that is not const
+    value = const_cast<Value*>(find_part(*value, part));  // `document` is not const
     if (value == nullptr) break;
   }
   return value;

@@ -121,7 +121,7 @@ private:
   const PointColumns& columns_;
   const Units& units_;
   char separator_ = 0;
-  std::size_t count_ = 0;  // of columns
+  std::size_t count_ = 0;  // of columns, 0 until known
   std::array<std::size_t, 2> place_{0, 1};
   std::array<std::string, 2> unit_;
   PointTable table_;
@@ -151,7 +151,7 @@ tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view 
   PointReader reader(columns, units);
   for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
   auto table = reader.finish();
-  // Comments may be in any encoding.
+  // Check the encoding only after a failure: comments may be in any encoding.
   const auto encoding = table ? std::nullopt : encoding_mistake(text);
   if (!encoding) {
     return table;

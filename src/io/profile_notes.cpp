@@ -67,13 +67,13 @@ public:
 private:
   [[nodiscard]] const Value* at(const std::string& path) const { return end_of_path(document_, path).value; }
 
-  // \param key  of the table at the path that the note stands at
+  // \param key  the key of the table at `path` where the note is located
   void add(const std::string& path, const std::string& text, const char* key = "") {
     const Value* value = at(path + key);
     found_.push_back({value == nullptr ? Mark{} : value->mark, path + ": " + text});
   }
 
-  // \pre there is something at the path
+  // \pre there is a value at the path
   void add_with_value(const std::string& path, const std::string& text) {
     const Value& value = *at(path);
     found_.push_back({value.mark, fmt::format("{} = {}: {}", path, text_of(value), text)});
@@ -85,7 +85,7 @@ private:
 
   [[nodiscard]] std::string_view length_unit() const { return name_of(profile_.units.length); }
 
-  // 9.81 where lengths are in millimetres.
+  // Gravity of 9.81 although lengths are in millimetres.
   void gravity() {
     const Value* value = at("gravity");
     const auto* items = value == nullptr ? nullptr : std::get_if<Array>(&value->content);
@@ -108,7 +108,7 @@ private:
     }
   }
 
-  // Numbers of a drawing in millimetres, read as metres.
+  // A drawing's numbers in millimetres, read as metres.
   void size() {
     constexpr double kLarge = 50;  // [m]
     const double metres = size_of(mechanism_);
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  // Another unit of length shows in the radius of gyration by its factor.
+  // A wrong unit of length shows as a radius of gyration that is wrong by a large factor.
   void inertia(const Body& body) {
     const Vector2d& center_B = body.mass->center_of_mass_B;
     double extent = 0;
@@ -189,12 +189,12 @@ private:
     });
   }
 
-  // Degrees read as radians or turns, and the other way round.
+  // Degrees read as radians or turns, and the reverse.
   void angle_unit(const std::string& path) {
     const auto number = plain_number(at(path));
     if (!number) return;
     const Unit unit = profile_.units.angle;
-    const double least = unit == Unit::kRevolution ? 90 : 30;  // so many turns may well be meant
+    const double least = unit == Unit::kRevolution ? 90 : 30;  // that many turns may well be meant
     const bool could_be_degrees = std::abs(*number) >= least && is_whole(*number / (least == 90 ? 90 : 15));
     const double quarters = *number / (kPi / 2);
     const bool could_be_radians = std::abs(quarters) >= 0.5 &&
@@ -220,7 +220,7 @@ private:
       angle_unit(path + ".end");
     }
     if (program.law) {
-      // Its rows are in time.
+      // The law gives the motion in time: `end` and `samples` do not matter.
     } else if (!program.positions.empty()) {
       for (const char* key : {".end", ".samples"}) {
         if (at(path + key) != nullptr) add_with_value(path + key, "not used, for `positions` are given");
@@ -235,7 +235,7 @@ private:
     }
   }
 
-  // 360 rows over 360 degrees, both ends included.
+  // 360 samples over 360 degrees although both ends are rows.
   void spacing(const std::string& path, const DriverProgram& program, bool turns) {
     if (!program.samples || *program.samples < 10) return;
     const double full_turn = from_si(dimension::kAngle, profile_.units).apply(2 * kPi);

@@ -5,7 +5,7 @@
 
 namespace higherpair::io_detail {
 
-/// What in a profile without mistakes is probably a slip although it may be meant, in the order of the file.
+/// Probable mistakes in a profile that is valid, in the order of the file; the user may still mean them.
 /// \param document  the text that the profile was read from
 [[nodiscard]] Diagnostics profile_notes(const Reading& reading, const Value& document,
                                         const Profile& profile);

@@ -22,7 +22,7 @@ using io_detail::Table;
 using io_detail::TableReader;
 using io_detail::Value;
 
-// False for a version that cannot be understood: then nothing else is worth a message.
+// False if the format's version is unknown: then no further message is useful.
 bool read_format(TableReader& root) {
   const auto item = root.take("format");
   const auto format = item ? io_detail::as_integer(root.reading(), *item) : std::nullopt;

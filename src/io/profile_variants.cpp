@@ -14,9 +14,9 @@ using io_detail::Table;
 using io_detail::Value;
 
 struct ProfileVariants::Impl {
-  std::shared_ptr<ProfileDocument::Content> content;  // a copy of its own, whose numbers change
-  ProfileDocument document;                           // on the same
-  std::vector<Value*> numbers;                        // of `content`
+  std::shared_ptr<ProfileDocument::Content> content;  // own copy, whose numbers are changed
+  ProfileDocument document;                           // refers to `content`
+  std::vector<Value*> numbers;                        // in `content`
 };
 
 ProfileVariants::ProfileVariants(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -22,7 +22,7 @@ using Refusal = tl::unexpected<std::string>;
 
 constexpr int kLargestPower = 9;
 
-// A force is mass·length/time², whichever way it is spelled.
+// The dimension with force written as mass·length/time², so that both spellings compare equal.
 Dimension without_force(Dimension dimension) {
   dimension.mass += dimension.force;
   dimension.length += dimension.force;
@@ -31,7 +31,7 @@ Dimension without_force(Dimension dimension) {
   return dimension;
 }
 
-// Units of pressure, in N/m^2.
+// Units of pressure, in N/m².
 constexpr std::pair<std::string_view, double> kPressures[] = {
     {"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
 
@@ -46,7 +46,7 @@ std::vector<std::string> all_unit_names() {
   return names;
 }
 
-// Signs that units are written with elsewhere.
+// Signs used for units elsewhere, and how to write them here.
 constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"},
                                                                     {"µ", "um for micrometres"},
                                                                     {"μ", "um for micrometres"},
@@ -56,10 +56,10 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"
                                                                     {"³", "^3"},
                                                                     {"⁻", "^-1"}};
 
-// Names that units have elsewhere.
+// Names of units used elsewhere, and how to write them here.
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {{"Hz", "rev/s"}, {"rps", "rev/s"}};
 
-// "Nm": two units without anything between them; empty if it is no such thing.
+// Advice for two units written together, such as "Nm"; empty if the name is not of that form.
 std::string with_space(std::string_view name) {
   for (std::size_t i = 1; i < name.size(); ++i) {
     if (find_unit(name.substr(0, i)) && find_unit(name.substr(i))) {
@@ -120,7 +120,7 @@ private:
   std::string_view take_name() {
     const auto* end = std::find_if_not(rest_.begin(), rest_.end(), io_detail::is_letter);
     auto length = static_cast<std::size_t>(end - rest_.begin());
-    // "1/s": the 1 stands for a numerator without units.
+    // In "1/s" the 1 is a numerator without units.
     if (length == 0 && !after_factor_ && !divides_ && !rest_.empty() && rest_.front() == '1') {
       const std::string_view after = io_detail::trimmed(rest_.substr(1));
       length = after.empty() || after.front() == '/' ? 1 : 0;

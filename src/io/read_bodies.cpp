@@ -21,7 +21,7 @@ void read_pose(Reading& reading, const Item& item, Body& body) {
   }
 }
 
-// Without an inertia the mass is a point mass at its centre.
+// Without an inertia the body is a point mass at its centre of mass.
 void read_mass(TableReader& table, Body& body) {
   const auto mass = table.take("mass");
   if (!mass) {

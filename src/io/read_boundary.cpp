@@ -45,14 +45,14 @@ void note_slight_corners(TableReader& table, const Outline& outline) {
   }
 }
 
-// Which piece a span of the boundary comes from: its corners are not among the pieces.
+// The index of the piece that a span of the boundary comes from: convex corners are spans but not pieces.
 std::size_t piece_of(const Boundary& boundary, int span) {
   const auto begin = boundary.spans().begin();
   return static_cast<std::size_t>(
       std::count_if(begin, begin + span, [](const SpanPtr& s) { return !s->is_corner(); }));
 }
 
-// The two steps of the points given that come nearest to a crossing.
+// Names the two stretches between given points that are nearest to a self-crossing.
 std::string between_points(const Outline& outline, const Vector2d& p) {
   const auto& points = outline.points;
   const auto distance = [&](std::size_t i) {
@@ -112,7 +112,7 @@ std::string length_text(const Reading& reading, double metres) {
 
 std::string point_text(const Reading& reading, const Vector2d& p) {
   const Scaling scaling = from_si(dimension::kLength, reading.units);
-  // Neither "-0" nor what is left of one by rounding.
+  // Print rounding errors of 0, and -0, as 0.
   const auto text = [&](double x) {
     return fmt::format("{:.6g}", std::abs(x) > kNoCoordinate * p.norm() ? scaling.apply(x) : 0.0);
   };

@@ -10,7 +10,7 @@
 
 namespace higherpair::io_detail {
 
-/// What was read, unless there was a mistake since.
+/// Detects whether mistakes were reported since its construction.
 class Mistakes {
 public:
   explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
@@ -25,27 +25,27 @@ private:
 struct Outline {
   std::vector<ContourPiece> pieces;
   bool closed = false;
-  double tolerance = 0;     ///< ends that are no farther apart meet [m]
-  bool has_inside = false;  ///< as a closed one has, although it is open
-  /// What messages call a piece: "spans.2", "line 120"; none: the whole curve.
+  double tolerance = 0;     ///< ends that are no farther apart count as meeting [m]
+  bool has_inside = false;  ///< an open curve that has an inside, as a closed one has
+  /// What messages call each piece: "spans.2", "line 120"; empty: they speak of the whole curve.
   std::vector<std::string> names = {};
-  /// The points that the curve was given by, and their names for messages.
+  /// The points by which the curve was given, and their names for messages.
   std::vector<Vector2d> points = {};
   std::vector<std::string> point_names = {};
-  std::optional<Curve> whole = std::nullopt;  ///< what all of it is, where that has closed forms
+  std::optional<Curve> whole = std::nullopt;  ///< the circle or ellipse that all of it is, if any
 };
 
-/// The curve on whichever side its table says (`side` of a closed one, `material` of an open one), if it is a
-/// boundary that does not cross itself.
+/// The curve with its material on the side that its table gives (`side` for a closed one, `material` for an
+/// open one). None if its pieces do not meet or it crosses itself, which is reported.
 [[nodiscard]] std::optional<NamedCurve> curve_of(TableReader& table, Outline outline);
 
-/// The same as it is, its material on the left.
+/// The curve as its outline is directed, with the material on the left.
 [[nodiscard]] std::optional<NamedCurve> boundary_curve(TableReader& table, const Outline& outline);
 
-/// Whether two neighbours do not meet, which is reported.
+/// Whether two neighbouring pieces do not meet; reports the first gap.
 [[nodiscard]] bool report_gaps(TableReader& table, const Outline& outline);
 
-/// \name Curves that are boundaries of spans, by their type; each reports its mistakes and then returns none.
+/// \name Curves made of spans, by type; each reports its mistakes and then returns none.
 /// @{
 [[nodiscard]] std::optional<NamedCurve> read_arc(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_segment(TableReader& table);
@@ -58,12 +58,12 @@ struct Outline {
 [[nodiscard]] std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& source);
 /// @}
 
-/// \name Pieces, alone or in a chain
+/// \name Single pieces, as curves of their own or as parts of a chain
 /// @{
 [[nodiscard]] std::optional<ContourPiece> arc_piece(TableReader& table);
 [[nodiscard]] std::optional<ContourPiece> segment_piece(TableReader& table);
 [[nodiscard]] std::optional<ContourPiece> involute_piece(TableReader& table);
-/// \param closed  whether the spline goes back to its first point
+/// \param closed  whether the spline returns to its first point
 [[nodiscard]] std::optional<ContourPiece> spline_piece(TableReader& table, bool closed);
 /// @}
 

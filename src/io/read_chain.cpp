@@ -11,7 +11,7 @@ namespace {
 struct PieceType {
   std::string name;
   std::optional<ContourPiece> (*read)(TableReader& table);
-  bool either_way;  // its own way is not the user's choice: it goes as its neighbours need it
+  bool either_way;  // its direction is not the user's choice but follows from its neighbours
 };
 
 const std::array<PieceType, 4>& piece_types() {
@@ -62,8 +62,8 @@ double gap(const ContourPiece& a, const ContourPiece& b) {
   return (begin_of(b).p_B - end_of(a).p_B).norm();
 }
 
-// The ways of arcs and involutes, each as it goes on best from the one before; of the first one as the second
-// goes on best from it.
+// Directs arcs and involutes so that each begins as near as possible to the end of the piece before it, and
+// the first one ends as near as possible to the second.
 std::vector<ContourPiece> put_in_line(const std::vector<ChainPiece>& given) {
   std::vector<ContourPiece> pieces;
   for (const ChainPiece& one : given) {

@@ -14,8 +14,8 @@ bool is_concave(const Curve& curve) {
   return radius_bounds(curve).high < 0;
 }
 
-// Why two curves can nowhere touch without overlapping; empty if they can. Near a contact the bodies are
-// apart only if the sum of their curvatures is not negative.
+// Why two curves cannot touch anywhere without overlapping; empty if they can. Near a contact point the
+// bodies are apart only if the sum of the curvatures is not negative.
 std::string_view why_no_contact(const Curve& a, const Curve& b) {
   if (a.kind == b.kind && !is_curved(a)) {
     return is_line(a) ? "two lines cannot make a contact"

@@ -14,7 +14,7 @@ namespace {
 constexpr Expected kAnyAngle = {dimension::kAngle};
 constexpr Expected kSize = {dimension::kLength, Sign::kPositive};
 
-// A curve from its table; an error of the curve as a whole concerns the item at `key_of_error`.
+// A curve as read from its table; an error of the curve as a whole is reported at the item `key_of_error`.
 struct CurveReading {
   CurveResult result;
   std::string key_of_error;
@@ -48,9 +48,10 @@ CurveReading read_hyperbola(TableReader& table, Side side) {
   return {make_hyperbola(center, axes, table.quantity("rotation", kAnyAngle), side), "semi_axes"};
 }
 
-// x and y of the equation are in the profile's length unit L: with metres, and the whole times L²,
+// x and y of the equation are in the profile's length unit L. With x and y in metres, and the equation
+// multiplied by L²:
 //   A x² + B y² + C x y + L (D x + E y) + L² F = 0.
-// A power of two first, so that neither end of the range of a double is met.
+// Scaling by a power of two first avoids overflow and underflow.
 std::array<double, 6> coefficients_in_metres(std::array<double, 6> k, const Units& units) {
   const double largest = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])});
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
@@ -116,7 +117,7 @@ constexpr std::array<BoundaryType, 7> kBoundaryTypes = {{
     {"dxf", read_dxf_curve},
 }};
 
-// Its curve depends on a contact and a law, or on another curve.
+// Types whose curve depends on a contact and a law, or on another curve.
 constexpr std::string_view kCam = "cam";
 constexpr std::string_view kOffset = "offset";
 
@@ -156,7 +157,7 @@ std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& 
   return NamedCurve{"", *curve.result};
 }
 
-// Curves of one body. An offset waits until the curve that it is of is known.
+// Reads the curves of one body. An offset waits until its source curve is known.
 class CurvesReader {
 public:
   CurvesReader(Reading& reading, Body& body, LateCurves& late)
@@ -168,7 +169,8 @@ public:
       states_.push_back(State::kKnown);
       read_one(table, body_.curves.size() - 1);
     });
-    // As many rounds as there are, at most, make all known that can be.
+    // In each round at least one more offset can be resolved, unless the rest depend on each other in a
+    // circle.
     for (std::size_t round = 0; round < offsets_.size(); ++round) {
       for (Offset& offset : offsets_) {
         resolve(offset);
@@ -202,14 +204,14 @@ private:
     const auto choice = table.need_type("a kind of curve, such as \"circle\"", curve_type_names());
     if (!choice) {
       states_[index] = State::kWrong;
-      return;  // which keys belong here is unknown
+      return;  // it is not known which keys belong here
     }
     if (*choice < kConicTypes.size()) {
       set(index, read_conic_curve(table, kConicTypes[*choice]));
       table.finish();
     } else if (*choice - kConicTypes.size() < kBoundaryTypes.size()) {
       for (const char* key : {"side", "material"}) {
-        (void)table.take(key);  // known also where it is not looked at for a mistake before
+        (void)table.take(key);  // known even if the reader stops at a mistake before it looks at them
       }
       set(index, kBoundaryTypes[*choice - kConicTypes.size()].read(table));
       table.finish();
@@ -243,7 +245,7 @@ private:
     }
   }
 
-  // Once what it is of is known; wrong where that is.
+  // Makes an offset once its source is known; it is wrong if its source is.
   void resolve(Offset& offset) {
     if (states_[offset.curve] != State::kWaiting) {
       return;

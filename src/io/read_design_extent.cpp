@@ -1,4 +1,4 @@
-// How far the mechanism comes, as a design's objective or constraint.
+// How far the mechanism extends, as an objective or constraint of a design.
 #include "read_design.hpp"
 
 #include <numeric>
@@ -32,7 +32,7 @@ std::optional<Extent> read_reach(TableReader& table, const Item& reach, const Me
   return extent;
 }
 
-// All of them where the table does not say which.
+// The bodies given by `bodies`; all bodies if the key is absent.
 std::vector<int> bodies_that_count(TableReader& table, const Mechanism& mechanism) {
   std::vector<int> bodies(mechanism.bodies.size());
   std::iota(bodies.begin(), bodies.end(), 0);

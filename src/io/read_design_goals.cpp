@@ -13,7 +13,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// What a law gives for a column: by its name.
+// The dimension of a column that can follow a law, judged by the column's name.
 std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& mechanism) {
   const auto ends = [&](std::string_view ending) { return measure.column.ends_with(ending); };
   if (ends(".angle")) return dimension::kAngle;
@@ -26,7 +26,7 @@ std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& m
   return std::nullopt;
 }
 
-// `follow = "LAW"`: at every row, how the column changes from the first one on.
+// `follow = "LAW"`: the change of the column since the first row is compared with the law at every row.
 void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& profile, LawBook& laws,
                 DesignTask::Objective& objective) {
   const auto value = dimension_of(measure, profile.mechanism);
@@ -41,7 +41,7 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
     return;
   }
   if (!reading.mistakes.empty()) {
-    return;  // the driver's joint may be one of them
+    return;  // the driver's joint may have one of them
   }
   const Joint& driven =
       profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers.front().joint)];
@@ -72,7 +72,7 @@ void follow_pairs(Reading& reading, const Item& follow, Measure measure, DesignT
   }
 }
 
-// `follow`: the value wanted of a column at a position of the driver.
+// `follow`: the values wanted of a column at given positions of the driver.
 void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBook& laws,
                  DesignTask::Objective& objective) {
   Reading& reading = table.reading();
@@ -94,7 +94,7 @@ void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBo
   follow_pairs(reading, follow, std::move(measure), objective);
 }
 
-// `figure`: of those that `check` works out, "contacts.touch.contact_pressure".
+// `figure`: one of the values that `check` computes, "contacts.touch.contact_pressure".
 std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& item) {
   table.refuse("column", "this is a figure of `check`: one of the two");
   table.refuse("of", "a figure is an extreme already");

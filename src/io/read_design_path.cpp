@@ -52,7 +52,7 @@ void read_positions(Reading& reading, const Item& at, PointPath& path) {
   }
 }
 
-// What the path may be placed by: only its form is asked for.
+// `free`: the placement of the path that may be chosen, so that only its form matters.
 void read_free(Reading& reading, const Item& free, PointPath& path) {
   static const std::vector<std::string> names = {"position", "turn", "scale"};
   const auto items = as_items(
@@ -63,7 +63,7 @@ void read_free(Reading& reading, const Item& free, PointPath& path) {
     if (!choice) return;
     (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
   }
-  if (path.free_position && path.through.size() == 2) {  // of fewer it is said already
+  if (path.free_position && path.through.size() == 2) {  // a mistake with fewer points is reported elsewhere
     report(reading, free, "expected at least three points: two have no form but their distance");
   }
 }

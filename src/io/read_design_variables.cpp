@@ -14,7 +14,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// The parts of a profile with numbers that a design may change: not counts, units or tasks.
+// The parts of a profile whose numbers a design may change: not counts, units or tasks.
 constexpr std::string_view kDesignable[] = {"bodies.", "joints.",  "contacts.", "driver.", "drivers.",
                                             "loads.",  "springs.", "laws.",     "gravity."};
 

@@ -84,7 +84,7 @@ void read_uniform(TableReader& table, Distribution& d) {
 
 constexpr std::array kForms = {"values", "normal", "triangular", "uniform", "min"};
 
-// The key that says which values a variable takes; "" where none or several do.
+// The key that gives the values of a variable; "" if there is none or more than one.
 std::string form_of(TableReader& table, const Item& item) {
   std::vector<std::string> forms;
   for (const char* form : kForms) {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::int64_t kMostSamples = std::int64_t{1} << 53;
 
-// Poses and points in the profile's units again: a drawing in millimetres gives round millimetres.
+// Poses and points converted back to the profile's units, so that a drawing in millimetres gives round
+// numbers.
 class PoseCoordinate {
 public:
   PoseCoordinate(const Mechanism& mechanism, const Units& units)
@@ -19,7 +20,7 @@ public:
         length_(from_si(dimension::kLength, units)),
         angle_(from_si(dimension::kAngle, units)) {}
 
-  // The coordinate that the poses give to a joint.
+  // The coordinate of a joint in the poses.
   [[nodiscard]] double of(const Joint& joint) const {
     const Body& first = body(joint.first);
     if (joint.type == JointType::kRevolute) {
@@ -90,7 +91,7 @@ void read_times(TableReader& table, DriverProgram& program) {
   program.time_step = read_number(table, "time_step", {dimension::kTime, Sign::kPositive});
 }
 
-// What is an angle in a driver of a revolute joint and a length in one of a prismatic joint.
+// Reads the keys whose values are angles for a revolute joint and lengths for a prismatic one.
 void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& joint, DriverProgram& program) {
   const Units& units = table.reading().units;
   const bool turns = joint.type == JointType::kRevolute;
@@ -106,7 +107,7 @@ void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& jo
 
 constexpr const char* kMotionKeys[] = {"start", "end", "positions", "velocity", "acceleration"};
 
-// The keys of read_motion where the joint, and so their units, are unknown.
+// Skips the keys of read_motion: without a known joint their units are unknown.
 void skip_motion(TableReader& table) {
   for (const char* key : kMotionKeys) {
     (void)table.take(key);

@@ -19,7 +19,7 @@ struct Drawing {
   Item file;
 };
 
-// What is on one layer, or everything.
+// Reads the drawing, or only the layer that the table names.
 std::optional<Drawing> read_drawing(TableReader& table) {
   Reading& reading = table.reading();
   const auto item = table.need("file", "the name of a DXF file");
@@ -65,7 +65,7 @@ double distance(const Contour& contour, const Vector2d& p) {
   return least;
 }
 
-// The one that is meant; of several the one nearest to `near`.
+// The only contour, or of several the one nearest to `near`.
 std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
                                   const std::vector<Contour>& contours) {
   const Reading& reading = table.reading();

@@ -134,7 +134,7 @@ std::string_view name_of(FitLoss loss) {
   return fit_loss_names()[static_cast<std::size_t>(loss)];
 }
 
-// Once more from the text, which is read without a mistake: a profile that is analysed need not carry it.
+// Reads [fit] again from the text, which is known to have no mistakes, so that a Profile need not carry it.
 FitTask fit_task_of(const ProfileDocument& document, const Profile& profile) {
   FitTask task;
   task.place = {profile.source, 0, 0};

@@ -24,7 +24,7 @@ int index_of(const Mechanism& mechanism, const Body& body) {
   return static_cast<int>(&body - mechanism.bodies.data());
 }
 
-// The only joint of a body to ground that can be driven.
+// The driveable joint between a body and ground; none unless there is exactly one.
 std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
   std::optional<int> found;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  // The curve that the contact has on the other body.
+  // The curve on the other body of the contact.
   std::optional<CurveRef> follower_of(const LateCurves::Flank& late, const CurveRef& own) {
     const auto name = as_text(reading_, late.contact);
     if (!name) {
@@ -156,8 +156,8 @@ private:
     return amount(motion.cam.turns ? dimension::kAngle : dimension::kLength, x);
   }
 
-  // Where the law's velocity jumps, which no follower but a knife edge can follow whatever its size; none if
-  // it does not.
+  // Explains where the law's velocity jumps: there the flank has a gap for any follower but a knife edge,
+  // whatever its size. None if the velocity does not jump.
   [[nodiscard]] std::optional<std::string> velocity_jump(const CamMotion& motion) const {
     const auto& joins = motion.law.joins();
     const auto jump = std::find_if(joins.begin(), joins.end() - 1, [&](const LawJoin& join) {
@@ -200,7 +200,7 @@ private:
     return jump.value_or("from " + at + " of the cam on the flank would be undercut: " + remedies(cam));
   }
 
-  // What would keep the flank from being undercut.
+  // Changes that would avoid the undercut of the flank.
   [[nodiscard]] std::string remedies(const FlankOrigin& cam) const {
     std::string text;
     if (const auto size = smallest_for_radius(cam, {})) {
@@ -232,7 +232,7 @@ private:
 
 void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechanism& mechanism) {
   if (!reading.mistakes.empty()) {
-    return;  // of joints, say, which a flank is made from
+    return;  // the flanks are made from joints, contacts and laws, which may be wrong
   }
   FlankMaker maker(reading, laws, mechanism);
   for (LateCurves::Flank& flank : late.flanks) {

@@ -16,7 +16,7 @@ bool is_same_point(const Vector2d& a, const Vector2d& b) {
   return (a - b).norm() <= kSameGearPoint * (a.norm() + b.norm());
 }
 
-// The bodies on the pin of a wheel, without the wheel; none where nothing is pinned there.
+// The bodies pinned to a wheel at its centre, without the wheel itself; empty if nothing is pinned there.
 std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechanism, const PointRef& wheel) {
   const Vector2d center_B = point_of(mechanism, wheel);
   const auto is_wheel = [&](const BodyPoint& end) {
@@ -65,7 +65,7 @@ std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, con
   return std::nullopt;
 }
 
-// Where a wheel is pinned, on its carrier.
+// The centre of a wheel's pin, in the frame of the carrier.
 std::optional<Vector2d> center_on(int carrier, const std::vector<Pin>& pins, const Mechanism& mechanism,
                                   const PointRef& wheel) {
   const Vector2d& center_B = point_of(mechanism, wheel);

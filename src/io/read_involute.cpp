@@ -11,10 +11,10 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr Expected kRollAngle = {dimension::kAngle};
-constexpr std::int64_t kMostTeeth = 1000;  // of an outline: each has spans and samples of its own
+constexpr std::int64_t kMostTeeth = 1000;  // of an outline: each tooth has spans and samples of its own
 constexpr Expected kInvoluteSize = {dimension::kLength, Sign::kPositive};
 
-// What a rack leaves of the flanks; none, and a mistake, where that is nothing or not all.
+// The roll of the flanks that a rack cuts. None if it is empty or the rack undercuts them, which is reported.
 std::optional<Bounds> whole_roll(TableReader& table, const InvoluteTooth& tooth,
                                  const std::string& otherwise) {
   const Bounds roll = {roll_at_root(tooth), roll_at_tip(tooth)};
@@ -34,7 +34,7 @@ std::optional<Bounds> whole_roll(TableReader& table, const InvoluteTooth& tooth,
   return roll;
 }
 
-// The roll of a flank, both angles > 0.
+// The roll of a flank, both angles > 0. \param tooth  null: `roll` is required, for there is no default
 std::optional<Bounds> read_roll(TableReader& table, const InvoluteTooth* tooth) {
   Reading& reading = table.reading();
   const auto item = tooth != nullptr ? table.take("roll") : table.need("roll", "[from, to], angles of roll");

@@ -14,7 +14,7 @@ std::optional<JointType> read_type(TableReader& table) {
   return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;
 }
 
-// The key, where it names two points.
+// The key `between`, if it names two points.
 std::optional<Item> read_ends(TableReader& table, const Mechanism& mechanism, Joint& joint) {
   const auto item = table.need("between", "two points, [\"body.point\", \"body.point\"]");
   const auto pair = item ? as_point_pair(table.reading(), *item, mechanism) : std::nullopt;
@@ -25,7 +25,8 @@ std::optional<Item> read_ends(TableReader& table, const Mechanism& mechanism, Jo
   return pair ? item : std::nullopt;
 }
 
-// A joint without its points has ground's first one, whatever that is: what is read later asks where it is.
+// A joint whose points are wrong refers to the first point of ground, whose position is asked for later: make
+// sure that there is one.
 void have_a_point(Body& ground) {
   if (ground.points.empty()) {
     ground.points.emplace_back();
@@ -56,7 +57,7 @@ void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
       table.quantity("angle", {dimension::kAngle}, theta(joint.second) - theta(joint.first));
 }
 
-// Of a line with ends the least and the largest coordinate.
+// Reads `from` and `to`: the least and the largest coordinate of a line with ends.
 void read_line_ends(TableReader& table, Joint& joint) {
   if (joint.type == JointType::kRevolute) {
     for (const char* key : {"from", "to"}) {
@@ -113,7 +114,7 @@ std::vector<bool> read_joints(TableReader& root, Mechanism& mechanism) {
                    type_known.push_back(type.has_value());
                    mechanism.joints.push_back(joint);
                  });
-  if (ends_known) {  // else the pin that a carrier depends on may be the one that is wrong
+  if (ends_known) {  // otherwise the pin that a carrier depends on may be wrong
     set_carriers(root.reading(), gears, mechanism);
   }
   return type_known;

@@ -10,7 +10,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr std::int64_t kFewestForOpenTurn = 8;  // points of which the last is a step short of the turn
+constexpr std::int64_t kFewestForOpenTurn = 8;  // with fewer points the last one must close the turn
 
 class LawReader {
 public:
@@ -100,7 +100,7 @@ private:
     (void)table_.quantity("rounding", {quantities_.value, Sign::kPositive});
   }
 
-  // Segments that add up to one turn repeat, and fill it exactly.
+  // Segments that add up to one turn repeat; the last one is adjusted so that they fill the turn exactly.
   void close_segments() {
     const auto close = [](LawDescription& law, double turn) {
       double before = 0;
@@ -117,7 +117,7 @@ private:
     law_.profile.repeats = law_.si.repeats = repeat_.value_or(closes);
   }
 
-  // Points over one turn repeat; the last one may be the first one again, or a step short of it.
+  // Points over one turn repeat; the last one may repeat the first one, or be one step short of the turn.
   void close_points(const Item& item) {
     const auto n = static_cast<std::int64_t>(law_.profile.points.size());
     if (n < 2) {
@@ -148,7 +148,7 @@ private:
     }
   }
 
-  // What only the law as a whole can show.
+  // Makes the law: some mistakes show only in the law as a whole.
   bool check(const std::optional<Item>& segments, const std::optional<Item>& points,
              const std::optional<Item>& file) {
     auto made = MotionLaw::make(law_.in(quantities_.units));
@@ -156,7 +156,7 @@ private:
       law_.made = *std::move(made);
       return true;
     }
-    // Numbers are named as the profile has them, unless only in SI units they have a mistake.
+    // Messages give numbers in the profile's units, unless the mistake occurs in SI units only.
     const auto named = MotionLaw::make(law_.profile);
     const LawFault& fault = named ? made.error() : named.error();
     if (fault.point && file) {

@@ -16,7 +16,7 @@ enum class Range { kPositive, kNotNegative, kSteepness, kPoisson };
 
 constexpr Dimension kPressure = dimension::kForce / (dimension::kLength * dimension::kLength);
 
-// The tables in which a key may be, besides [limits] itself.
+// The tables that may contain a key, besides [limits] itself.
 enum Scope { kContact = 1, kSlide = 2, kPivot = 4, kBody = 8 };
 
 struct KeyRow {
@@ -78,7 +78,7 @@ std::string objection_to(double value, Range range) {
   return value >= 0 && value <= 0.5 ? "" : "Poisson's ratio is from 0 to 0.5";
 }
 
-// The keys of one table that belong there.
+// Reads the keys that belong in one table.
 LimitSet read_set(TableReader& table, const std::function<bool(const KeyRow&)>& belongs) {
   LimitSet limits;
   for (const KeyRow& row : kKeys) {
@@ -100,7 +100,7 @@ int scope_of(const Joint& joint) {
   return has_angle(joint.type) ? kPivot : kSlide;
 }
 
-// [limits.contacts], [limits.joints], [limits.bodies]: a set for each thing of that name.
+// Reads [limits.contacts], [limits.joints] or [limits.bodies]: a set of limits for each of the things.
 template <class Thing, class ScopeOf>
 std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std::string_view kind,
                                 const std::vector<Thing>& things, const ScopeOf& scope) {
@@ -116,7 +116,7 @@ std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std
   return sets;
 }
 
-// A limit of the pressure says nothing where the pressure is not known.
+// A limit of the contact pressure requires all that the pressure is computed from.
 void require_materials(TableReader& table, const CheckLimits& limits, const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     const GivenLimit* limit = limit_of(limits, limits.contacts, i, LimitKey::kMaxContactPressure);

@@ -7,8 +7,8 @@
 
 namespace higherpair::io_detail {
 
-/// The keys `column`, `of` and `at` of a table; other keys are left to the caller, who finishes the table.
-/// Whether there is such a column only a run can say. Nothing where a key is missing or wrong.
+/// Reads the keys `column`, `of` and `at` of a table; the caller reads the other keys and finishes the table.
+/// Whether the column exists is known only once the mechanism is run. None if a key is missing or wrong.
 [[nodiscard]] std::optional<Measure> read_measure(TableReader& table);
 
 }  // namespace higherpair::io_detail

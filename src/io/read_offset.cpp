@@ -8,7 +8,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// Of curves that stay of their kind; none: by spans.
+// The offset of a curve whose offsets are again conics, lines or points; none: it has to be made from spans.
 std::optional<CurveResult> plain_offset(const Curve& curve, double by) {
   if (curve.kind == CurveKind::kCircle) {
     const double sign = curve.side == Side::kInside ? 1 : -1;
@@ -72,7 +72,7 @@ std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& sour
   Outline outline;
   outline.closed = whole.is_closed();
   outline.pieces.assign(spans->begin(), spans->end());
-  outline.tolerance = kOffsetGap * whole.size();  // its ends meet as exactly as those of the other curve
+  outline.tolerance = kOffsetGap * whole.size();  // they meet as exactly as those of the source
   return boundary_curve(table, outline);
 }
 

@@ -54,7 +54,7 @@ std::optional<NamedCurve> read_arc(TableReader& table) {
   if (arc.sweep < 2 * kPi) {
     return curve_of(table, {{*piece}, false, 0, true});
   }
-  // All of a circle keeps its closed forms.
+  // A full circle keeps its closed forms.
   auto curve = curve_of(table, {{*piece}, true, arc.radius});
   if (curve) {
     const Vector2d n_B = curve->boundary->samples().front().point.n_B;

@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const std::vector<Thing>& things) {
   return names;
 }
 
-// A name among the things of a kind; `kind` is "body", "joint", "point of `cam`".
+// The index of a name among the things of a kind; `kind` is "body", "joint", "point of `cam`" in messages.
 template <class Thing>
 std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
                                std::string_view kind, const std::vector<Thing>& things) {
@@ -43,7 +43,7 @@ struct Member {
   int index;
 };
 
-// The points or the curves of a body, with the words for messages.
+// Access to the points or the curves of a body, with the words for messages.
 struct Points {
   static constexpr std::string_view kKind = "point";
   static constexpr std::string_view kOtherKind = "curve";
@@ -85,7 +85,7 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   return index ? std::optional(Member{*body, *index}) : std::nullopt;
 }
 
-// \param resolve  makes a Member of an item
+// \param resolve  turns an Item into a Member
 template <class Pair, class F>
 std::optional<Pair> member_pair(Reading& reading, const Item& item, const Mechanism& mechanism,
                                 std::string_view kind, F resolve) {
@@ -108,7 +108,7 @@ std::optional<Pair> member_pair(Reading& reading, const Item& item, const Mechan
   return Pair{{first->body, first->index}, {second->body, second->index}};
 }
 
-// Adds several curves of a body to it as one: all whose names begin with `start`.
+// Joins all curves of a body whose names begin with `start`, and adds them to it as one curve.
 std::optional<int> join_curves(Reading& reading, const Item& item, Body& body, const std::string& start) {
   NamedCurve joined;
   joined.curve.kind = CurveKind::kChain;

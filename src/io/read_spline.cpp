@@ -13,12 +13,12 @@ namespace {
 
 constexpr Expected kTolerance = {dimension::kLength, Sign::kNotNegative};
 
-// Points as they were given, with their places for messages.
+// Points as they were given, and where.
 struct Given {
   std::vector<Vector2d> points;
   std::vector<Item> items;
   std::vector<std::string> names;  // "points.3", "line 4"
-  double rounding = 0;             // guessed from their digits [m]
+  double rounding = 0;             // of the coordinates, guessed from their digits [m]
 };
 
 std::optional<Given> points_inline(TableReader& table, const Item& item) {
@@ -142,11 +142,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Coordinates rounded to δ at points h apart: a spline of degree 5 through them has errors of curvature of up
-// to some 3.5 δ/h².
+// Coordinates rounded to δ at points h apart: a spline of degree 5 through them has curvature errors of up to
+// about 3.5 δ/h².
 void note_noise(TableReader& table, const Given& given, const Span& span, double rounding, double smoothing) {
   constexpr double kAmplification = 3.5;
-  constexpr std::size_t kTable = 24;  // fewer points are rather meant exactly
+  constexpr std::size_t kTable = 24;  // fewer points are probably meant exactly
   if (given.points.size() < kTable || smoothing >= rounding / 2) {
     return;
   }

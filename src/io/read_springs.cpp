@@ -5,7 +5,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// The quantities of a spring that acts along a line, or about a pivot.
+// The quantities of a spring along a line, or about a pivot.
 struct SpringKind {
   Expected stiffness;
   Expected damping;
@@ -19,7 +19,7 @@ constexpr SpringKind kBetweenPoints = {{dimension::kStiffness, Sign::kNotNegativ
                                        {dimension::kLength, Sign::kNotNegative},
                                        "free_length",
                                        "free_angle"};
-// A coordinate has a sign.
+// A joint coordinate may be negative, and so may the free length of a spring on it.
 constexpr SpringKind kOnSlide = {
     kBetweenPoints.stiffness, kBetweenPoints.damping, {dimension::kLength}, "free_length", "free_angle"};
 constexpr SpringKind kOnPivot = {{dimension::kAngularStiffness, Sign::kNotNegative},
@@ -51,7 +51,7 @@ void read_on_joint(TableReader& table, const Item& item, const Mechanism& mechan
                    const std::vector<bool>& joint_type_known, Spring& spring) {
   spring.joint = as_joint(table.reading(), item, mechanism);
   if (!spring.joint) {
-    return;  // whether it turns or slides is unknown, and so are the units
+    return;  // whether it turns or slides, and so the units, are unknown
   }
   const auto joint = static_cast<std::size_t>(*spring.joint);
   if (joint_type_known[joint]) {

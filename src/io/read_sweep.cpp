@@ -1,4 +1,4 @@
-// [sweep]: which variants there are, and what is wanted of each.
+// [sweep]: the variants and the results wanted of each.
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "read_measure.hpp"
@@ -88,7 +88,7 @@ void read_what(TableReader& table, SweepTask& task) {
   }
 }
 
-// Every name that becomes a column is there once.
+// Every name that becomes a column must be unique.
 void check_names(TableReader& table, const SweepTask& task) {
   std::vector<std::string> names(kTakenNames.begin(), kTakenNames.end());
   const auto check = [&](const std::string& part, const std::string& name) {

@@ -1,4 +1,4 @@
-// [tolerances]: which numbers of the profile scatter, and which results of the run are asked for.
+// [tolerances]: which numbers of the profile scatter, and which results of the run are wanted.
 #include "higherpair/io/tasks.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  // All numbers at the paths: what they are, and that they are equal.
+  // Reads the numbers at all paths: they must be equal and of one dimension.
   void read_values(TableReader& table, Tolerance& tolerance) {
     const auto item = table.take("path");
     for (std::size_t i = 0; i < tolerance.paths.size(); ++i) {
@@ -102,7 +102,7 @@ private:
     }
   }
 
-  // In the profile's unit.
+  // The number at a path, in the profile's unit.
   [[nodiscard]] std::optional<double> value_at(const std::string& path, const Dimension& dimension) const {
     const Value* value = end_of_path(document_, path).value;
     if (const auto number = number_in(*value)) {
@@ -115,7 +115,7 @@ private:
   }
 
   void read_zone(TableReader& table, Tolerance& tolerance) {
-    // What is wrong is reported; any zone does then.
+    // A mistake is reported, and then any zone will do.
     const auto number = [&](const std::optional<Item>& item) -> std::optional<double> {
       if (!item) return 0;
       const auto quantity = as_quantity(reading_, *item, {dimension_});
@@ -165,7 +165,7 @@ private:
   Reading& reading_;
   const Table& document_;
   SweepPaths paths_;
-  Dimension dimension_;  // of the number that is read
+  Dimension dimension_;  // of the number being read
 };
 
 void read_results_of(TableReader& table, ToleranceTask& task) {

@@ -7,8 +7,8 @@
 namespace higherpair {
 namespace {
 
-// Of positions that are given one by one the parameter is the path: the drivers' straight paths from row to
-// row added up, so that rows on the way in one direction make no difference.
+// The path parameter for positions given one by one: the distance that the driver has travelled, or with
+// several drivers the number of rows, so that the rows along one direction form one stretch between knots.
 RowPath path_through(const DriverSchedule& schedule) {
   const auto last = static_cast<std::size_t>(schedule.size() - 1);
   std::vector<std::vector<DriverMotion>> rows;
@@ -50,7 +50,7 @@ RowPath path_through(const DriverSchedule& schedule) {
   return result;
 }
 
-// In time the parameter is the time [s].
+// With a schedule in time the path parameter is the time [s].
 RowPath path_in_time(const DriverSchedule& schedule) {
   const double end = schedule.time_si(schedule.size() - 1);
   RowPath result;

@@ -1,4 +1,4 @@
-// What the drivers of a schedule in time do between its rows.
+// The motion of the drivers of a schedule in time between its rows.
 #include "higherpair/cam/law_series.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "tolerances.hpp"
@@ -11,7 +11,8 @@
 namespace higherpair {
 namespace {
 
-// Of the times at which a law is at rest, those at which it turns back.
+// The times strictly between `from` and `to` at which a law turns back, out of those at which its velocity is
+// 0.
 std::vector<double> where_it_turns(const MotionLaw& law, double from, double to) {
   std::vector<double> turns;
   double last = law(from);
@@ -32,7 +33,7 @@ std::vector<double> where_it_turns(const MotionLaw& law, double from, double to)
 
 }  // namespace
 
-// In the profile's unit, strictly between two times.
+// Times in the profile's unit, strictly between `from` and `to`.
 std::vector<double> DriverSchedule::reversals(const OneDriver& driver, double from, double to) {
   if (driver.law) {
     return where_it_turns(*driver.law, from, to);
@@ -72,7 +73,7 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   }
   const OneDriver& driver = drivers_.front();
   if (driver.law) {
-    // Between two reversals it passes a place once.
+    // Between two reversals it passes a position once.
     double from = before, to = after;
     for (const double turn : reversals(driver, before, after)) {
       (turn <= t ? from : to) = turn <= t ? turn : std::min(to, turn);
@@ -86,7 +87,7 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   if (driver.acceleration == 0) {
     return driver.velocity == 0 ? t : std::clamp(way / driver.velocity, before, after);
   }
-  // A parabola passes a place twice: once in the interval, or else the nearer time is meant.
+  // A parabola passes a position twice: take the time within the interval, or else the nearer one.
   const double discriminant = driver.velocity * driver.velocity + 2 * driver.acceleration * way;
   const double sum = driver.velocity + std::copysign(std::sqrt(std::max(discriminant, 0.0)), driver.velocity);
   const double one = sum == 0 ? 0 : 2 * way / sum;
@@ -153,7 +154,7 @@ std::vector<DriverSchedule::LawJump> DriverSchedule::law_jumps(std::int64_t row)
       for (const LawJoin& join : law->joins()) {
         const double t = join.x + turn * length;
         const bool jumps_here = join.jumps(1) || join.jumps(2);
-        const bool again = law->repeats() && join.x == law->end();  // the begin of the next repetition
+        const bool again = law->repeats() && join.x == law->end();  // the beginning of the next repetition
         if (jumps_here && !again && t > from && t <= to) {
           jumps.push_back({i, t, (*law)(t), join});
         }

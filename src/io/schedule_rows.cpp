@@ -1,4 +1,4 @@
-// What a schedule's drivers do in one row, and when that is.
+// The motion of a schedule's drivers in one row, and the time of the row.
 #include "double_double.hpp"
 #include "higherpair/cam/law_series.hpp"
 #include "higherpair/io/driver_schedule.hpp"

@@ -12,7 +12,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// How messages call a key of a driver.
+// The name of a driver's key in messages.
 std::string key_name(const Profile& profile, std::size_t driver, std::string_view key) {
   const std::string& name = profile.mechanism.drivers[driver].name;
   return name.empty() ? fmt::format("driver.{}", key) : fmt::format("drivers.{}.{}", name, key);
@@ -35,7 +35,7 @@ std::optional<double> shared_time(const Profile& profile, std::optional<double> 
   return time;
 }
 
-// The rows of a duration: `steps` full steps, and perhaps a shorter one.
+// The time steps in a duration: full ones, and possibly a shorter last one.
 struct Steps {
   std::int64_t full = 0;
   bool has_remainder = false;
@@ -54,7 +54,7 @@ std::optional<Steps> steps_in(double duration, double time_step) {
   return Steps{static_cast<std::int64_t>(std::floor(ratio)), true};
 }
 
-// Up to the end of the law that ends last; none without laws.
+// The end of the law that ends last; none if there are no laws.
 std::optional<double> end_of_laws(const Profile& profile) {
   std::optional<double> end;
   for (const DriverProgram& program : profile.programs) {
@@ -65,7 +65,7 @@ std::optional<double> end_of_laws(const Profile& profile) {
   return end;
 }
 
-// Rows of a run whose rows are neither listed nor a time step apart.
+// The number of rows when they are neither listed nor given by a time step.
 tl::expected<std::int64_t, Diagnostic> given_samples(const Profile& profile) {
   std::optional<std::int64_t> samples;
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {

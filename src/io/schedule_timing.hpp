@@ -13,7 +13,7 @@ namespace higherpair::io_detail {
 
 inline constexpr std::int64_t kMostRows = std::int64_t{1} << 53;  // row numbers are exact doubles
 
-/// "driver.KEY rule", at the driver's table.
+/// A mistake "driver.KEY rule", located at the driver's table.
 [[nodiscard]] Diagnostic mistake(const Profile& profile, std::size_t driver, std::string_view key,
                                  std::string_view rule);
 
@@ -24,15 +24,16 @@ struct Timing {
   double time_step = 0;  // 0: the rows divide the duration evenly
 };
 
-/// Of `step`: up to the duration, or to the end of the drivers' laws, by time steps or in so many samples.
+/// The timing of `step`: until the duration, or the end of the drivers' laws, by time steps or by a number of
+/// samples.
 [[nodiscard]] tl::expected<Timing, Diagnostics> timing_of(const Profile& profile,
                                                           std::optional<std::int64_t> samples);
 
-/// Over the whole of the drivers' laws, in rows that are equally spaced.
+/// The whole of the drivers' laws, in equally spaced rows.
 [[nodiscard]] tl::expected<Timing, Diagnostics> timing_of_laws(const Profile& profile,
                                                                std::optional<std::int64_t> samples);
 
-/// The shortest decimal number that is read as x > 0, less x.
+/// The shortest decimal number that reads as x > 0, minus x: the rounding error of x.
 [[nodiscard]] double rest_of_decimal(double x);
 
 }  // namespace higherpair::io_detail

@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::size_t kMostSuggestions = 3;
 constexpr std::size_t kMostListed = 12;
-constexpr std::size_t kLongestCompared = 64;  // the distance costs length²; longer names are no slips
+constexpr std::size_t kLongestCompared = 64;  // comparing takes time ~ length²
 
 bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-// One wrong letter always, and one more for every four letters.
+// One wrong letter is always allowed, and one more for every four letters.
 bool is_near(int distance, std::string_view name) {
   return distance <= 1 + static_cast<int>(name.size() / 4) && distance < static_cast<int>(name.size());
 }
@@ -30,7 +30,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   std::vector<Candidate> candidates;
   for (const std::string& candidate : existing) {
     const int distance = edit_distance(name, candidate);
-    const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a point is missing behind it
+    const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a dot may be missing here
     const bool cut_short = name.size() >= 3 && candidate.starts_with(name);
     if (is_near(distance, name) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
@@ -45,10 +45,10 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   return names;
 }
 
-// A word of the profile format, and what else textbooks and other programs call it.
+// A word of the profile format, and its names in textbooks and other programs.
 struct Synonyms {
   std::string_view word;
-  std::string_view others;  // separated by spaces, in small letters, parts of a word joined by _
+  std::string_view others;  // separated by spaces, in lower case, with _ within
 };
 
 constexpr Synonyms kSynonyms[] = {
@@ -196,7 +196,7 @@ bool is_among(std::string_view word, std::string_view words) {
   return false;
 }
 
-// The existing names of which `name` is a synonym.
+// The existing names that `name` is a synonym of.
 std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& existing) {
   const std::string word = normal_word(name);
   std::vector<std::string> names;

@@ -16,7 +16,7 @@ std::vector<std::string> keys_of(const Table& table) {
   return keys;
 }
 
-// The keys of a table, or the numbers of a list's items.
+// The keys of a table, or the indices of a list's items.
 std::vector<std::string> parts_of(const Value& value) {
   std::vector<std::string> parts;
   if (const auto* table = std::get_if<Table>(&value.content)) {
@@ -27,7 +27,7 @@ std::vector<std::string> parts_of(const Value& value) {
   return parts;
 }
 
-// Why no number of the profile has this path; empty: one has.
+// Why the path does not lead to a number of the profile; empty if it does.
 std::string path_objection(const Table& document, std::string_view path) {
   const Value* value = nullptr;
   std::string done;

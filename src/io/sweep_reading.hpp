@@ -12,42 +12,46 @@
 
 namespace higherpair::io_detail {
 
-/// The paths that the variables of a task set, and where they are looked for.
+/// The paths set by the variables of a task, and the document in which they are looked up.
 struct SweepPaths {
   const Table& document;
   std::vector<std::string> taken;
-  std::string task = "sweep";  ///< the table that has them, whose own numbers are none
+  std::string task = "sweep";  ///< the task's own table, whose numbers cannot be varied
 };
 
-/// `path` of a variable: one or several, each of a number in the document that no other variable sets.
+/// Reads `path` of a variable: one or several, each of a number in the document that no other variable sets.
 void read_paths(TableReader& table, SweepPaths& paths, SweepVariable& variable);
 
-/// What values a variable takes; `item` is its table.
+/// Reads the values or the distribution of a variable.
+/// \param item  the variable's table
 void read_distribution(TableReader& table, const Item& item, std::optional<SweepMethod> method,
                        SweepVariable& variable);
 
-/// `variables` of a sweep: their paths, which have to exist in the document, and their values. Where the
-/// method is not known, only what does not depend on it is checked.
+/// Reads `variables` of a sweep: their paths, which must exist in the document, and their values. If the
+/// method is unknown, only what does not depend on it is checked.
 void read_sweep_variables(TableReader& sweep, const Table& document, std::optional<SweepMethod> method,
                           SweepTask& task);
 
-/// How messages call what scatters.
+/// The words used in messages about the quantities that scatter.
 struct CorrelationWords {
-  std::string one;       ///< "variable"
+  std::string one;       ///< which of them can be correlated
   std::string possible;  ///< those that can be correlated
 };
 
-/// `correlations` of a task: between those of the plan's variables that are normal and not cut off.
+/// Reads `correlations` of a task: only variables that are normally distributed and not truncated can be
+/// correlated.
 void read_correlations(TableReader& task, const CorrelationWords& words, VariantPlan& plan);
 
-/// `results`: named measures. \param finish  takes what else is in the table of one, and the measure where it
-/// is right
+/// Reads `results`: named measures.
+/// \param finish  reads the other keys of a measure's table and takes the measure, which is none if it is
+/// wrong
 void read_results(TableReader& task,
                   const std::function<void(const std::string& name, const std::optional<Measure>& measure,
                                            TableReader& table)>& finish);
 
-/// A task of the profile in a table of its own. \param read  the keys of the table, which is the item \return
-/// none where there is no such table, or something in it is wrong, which is reported
+/// Reads a task that has a table of its own in the profile.
+/// \param read  reads the keys of the table; `item` is the table as an item
+/// \return none if there is no such table or it has a mistake, which is reported
 template <class Task>
 std::shared_ptr<const Task> read_task(
     TableReader& root, const std::string& key,

@@ -7,7 +7,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// Those without values have a mistake of their own.
+// Checks that all lists have the same length; missing values are reported elsewhere.
 void check_lists(Reading& reading, const Item& item, const std::vector<SweepVariable>& variables) {
   const SweepVariable* first = nullptr;
   for (const SweepVariable& variable : variables) {
@@ -22,7 +22,7 @@ void check_lists(Reading& reading, const Item& item, const std::vector<SweepVari
   }
 }
 
-// Of the first path; others of the same variable have their own.
+// The unit at the first path of a variable; its other paths may have other units.
 std::string unit_of(const Reading& reading, const SweepVariable& variable) {
   const auto found =
       variable.paths.empty() ? reading.varied.end() : reading.varied.find(variable.paths.front());

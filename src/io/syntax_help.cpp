@@ -12,7 +12,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// `text` as far as it is outside of quotes and in front of a comment, all else blanked.
+// `text` up to a comment, with quoted parts replaced by blanks.
 std::string without_strings(std::string_view text) {
   std::string bare;
   char quote = 0;
@@ -27,7 +27,7 @@ std::string without_strings(std::string_view text) {
   return bare;
 }
 
-// What a typesetter's character stands for; empty for any other.
+// The keyboard character that a typographic one stands for; empty for any other.
 std::string_view plain_character(char32_t c) {
   constexpr std::u32string_view kQuotes = U"“”„‟«»‘’‚‛′″‴`´＂＇";
   constexpr std::u32string_view kDashes = U"−–—‐‑‒―";
@@ -50,7 +50,7 @@ std::string describe_character(char32_t c, std::string_view text, std::string_vi
                      plain);
 }
 
-// Characters that word processors and web pages put for those of the keyboard.
+// Characters that word processors and web pages substitute for those of the keyboard.
 Finding typographic_character(const SyntaxScan& scan) {
   const std::size_t begin = scan.quote.value_or(scan.token);
   const std::string_view line = scan.line_from(std::min(begin, scan.text.size()));
@@ -96,7 +96,7 @@ Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
              : std::nullopt;
 }
 
-// As many quotation marks as there should be would have made the word in front of the place a part of a text.
+// An odd number of quotation marks in the line: the word at the stop probably belongs to a string.
 Finding missing_quote(const SyntaxScan& scan) {
   if (!scan.after_value || scan.in_table()) {
     return std::nullopt;
@@ -109,7 +109,8 @@ Finding missing_quote(const SyntaxScan& scan) {
              : std::nullopt;
 }
 
-// "Error while parsing decimal integer: expected digit, saw '/'" without its beginning, on one line.
+// The parser's message without its beginning, on one line: "Error while parsing decimal integer: expected
+// digit, saw '/'".
 std::string parsers_own(std::string_view message) {
   constexpr std::string_view kBeginning = "Error while parsing ";
   if (message.starts_with(kBeginning)) {
@@ -122,7 +123,7 @@ std::string parsers_own(std::string_view message) {
   return "this is no TOML: " + text;
 }
 
-constexpr std::size_t kLongestShown = 40;  // bytes, and what completes the last character
+constexpr std::size_t kLongestShown = 40;  // bytes, plus those that complete the last character
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 
 namespace higherpair::io_detail {
 
-/// What was probably done, and what to do instead, at the place where the parser of TOML stopped; its own
-/// message where that is not clear.
+/// Explains a syntax mistake at the position where the TOML parser stopped: what was probably written, and
+/// what to write instead. Falls back to the parser's message where the cause is not clear.
 /// \param place    of the error in `text`
-/// \param message  the parser's own
+/// \param message  from the parser
 [[nodiscard]] TextMistake explain_syntax(std::string_view text, const Mark& place, std::string_view message);
 
 }  // namespace higherpair::io_detail

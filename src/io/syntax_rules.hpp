@@ -6,19 +6,19 @@
 #include <string>
 #include <string_view>
 
-// What people write that is no TOML. Each rule looks at the place where the parser stopped and at its
-// message, and is silent where it does not know better.
+// Rules for common mistakes that are not valid TOML. Each rule looks at the position where the parser stopped
+// and at its message, and returns nothing if it does not apply.
 
 namespace higherpair::io_detail {
 
-/// A mistake at a byte of the text.
+/// A mistake at a byte offset in the text.
 struct Found {
   std::size_t at;
   std::string message;
 };
 using Finding = std::optional<Found>;
 
-/// \name Keys and headings that are written twice; headings; brackets, braces and commas; keys.
+/// \name Repeated keys and headings; headings; brackets, braces and commas; keys
 /// @{
 [[nodiscard]] Finding redefinition(const SyntaxScan& scan, std::string_view message);
 [[nodiscard]] Finding heading_mistake(const SyntaxScan& scan, std::string_view message);
@@ -29,16 +29,16 @@ using Finding = std::optional<Found>;
 /// A number with a unit and without quotes.
 [[nodiscard]] Finding unit_mistake(const SyntaxScan& scan);
 
-/// Other numbers, words without quotes, and what follows a value on its line.
+/// Other numbers, words without quotes, and anything that follows a value on its line.
 [[nodiscard]] Finding value_mistake(const SyntaxScan& scan, std::string_view message);
 
-/// At most some 40 characters of the text, on one line.
+/// About the first 40 characters of the text, on one line.
 [[nodiscard]] std::string shown(std::string_view text);
 
 /// The word at the front: letters, digits, _ and -.
 [[nodiscard]] std::string_view word_of(std::string_view text);
 
-/// Whether the text begins like a heading or like a key with its =.
+/// Whether the text begins with a table heading or with a key and its =.
 [[nodiscard]] bool begins_statement(std::string_view text);
 
 [[nodiscard]] inline bool contains(std::string_view text, std::string_view part) {

@@ -8,7 +8,7 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr std::size_t kLongestLine =
-    500;  // bytes; what is wrong shows in them, and patterns are slow in longer ones
+    500;  // bytes; enough to show a mistake, and patterns are slow in longer lines
 
 bool is_quote(char c) {
   return c == '"' || c == '\'';
@@ -25,7 +25,7 @@ std::string normal_key(std::string_view key) {
   return normal;
 }
 
-// Walks through statements, values and strings as far as the place where the parser stopped.
+// Walks through statements, values and strings up to the position where the parser stopped.
 class Scanner {
 public:
   Scanner(std::string_view text, std::size_t stop) {
@@ -37,7 +37,7 @@ public:
     while (at_ < scan_.stop && !scan_.quote) {
       step();
     }
-    // What the parser refused at its first byte.
+    // A statement that the parser refused at its first byte.
     if (scan_.stop < scan_.text.size() && scan_.open.empty() && scan_.expecting == Expecting::kStatement) {
       begin_statement();
     }
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  // One character, or a whole string, within a statement.
+  // Consumes one character, or a whole string, within a statement.
   void pass(char c) {
     if (is_quote(c) && scan_.expecting != Expecting::kHeading) {
       pass_string(c);
@@ -116,7 +116,7 @@ private:
     ++at_;
   }
 
-  // To behind the closing quote; without one the string stays open at the end of the line.
+  // Consumes a string with its closing quote; if that is missing, the string stays open.
   void pass_string(char quote) {
     const std::string fence(3, quote);
     const bool is_long = scan_.text.substr(at_).starts_with(fence);

@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view kKeyCharacters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
 
-// What was written before: the same heading or key; else the table that the heading or key is in.
+// An earlier statement of the same heading or key; otherwise one whose key or table contains it or is
+// contained in it.
 const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
   const auto path = [](const Statement& statement) {
     return statement.key.empty() || statement.heading.empty() ? statement.heading + statement.key
@@ -33,13 +34,13 @@ const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
   return around == end ? nullptr : &*around;
 }
 
-// The path of the value that a bracket belongs to, as far as it is written in front of it.
+// The path of the value that a bracket belongs to, as far as it is written before the bracket.
 std::string path_before(const SyntaxScan& scan) {
   const Statement& last = scan.statements.back();
   return last.heading.empty() || last.key.empty() ? last.heading + last.key : last.heading + "." + last.key;
 }
 
-// 30,5 in a table in braces: its second half stands where a key is expected.
+// A decimal comma, 30,5, within a table in braces: its second half is found where a key is expected.
 Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
   static const std::regex kWhole(R"((?:^|.*[^\w.+-])([+-]?\d+),)");
   static const std::regex kDecimals(R"((\d+)\s*(?:[,}#A-Za-z°].*)?)");

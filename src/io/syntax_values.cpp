@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kNumber = R"([+-]?(?:\d[\d_]*\.?[\d_]*|\.\d+)(?:[eE][+-]?\d+)?)";
 
-// 30,5 or 1,000.5, at the front of a line.
+// A decimal comma or grouped digits at the front of a line: 30,5 or 1,000.5.
 Finding decimal_comma(const SyntaxScan& scan, std::string_view line) {
   static const std::regex kThousands(R"(([+-]?\d{1,3}(?:,\d{3})+(?:\.\d+)?)\s*(?:$|[#,}\]]).*)");
   static const std::regex kComma(R"(([+-]?\d+),(\d+)\s*(?:$|#|[A-Za-z]).*)");
@@ -31,7 +31,7 @@ Finding decimal_comma(const SyntaxScan& scan, std::string_view line) {
   return std::nullopt;
 }
 
-// How a unit is spelled here that is written as a sign behind a number.
+// The spelling required here for a unit written as a sign behind a number.
 std::string spelled_unit(std::string_view unit) {
   if (unit == "°") return "deg";
   if (unit == "\"" || unit == "''") return "in";
@@ -40,7 +40,7 @@ std::string spelled_unit(std::string_view unit) {
   return std::string(unit);
 }
 
-// 30 mm, 30°, 30".
+// A number with a unit but without quotes: 30 mm, 30°, 30".
 Finding unquoted_unit(std::size_t at, std::string_view token) {
   static const std::regex kWithUnit(fmt::format(R"(({})\s*([A-Za-z°µμ"'][^=;:()]*))", kNumber));
   std::cmatch match;
@@ -59,7 +59,7 @@ bool begins_with_digit(std::string_view text) {
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
 }
 
-// A number with a digit on either side of its point, and no zeros before its first digit.
+// A number with a digit on either side of its point, and without leading zeros.
 std::string written_out(std::string_view number) {
   const std::string_view sign = number.substr(0, number.starts_with('-') || number.starts_with('+') ? 1 : 0);
   number.remove_prefix(sign.size());
@@ -75,7 +75,7 @@ std::string written_out(std::string_view number) {
                      begins_with_digit(behind) ? "" : "0", behind);
 }
 
-// .5, 5., 007, 1e400.
+// Numbers that TOML does not allow, and expressions: .5, 5., 007, 1e400.
 Finding odd_number(std::size_t at, std::string_view token, std::string_view message) {
   static const std::regex kNumberAlone(kNumber);
   static const std::regex kSum(fmt::format(
@@ -94,7 +94,7 @@ Finding odd_number(std::size_t at, std::string_view token, std::string_view mess
                          : Finding({at, fmt::format("{} is written {} in TOML", shown(token), number)});
 }
 
-// revolute instead of "revolute".
+// A word without quotes: revolute instead of "revolute".
 Finding bare_word(std::size_t at, std::string_view token) {
   static const std::regex kWords(R"([A-Za-z_][\w.+/ -]*)");
   if (!std::regex_match(token.begin(), token.end(), kWords)) {
@@ -118,7 +118,7 @@ Finding bare_word(std::size_t at, std::string_view token) {
   return Found{at, fmt::format("a text is written in quotes: \"{}\"", shown(token))};
 }
 
-// x = 1 in place of { x = 1 }, and a text that has only its closing quotation mark.
+// x = 1 instead of { x = 1 }, and a string with only its closing quotation mark.
 Finding half_enclosed(std::size_t at, std::string_view token) {
   static const std::regex kKey(R"(\w+\s*=.*)");
   if (token.empty()) {
@@ -133,7 +133,7 @@ Finding half_enclosed(std::size_t at, std::string_view token) {
   return std::nullopt;
 }
 
-// Something behind a value that is complete.
+// Anything that follows a complete value.
 Finding behind_value(const SyntaxScan& scan, std::string_view message) {
   const std::string_view here = scan.line_from(scan.stop);
   if (!contains(message, "expected a comment or whitespace") && !here.starts_with(';')) {

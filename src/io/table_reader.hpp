@@ -17,7 +17,7 @@
 
 namespace higherpair::io_detail {
 
-/// One table of a profile, read key by key. It remembers which keys were asked for: the others are unknown.
+/// Reads one table of a profile key by key. It remembers which keys were asked for: all others are unknown.
 class TableReader {
 public:
   TableReader(Reading& reading, const Table& table, const Mark& mark, std::string path)
@@ -30,10 +30,10 @@ public:
   /// The item at `key`, or nothing if the table has no such key.
   [[nodiscard]] std::optional<Item> take(const std::string& key);
 
-  /// The same; reports that the key is missing and `what` it should be.
+  /// The same; if the key is missing, reports that and `what` it should be.
   [[nodiscard]] std::optional<Item> need(const std::string& key, std::string_view what);
 
-  /// What `as` (as_quantity, as_choice, …) makes of the item at `key`; nothing if it is absent or wrong.
+  /// The item at `key`, converted by `as` (as_quantity, as_choice, …); nothing if it is absent or wrong.
   template <class T, class... More>
   [[nodiscard]] std::optional<T> take(const std::string& key,
                                       std::optional<T> (*as)(Reading&, const Item&, More...),
@@ -42,7 +42,7 @@ public:
     return item ? as(*reading_, *item, more...) : std::nullopt;
   }
 
-  /// The same of one that must be there.
+  /// The same for a key that must be present.
   template <class T, class... More>
   [[nodiscard]] std::optional<T> need(const std::string& key, std::string_view what,
                                       std::optional<T> (*as)(Reading&, const Item&, More...),
@@ -51,8 +51,8 @@ public:
     return item ? as(*reading_, *item, more...) : std::nullopt;
   }
 
-  /// Which of `names` the key `type` gives. What else a table holds depends on it, so that where it is absent
-  /// a key that may have been meant is reported instead.
+  /// The index in `names` of the value of the key `type`. The other keys of a table depend on it: if it is
+  /// absent but another key looks like a misspelt `type`, that key is reported instead.
   [[nodiscard]] std::optional<std::size_t> need_type(std::string_view what,
                                                      const std::vector<std::string>& names);
 
@@ -68,7 +68,7 @@ public:
   [[nodiscard]] Vector2d need_vector(const std::string& key, const Dimension& dimension);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] bool flag(const std::string& key, bool otherwise);
-  /// How many, from `least` to 10⁹; none where absent or wrong.
+  /// A count from `least` to 10⁹; none if absent or wrong.
   [[nodiscard]] std::optional<std::int64_t> count(const std::string& key, std::int64_t least);
   /// @}
 
@@ -87,11 +87,11 @@ private:
   std::vector<std::string> refused_;  ///< keys that must not be there
 };
 
-/// Notes a mistake, or something that is probably a slip, about a table as a whole.
+/// Adds a mistake, or a note of a probable one, about a table as a whole.
 void report_whole(TableReader& table, std::string_view message);
 void note_whole(TableReader& table, std::string_view message);
 
-/// The place among `things` of the one that a table is called after; reports that there is no such `what`.
+/// The index in `things` of the one that has the name `name`; reports that there is no such `what`.
 template <class Things>
 [[nodiscard]] std::optional<std::size_t> place_among(const Things& things, TableReader& table,
                                                      const std::string& name, std::string_view what) {
@@ -103,21 +103,21 @@ template <class Things>
   return std::nullopt;
 }
 
-/// A reader of an item that is a table; reports one that is not, as which it would be `what`.
+/// A reader of an item, which must be a table; otherwise reports that `what` was expected.
 [[nodiscard]] std::optional<TableReader> as_reader(Reading& reading, const std::optional<Item>& item,
                                                    std::string_view what);
 
-/// Calls `read` for every entry of a table of named things (bodies, points, joints, …) whose name is a name;
-/// the table may be absent.
+/// Calls `read` for every entry of a table of named things (bodies, points, joints, …); reports keys that are
+/// not valid names. The table may be absent.
 void for_each_named(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, const Item& item)>& read);
 
-/// The same, where every thing is a table itself.
+/// The same where every entry is itself a table.
 void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read);
 
-/// Calls `read` for every table of the list [[key]], which may be absent; whatever keys it leaves are
-/// reported.
+/// Calls `read` for every table of the list [[key]], which may be absent; reports keys that `read` has not
+/// asked for.
 void for_each_in_list(TableReader& table, const std::string& key,
                       const std::function<void(TableReader& entry)>& read);
 

@@ -11,7 +11,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 28;  // 256 MB; an endless device is no profile
+constexpr std::size_t kLargestFile = std::size_t{1} << 28;  // 256 MB; protects against devices without an end
 
 }  // namespace
 

@@ -6,13 +6,13 @@
 
 namespace higherpair::io_detail {
 
-/// The bytes of a file; the error is the end of a sentence about it. \param what  "profile", what it ought to
-/// be
+/// The bytes of a file; the error is the end of a sentence that begins with its name.
+/// \param what  what the file should be, such as "profile"
 [[nodiscard]] tl::expected<std::string, std::string> read_text_file(const std::string& path,
                                                                     const std::string& what);
 
-/// A file that a profile names: relative to the folder of the profile.
-/// \param profile  what messages call the profile, the path of its file
+/// The path of a file named in a profile, relative to the profile's folder.
+/// \param profile  path of the profile's file
 [[nodiscard]] std::string beside(const std::string& profile, const std::string& file);
 
 }  // namespace higherpair::io_detail

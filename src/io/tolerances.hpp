@@ -1,79 +1,85 @@
 #pragma once
 
-// The tolerances of this room: what rounding, and the digits that people and programs write, make of numbers
-// that ought to be equal, and from where on a note is worth its line.
+// Tolerances of the input and output code: how far numbers that should be equal may differ through rounding
+// and a limited number of written digits, and above which size a possible mistake is worth a note.
 
 namespace higherpair {
 
 // Curves.
 
-/// Ends that are no farther apart meet, unless the table has a `tolerance`; of the curve's size.
+/// Relative to the curve's size: ends that are no farther apart count as meeting, unless the table gives a
+/// `tolerance`.
 inline constexpr double kDefaultGap = 1e-5;
-/// Of the size of a flank: where it closes to within rounding.
+/// Ends of neighbouring spans of a flank that are no farther apart count as meeting [m].
 inline constexpr double kFlankMeets = 1e-9;
-/// Of the size of a curve: the ends of its offset meet as exactly as its own.
+/// Relative to the size of a curve: gap up to which the ends of its offset count as meeting. It may be
+/// generous, for they meet as exactly as those of the curve itself.
 inline constexpr double kOffsetGap = 1e-3;
-/// Sweep of an arc that is none, or a whole turn [rad].
+/// Smallest sweep of an arc, and how close to a whole turn a sweep counts as one [rad].
 inline constexpr double kSweepRounding = 1e-12;
-/// Below it a corner is rather a smooth joint of rounded numbers [rad].
+/// A corner of less than this is probably meant to be a smooth joint of rounded coordinates [rad].
 inline constexpr double kSlightTurn = 0.02;
-/// Of a curve's own curvature: an error of it by rounded coordinates that is worth a note.
+/// Relative to the curve's own curvature: curvature noise from rounded coordinates that is worth a note.
 inline constexpr double kCurvatureWorthANote = 0.05;
-/// Of a point: a coordinate that is 0 but for rounding.
+/// Relative to the distance of a point from the origin: a coordinate below it is 0 to within rounding.
 inline constexpr double kNoCoordinate = 1e-12;
 
 // Drawings.
 
-/// A direction across the plane of the drawing that is rounding.
+/// Components of an extrusion direction in the plane of the drawing count as 0 up to this.
 inline constexpr double kPlanarDrawing = 1e-9;
-/// Of a turn: parameters are written with some digits.
+/// Sweeps of an ellipse count as a whole turn if they are this close to one, or to 0: files give parameters
+/// with a limited number of digits [rad].
 inline constexpr double kWholeTurn = 1e-9;
-/// Of the radius: arcs that are one circle.
+/// Relative to the radius: arcs whose centres and radii differ by less form one circle.
 inline constexpr double kOneCircle = 1e-12;
 
 // Gears.
 
-/// Beyond, a turn of one wheel is within the rounding of the other's.
+/// With larger ratios a whole turn of one wheel is within the rounding of the other's angle.
 inline constexpr double kLargestGearRatio = 1e9;
-/// Points that are one, of their coordinates.
+/// Relative to the sum of the distances of two points from the origin: closer points count as one.
 inline constexpr double kSameGearPoint = 1e-12;
-/// Of the base radius.
+/// Relative to the base radius: base circles and centres that differ by less are the same.
 inline constexpr double kSameBaseRadius = 1e-9;
 
 // Laws and schedules.
 
-/// Segments that miss one turn by less than this, relative to a turn, are one: degrees as decimals of
-/// radians.
+/// Relative to a turn: segments or points whose span is this close to one turn fill it exactly. Leaves room
+/// for degrees written as decimals of radians.
 inline constexpr double kOneTurn = 1e-6;
-/// Noise below this share of the peak acceleration is not worth a note.
+/// Relative to the peak acceleration: noise below this is not worth a note.
 inline constexpr double kNoiseWorthSaying = 0.01;
-/// A number, scaled by a power of ten, that is whole, of itself and of 1.
+/// How far a number may be from a whole one and count as whole, relative to the larger of itself and 1.
 inline constexpr double kWholeNumber = 1e-9;
-/// Places nearer to each other than this, relative to the duration or the time between rows, are one.
+/// Relative to the duration: times that are closer to each other count as one.
 inline constexpr double kSameTime = 1e-12;
-/// A remainder of the duration that is smaller, in time steps, is the rounding of the two numbers.
+/// In time steps: a smaller remainder of the duration is due to rounding of the two numbers.
 inline constexpr double kNoRemainder = 1e-9;
-/// Of the range of a law: a value beyond it by rounding.
+/// Relative to the range of a law's values: a value beyond the range by less is at its end.
 inline constexpr double kBeyondLaw = 1e-12;
 
 // Designs and sweeps.
 
-/// Of a step: multiples of it that lie on a bound.
+/// As a fraction of a step: multiples of the step this close to a bound lie on it.
 inline constexpr double kOnVariableStep = 1e-9;
-/// Of a truncated normal distribution: less is rounding.
+/// Smallest share of a normal distribution that must lie between its bounds.
 inline constexpr double kLeastShareWithin = 1e-9;
 
 // Notes.
 
-/// What a quarter turn in radians loses by two decimals, up to 6.28.
+/// Error of a multiple of π/2, up to 6.28, that is written with two decimals.
 inline constexpr double kRoundedPi = 4e-3;
-/// Times the extent of a body, or a part of it: a radius of gyration that may be a slip.
+/// A radius of gyration this many times larger or smaller than its body is probably a mistake of units.
 inline constexpr double kGyrationOff = 100;
-/// Of the mechanism's size, of a point from its place in the poses.
+/// Relative to the mechanism's size: a point that starts farther from its position in the poses is worth a
+/// note.
 inline constexpr double kFarFromPose = 2.0 / 3;
-/// Of the distances of a face and of a curve from the origin: farther behind the face the curve is behind it.
+/// Relative to the sum of the distances of a face and a curve from the origin: the curve is behind the face
+/// only if it is farther behind it than this.
 inline constexpr double kBehindFace = 1e-9;
-/// Rounding of what is rounded up to a last digit, and of half a unit of it.
+/// Relative allowances for rounding errors: of a number that is rounded up to its last digit, and of half a
+/// unit of its last digit.
 inline constexpr double kLastDigitUp = 1e-12;
 inline constexpr double kHalfDigit = 1e-9;
 

@@ -13,7 +13,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// The involutes of one side of a contact: about one centre, which is a pivot on ground.
+// The involutes of one side of a contact, all about one centre, which is pivoted on ground.
 struct Flanks {
   std::string name;
   double base_radius = 0;
@@ -21,7 +21,7 @@ struct Flanks {
   Vector2d pivot_W = Vector2d::Zero();
 };
 
-// Where a point of a body is pinned to ground.
+// The point of ground to which a point of a body is pinned.
 std::optional<Vector2d> ground_pivot(const Mechanism& mechanism, int body, const Vector2d& p_B, double near) {
   const auto point = [&](const PointRef& ref) {
     return mechanism.bodies[static_cast<std::size_t>(ref.body)]
@@ -72,7 +72,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
                 *pivot};
 }
 
-// Both rolls of a contact make up the common tangent of the base circles, r1 φ1 + r2 φ2 = √(a² - (r1 + r2)²).
+// At a contact the two rolls span the common tangent of the base circles: r1 φ1 + r2 φ2 = √(a² - (r1 + r2)²).
 std::string interference(const Flanks& root, const Flanks& tip, double tangent, const Units& units) {
   const double met = (tangent - tip.base_radius * tip.roll.high) / root.base_radius;
   if (met >= root.roll.low - kSameBaseRadius) {

@@ -12,7 +12,7 @@
 namespace higherpair::io_detail {
 namespace {
 
-// [30,5, 2] in place of [30.5, 2].
+// A list such as [30,5, 2] that was probably meant as [30.5, 2].
 bool may_be_decimal_commas(const Array& items, std::size_t count) {
   const auto is_whole = [](const Value& item) { return std::holds_alternative<std::int64_t>(item.content); };
   const auto is_zero = [](const Value& item) {
@@ -40,7 +40,7 @@ bool has_sign(double value, Sign sign) {
   return sign == Sign::kAny || value > 0 || (sign == Sign::kNotNegative && value == 0);
 }
 
-// A plain number of the profile, with its unit for messages.
+// A number without a unit of its own, which is in the profile's unit.
 std::optional<Quantity> plain_quantity(Reading& reading, const Item& item, double value,
                                        const Dimension& dimension) {
   const Quantity quantity = {value, to_si(dimension, reading.units).apply(value), value};
@@ -81,7 +81,7 @@ void report_sign(Reading& reading, const Item& item, const Expected& expected) {
                                      expected.sign == Sign::kPositive ? ">" : ">=")});
 }
 
-// The sine and cosine of a multiple of 90° are off zero by the rounding of the angle alone.
+// A unit vector. At multiples of 90° its sine or cosine differs from 0 only by the rounding of the angle.
 Vector2d direction_of(double angle) {
   const double rounding = std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(angle));
   Vector2d direction = unit_vector(angle);
@@ -254,7 +254,7 @@ std::optional<Vector2d> as_direction(Reading& reading, const Item& item) {
     report(reading, item, "must not be the zero vector");
     return std::nullopt;
   }
-  const Vector2d scaled = *vector / vector->cwiseAbs().maxCoeff();  // no overflow of the squares
+  const Vector2d scaled = *vector / vector->cwiseAbs().maxCoeff();  // prevents overflow of the squares
   return Vector2d(scaled.normalized());
 }
 

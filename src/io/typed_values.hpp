@@ -22,13 +22,13 @@ struct Mistake {
 
 /// What all readers share: the units of the profile and the mistakes found so far.
 struct Reading {
-  std::vector<std::string> sources;  ///< the names of the sources that marks are in
+  std::vector<std::string> sources;  ///< the names of the sources that marks refer to
   Units units;
   std::vector<Mistake> mistakes;
-  std::vector<Mistake> notes;      ///< what is probably a slip, found while reading
-  std::vector<std::string> files;  ///< paths of those that were read besides the profile
-  /// Of the numbers that a task varies, by their paths, the dimension as which they were read; none: not as
-  /// quantities.
+  std::vector<Mistake> notes;      ///< probable mistakes found while reading
+  std::vector<std::string> files;  ///< paths of the files read besides the profile
+  /// For each number that a task varies, by its path: the dimension as which it was read; none if it was not
+  /// read as a quantity.
   std::map<std::string, std::optional<Dimension>> varied;
   bool lists_quantities = false;  ///< whether all quantities are listed as they are read
   struct ReadQuantity {
@@ -41,35 +41,35 @@ struct Reading {
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);
 
-/// A value of the document with its path ("bodies.cam.curves.disc.radius"), by which messages call it.
+/// A value of the document with its path ("bodies.cam.curves.disc.radius"), which names it in messages.
 struct Item {
   const Value* value = nullptr;
   std::string path;
 };
 
-/// The items of a list, with their paths; none of anything else.
+/// The items of a list, with their paths; empty for any other value.
 [[nodiscard]] std::vector<Item> items_of(const Item& item);
 
-/// Notes a mistake about an item: "PATH = VALUE: rule".
+/// Reports a mistake about an item: "PATH = VALUE: rule".
 void report(Reading& reading, const Item& item, std::string_view rule);
 
 enum class Sign { kAny, kPositive, kNotNegative };
 
-/// What a number in a profile has to be.
+/// Requirements for a number in a profile.
 struct Expected {
   Dimension dimension;
   Sign sign = Sign::kAny;
 };
 
-/// Notes that an item is not `what` was expected, and whether it would be right without its quotes: as one of
-/// `words`, or as a number where there are none.
+/// Reports that an item is not `what` was expected, and whether it would be right without its quotes: as one
+/// of `words` if there are any, otherwise as a number.
 void report_kind(Reading& reading, const Item& item, std::string_view what,
                  std::initializer_list<std::string_view> words = {});
 
 /// "a length (a number in mm or a string with its unit)".
 [[nodiscard]] std::string what_number(const Dimension& dimension, const Units& units);
 
-/// \name Typed access. Each reports what is not as expected and then returns nothing.
+/// \name Typed access. Each reports a value that is not as expected and then returns nothing.
 /// @{
 [[nodiscard]] const Table* as_table(Reading& reading, const Item& item, std::string_view what);
 [[nodiscard]] std::optional<std::string> as_text(Reading& reading, const Item& item);
@@ -82,7 +82,7 @@ void report_kind(Reading& reading, const Item& item, std::string_view what,
 /// A list of quantities; any number of them where `count` is 0.
 [[nodiscard]] std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item,
                                                            const Expected& expected, std::size_t count = 0);
-/// The items of a list of anything, from `fewest` to `most` of them; reports that this was `expected`.
+/// The items of a list of anything, from `fewest` to `most` of them; otherwise reports what was `expected`.
 [[nodiscard]] std::optional<std::vector<Item>> as_items(
     Reading& reading, const Item& item, std::string_view expected, std::size_t fewest = 1,
     std::size_t most = std::numeric_limits<std::size_t>::max());
@@ -92,7 +92,7 @@ void report_kind(Reading& reading, const Item& item, std::string_view what,
 /// A unit vector from an angle or from a list of two numbers, which is normalised. Angles within rounding of
 /// a quarter turn give exact zeros and ones.
 [[nodiscard]] std::optional<Vector2d> as_direction(Reading& reading, const Item& item);
-/// The place of a word in a list of allowed ones.
+/// The index of a word in a list of allowed ones.
 [[nodiscard]] std::optional<std::size_t> as_choice(Reading& reading, const Item& item,
                                                    const std::vector<std::string>& choices);
 /// @}

@@ -5,7 +5,7 @@
 
 namespace higherpair::io_detail {
 
-/// A product of units: its size in SI units is numerator/denominator, both exact as long as no π is in them.
+/// A product of units: its size in SI units is numerator/denominator, both exact unless π is a factor.
 struct UnitProduct {
   DoubleDouble numerator = {1, 0};
   DoubleDouble denominator = {1, 0};
@@ -18,7 +18,7 @@ struct UnitProduct {
 /// The unit of a dimension in the given base units.
 [[nodiscard]] UnitProduct product_of(const Dimension& dimension, const Units& units);
 
-/// From multiples of `from` to multiples of `to`.
+/// The factor from multiples of `from` to multiples of `to`.
 [[nodiscard]] Scaling scaling(const UnitProduct& from, const UnitProduct& to);
 
 }  // namespace higherpair::io_detail

@@ -16,8 +16,8 @@ using io_detail::DoubleDouble;
 
 constexpr DoubleDouble kPrecisePi = {3.141592653589793116, 1.2246467991473532e-16};
 
-// Every unit is numerator/denominator of the SI unit, times π for angles that need it; all integers are
-// exact.
+// Every unit is numerator/denominator of the SI unit, times π for angles that need it; all these integers are
+// exact as doubles.
 struct UnitRow {
   Unit unit;
   std::string_view name;
@@ -91,7 +91,7 @@ struct BasePower {
   int exponent;
 };
 
-// In the order in which units are written: N*mm, kg*mm^2, deg/s.
+// Base units in the order in which they are written: N*mm, kg*mm^2, deg/s.
 std::array<BasePower, 5> base_powers(const Dimension& dimension, const Units& units) {
   return {{{units.force, dimension.force},
            {units.mass, dimension.mass},
@@ -152,13 +152,13 @@ Scaling scaling(const UnitProduct& from, const UnitProduct& to) {
 
 namespace {
 
-// Far from where parts of numbers and their products leave the range of a double.
+// Whether the parts of the number and their products are far from overflow and underflow.
 bool is_splittable(double value) {
   return std::abs(value) > 0x1p-400 && std::abs(value) < 0x1p400;
 }
 
-// ab - product, exactly, by Dekker's splitting into halves of 26 bits: std::fma is a call where the processor
-// that is compiled for has none.
+// ab - product, exactly, by Dekker's splitting into halves of 26 bits. It is used instead of std::fma, which
+// is a function call on target processors without such an instruction.
 double error_of_product(double a, double b, double product) {
   const auto upper_half = [](double x) {
     const double shifted = 0x1.0000002p27 * x;

@@ -40,8 +40,8 @@ Rotation<double> times(double sign, const Rotation<double>& u) {
   return {sign * u.cos, sign * u.sin};
 }
 
-/// Where Y and Z cancel each other X lies on the ground link, and they swing about together: a branch
-/// of its own, which the others meet where all are in line.
+/// Where Y and Z cancel each other, X lies on the ground link while they swing together: a branch of its own,
+/// which meets the others where all links are in line.
 std::vector<FourBarLimit> limits_of_folded(const FourBar& linkage, const Triangle& triangle, double w_X) {
   std::vector<FourBarLimit> limits;
   if (balance(linkage.r1, -std::abs(w_X), 0.0, 0.0) != 0) return limits;
@@ -56,7 +56,7 @@ std::vector<FourBarLimit> limits_of_folded(const FourBar& linkage, const Triangl
   return limits;
 }
 
-/// The closed triangle's positions: one on each side of the ground link, or one in line with it.
+/// Positions of the closed triangle: one on each side of the ground link, or one in line with it.
 std::vector<FourBarLimit> limits_of(const FourBar& linkage, const Triangle& triangle) {
   const std::array<double, 3> w{linkage.r2, linkage.r3, -linkage.r4};
   const double sum = balance(w[triangle.Y], triangle.side * w[triangle.Z], 0.0, 0.0);

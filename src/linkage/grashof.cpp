@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-/// From the angle γ between links 3 and 4: tan²(γ/2) = fold/stretch.
+/// Transmission angle from the angle γ between links 3 and 4: tan²(γ/2) = fold/stretch.
 double transmission_from(double stretch, double fold) {
   const double half = std::atan2(std::sqrt(std::max(fold, 0.0)), std::sqrt(std::max(stretch, 0.0)));
   return std::min(2 * half, kPi - 2 * half);
@@ -60,7 +60,7 @@ GrashofClass classify_grashof(const FourBar& linkage) {
   if (closing == 0 || margin == 0) return GrashofClass::kChangePoint;
   if (margin < 0) return GrashofClass::kTripleRocker;
 
-  // The shortest is unique here: two shortest lengths have s + l >= p + q.
+  // The shortest link is unique here: with two shortest lengths s + l >= p + q.
   constexpr std::array<GrashofClass, 4> by_shortest{GrashofClass::kDoubleCrank, GrashofClass::kCrankRocker,
                                                     GrashofClass::kDoubleRocker, GrashofClass::kRockerCrank};
   const std::array<double, 4> lengths = lengths_of(linkage);
@@ -93,7 +93,8 @@ std::optional<TransmissionRange> transmission_range(const FourBar& linkage) {
   const FourBarLoop<double> loop = loop_of(linkage);
   if (!(loop.stretch.at_0 >= 0 && loop.fold.at_pi >= 0)) return std::nullopt;
 
-  // γ grows with the diagonal, so its ends are at crank angles 0 and π, or 0 and π itself at a limit.
+  // γ grows with the diagonal, so its extremes are at crank angles 0 and π, or are 0 and π themselves at a
+  // limit.
   const double first = transmission_from(loop.stretch.at_0, loop.fold.at_0);
   const double last = transmission_from(loop.stretch.at_pi, loop.fold.at_pi);
   const double psi_first = loop.fold.at_0 >= 0 ? 0 : root_angle(loop.fold);
@@ -102,7 +103,7 @@ std::optional<TransmissionRange> transmission_range(const FourBar& linkage) {
   TransmissionRange range{first, last, theta2(psi_first), theta2(psi_last)};
   if (first > last) range = {last, first, range.at_largest, range.at_smallest};
 
-  // γ - 90° has the sign of fold - stretch, which is linear in the cosine as well.
+  // γ - 90° has the sign of fold - stretch, which is also linear in the cosine.
   const CosineLine<double> obtuse =
       make_cosine_line(loop.fold.at_0 - loop.stretch.at_0, loop.fold.at_pi - loop.stretch.at_pi,
                        loop.fold.half_swing - loop.stretch.half_swing);

@@ -27,7 +27,7 @@ Fastest fastest_of(std::span<const BodyMotion> bodies, double size) {
   return fastest;
 }
 
-/// Where the centre of two bodies is; the caller says which two they are.
+/// The centre of two bodies; the caller sets their indices.
 InstantCenter center_of(const BodyMotion& body_i, const BodyMotion& body_j, const Fastest& fastest) {
   const Vector2d& o = body_j.X_WB.p_WB;
   const double omega = body_j.omega - body_i.omega;

@@ -8,8 +8,8 @@
 namespace higherpair {
 namespace {
 
-/// m = 1/w - 1 at the angle where the error of the velocity is largest: the root of the header's G. G is
-/// convex and positive at 90°, so that Newton's steps from there go down until rounding stops them.
+/// m = 1/w - 1 at the angle where the error of the velocity is largest: the root of G in the header. G is
+/// convex and positive at 90°, so that Newton's steps from there decrease m until rounding stops them.
 double worst_velocity(double lambda, double mu, double m_90) {
   double m = m_90;
   while (true) {

@@ -28,8 +28,9 @@ double size_with_boundaries(const Mechanism& mechanism) {
 
 // How the curves of a contact become boundaries.
 struct BoundaryRules {
-  double reach = 0;  // how far what is unbounded is followed [m]
-  // A middle line with a wall on either side has no side on which there is material: it just ends.
+  double reach = 0;  // how far unbounded curves are followed
+  // Whether open curves get edges at their ends. A middle line with a wall on either side has no material
+  // side: it just ends.
   bool has_edges = true;
 };
 
@@ -41,7 +42,7 @@ std::shared_ptr<const Boundary> boundary_of(const NamedCurve& curve, const Bound
   return rules.has_edges && has_ends ? std::make_shared<const Boundary>(with_edges(*boundary)) : boundary;
 }
 
-// Several curves of a body as one.
+// Joins several curves of a body into one.
 Boundary joined(const Body& body, const std::vector<int>& curves, const BoundaryRules& rules) {
   std::vector<Boundary> parts;
   for (const int index : curves) {

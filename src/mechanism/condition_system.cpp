@@ -6,7 +6,7 @@
 namespace higherpair {
 namespace {
 
-// \param number  makes a D of the same number of the mechanism and of its derivative
+// \param number  makes a D from a number of the mechanism and the same number of its derivative
 template <class D, class F>
 Dimensions<D> make_dimensions(const Mechanism& mechanism, const Mechanism& derivative, F number) {
   const auto vector = [&](const Vector2d& v, const Vector2d& dv) {
@@ -39,9 +39,9 @@ Dimensions<D> make_dimensions(const Mechanism& mechanism, const Mechanism& deriv
   return dimensions;
 }
 
-// Where the derivatives by the coordinates of some bodies, and then by φ, go.
+// Columns of J for the derivatives by the coordinates of up to three bodies, and by φ.
 struct Columns {
-  std::array<Eigen::Index, 3> bodies;  // -1: nowhere
+  std::array<Eigen::Index, 3> bodies;  // -1: none
   Eigen::Index phi = -1;
 };
 

@@ -33,8 +33,8 @@ Eigen::Vector3d along(const Vector2d& direction_W, const BodyMotion& body, const
   return {direction_W.x(), direction_W.y(), direction_W.dot(perp(Vector2d(p_W - body.X_WB.p_WB)))};
 }
 
-// What joint_conditions gives for a pin, in a third of the time: most joints are pins, and every row of a run
-// with forces needs them.
+// The same as joint_conditions for a pin, in a third of the time: most joints are pins, and every row of a
+// run with forces needs them.
 void append_pin_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                      std::vector<ConstraintRow>& rows) {
   const BodyMotion& first = at(bodies, joint.first.body);
@@ -140,7 +140,8 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
   };
   append_along(touch.n_W, touch.gap());
   if (contact.rolling) {
-    // With the distance of the points along t what is left of the normal's error makes none of the arcs.
+    // Adding the distance of the points along t prevents the remaining error of the normal from becoming an
+    // error of the arcs.
     const Vector2d t_W = perp(touch.n_W);
     const bool flat =
         is_line(curve_of(mechanism, contact.first)) || is_line(curve_of(mechanism, contact.second));

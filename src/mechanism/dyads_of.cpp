@@ -8,7 +8,7 @@ Rotation<double> direction_of(const Vector2d& v) {
   return {v.x() / length, v.y() / length};
 }
 
-// |AB| depends on one angle only if a pin joins the bodies of A and B.
+// Recognises a four-bar loop: |AB| depends on a single angle if a pin joins the bodies of A and B.
 void add_loop(const Mechanism& mechanism, RrrDyad& dyad) {
   if (dyad.A.body == dyad.B.body) {
     return;
@@ -31,8 +31,8 @@ void add_loop(const Mechanism& mechanism, RrrDyad& dyad) {
   }
 }
 
-// The line fixed in `base` along which the point p_M of the body at the other end of a slide runs, and how
-// that body is joined to it.
+// The line fixed in the base along which the point p_M of a body on a slide moves, and how that body rides on
+// the base.
 struct Guide {
   BodyLine line;
   Rider rider;
@@ -53,7 +53,7 @@ Guide guide_of(const Mechanism& mechanism, const Joint& joint, int moving, const
   return guide;
 }
 
-// A link pinned at A by the joint `pin`.
+// A link pinned at A by the joint `pin`, without its line.
 RrpDyad link_to_line(const Mechanism& mechanism, const Joint& pin, int link, const Vector2d& pC) {
   RrpDyad dyad;
   dyad.A = known_end(mechanism, pin, link);
@@ -185,7 +185,7 @@ GroupKind rpp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int
   const Joint& on_a = joint_of(mechanism, joints.on_a);
   const Guide inner =
       guide_of(mechanism, joint_of(mechanism, joints.inner), a, point_of(mechanism, end_on(on_a, a)));
-  // C: the point of b on the line along which A runs, seen from b.
+  // C is the point of b on the line along which A moves relative to b.
   const Guide outer = guide_of(mechanism, joint_of(mechanism, joints.on_b), b, inner.line.p_B);
   SlideDyad dyad;
   dyad.first = outer.line;

@@ -39,7 +39,7 @@ void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& 
   }
 }
 
-// False where the curves have no common normal near the last one.
+// Moves all contacts to their common normals; false if there is none near the last one.
 bool place_contacts(const Mechanism& mechanism, MechanismPosition& at) {
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     if (!place_contact(mechanism, mechanism.contacts[i], at.bodies, at.contacts[i])) {
@@ -75,7 +75,7 @@ SizedMechanism sized_mechanism(const Mechanism& mechanism) {
   return {mechanism, size_of(mechanism)};
 }
 
-// Where rolling begins there is nothing travelled yet.
+// Assembles without the conditions of rolling and starts the arcs there: nothing has been travelled yet.
 std::optional<MechanismPosition> begin_to_roll(const SizedMechanism& sized,
                                                const std::vector<double>& drivers,
                                                const MechanismPosition& near) {

@@ -8,7 +8,7 @@
 
 namespace higherpair {
 
-/// A mechanism and what makes lengths of its angles.
+/// A mechanism and the length by which angles are multiplied.
 struct SizedMechanism {
   const Mechanism& mechanism;
   double size = 1;  ///< [m], > 0
@@ -29,24 +29,26 @@ struct LinearConditions {
   Eigen::VectorXd values;
 };
 
-/// What is to hold: joints and contacts always.
+/// Which conditions hold in addition to those of joints and contacts.
 struct Held {
-  bool arcs = true;             ///< the difference of the arcs travelled, of contacts that roll
+  bool arcs = true;             ///< the difference of the arcs travelled, for rolling contacts
   std::vector<double> drivers;  ///< coordinates of Mechanism::drivers; empty: free
 };
 
-/// The rows of the joints in their order, then those of the contacts, then those of the drivers if held.
+/// The rows of the joints in their order, those of the contacts, then those of the drivers if they are held.
 [[nodiscard]] LinearConditions conditions_at(const SizedMechanism& sized, const Held& held,
                                              const MechanismPosition& position);
 
 /// The rows of all drivers.
 [[nodiscard]] Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition& position);
 
-/// Gauss-Newton from a position that is near one; the step of least norm where conditions leave freedom.
+/// Assembles by the Gauss-Newton method from a nearby position; the step has least norm where the conditions
+/// leave freedom.
 [[nodiscard]] std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
                                                              MechanismPosition position);
 
-/// The mechanism from a position that is assembled or nearly so; rolling contacts begin to roll there.
+/// Assembles a mechanism from a position that is assembled or nearly so; rolling contacts begin to roll
+/// there.
 [[nodiscard]] std::optional<MechanismPosition> assemble_near(const Mechanism& mechanism,
                                                              const MechanismPosition& position);
 

@@ -12,8 +12,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kShorterMoves = 3;  // each a quarter of the one before, where none closes
-constexpr int kCombinations = 3;  // moves along several basis vectors at once
+constexpr int kShorterMoves = 3;  // most tries, each a quarter as long as the one before
+constexpr int kCombinations = 3;  // number of moves along several basis vectors at once
 
 std::vector<Eigen::VectorXd> directions_in(const Eigen::MatrixXd& basis) {
   std::vector<Eigen::VectorXd> directions;
@@ -33,7 +33,7 @@ std::vector<Eigen::VectorXd> directions_in(const Eigen::MatrixXd& basis) {
 
 struct Move {
   MechanismPosition to;
-  Eigen::VectorXd moved;  // in units of the step wanted
+  Eigen::VectorXd moved;  // in units of the intended step
 };
 
 std::optional<Move> move_along(const SizedMechanism& sized, const MechanismPosition& start,

@@ -15,20 +15,22 @@ struct NullSpaces {
   Eigen::MatrixXd left;   ///< yᵀJ = 0
 };
 
-/// Singular values below `floor` of the largest (or of 1, that of a row) count as zero.
+/// Null spaces of J. Singular values below `floor` times the largest (or times 1, that of a row, if it is
+/// larger) count as zero.
 [[nodiscard]] NullSpaces null_spaces(const Eigen::MatrixXd& J, double floor = kRankFloor);
 
-/// Where a mechanism can really go from an assembled position.
+/// Which motions a mechanism really has from an assembled position.
 struct Moves {
   NullSpaces here;
-  MechanismPosition best;  ///< of the smallest null space; off the start where it can be
+  MechanismPosition best;  ///< position with the smallest null space; not the start if possible
   NullSpaces at_best;
-  int positions = 1;  ///< looked at
-  /// Orthonormal; the directions in the null space along which moves lead away.
+  int positions = 1;  ///< number of positions examined
+  /// Orthonormal basis of the directions in the null space along which real moves lead away.
   Eigen::MatrixXd real;
 };
 
-/// Moves along the null space by a small step and re-assembles, for every basis vector and some combinations.
+/// For every basis vector of the null space and some combinations: moves along it by a small step and
+/// re-assembles.
 [[nodiscard]] Moves explore(const SizedMechanism& sized, const MechanismPosition& start);
 
 }  // namespace higherpair

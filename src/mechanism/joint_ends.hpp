@@ -3,7 +3,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
-// A joint seen from one of its two bodies.
+// The two ends of a joint, given one of its bodies.
 
 namespace higherpair {
 

@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-// A pin that a body carries.
+// A pin on a body.
 struct PinOnBody {
   std::size_t pin = 0;
   Vector2d p_B = Vector2d::Zero();
@@ -38,7 +38,7 @@ private:
   std::vector<std::vector<PinOnBody>> on_;
 };
 
-// How far bodies are from ground, in joints; a driven body counts half a joint less, so as to be link 2.
+// Distance of bodies from ground, in joints; a driven joint counts half, so that its body becomes link 2.
 std::vector<double> depths(const Mechanism& mechanism) {
   const auto far = static_cast<double>(mechanism.bodies.size());
   std::vector<double> depth(mechanism.bodies.size(), far);
@@ -65,13 +65,13 @@ std::vector<double> depths(const Mechanism& mechanism) {
   return depth;
 }
 
-// A ring of bodies and the lengths between their two pins.
+// A ring of four bodies and the distances between their two pins.
 struct Ring {
   std::array<int, 4> body{};
   std::array<double, 4> length{};
 };
 
-// A body on the way round, between two of its pins.
+// A body of a ring, between two of its pins.
 struct Side {
   int body = 0;
   PinOnBody in;
@@ -87,8 +87,8 @@ Ring ring_of(const std::vector<Side>& way) {
   return ring;
 }
 
-// Goes on from a body over each of its other pins. Rings begin at their lowest body and go round in the sense
-// in which the lower of its neighbours comes first.
+// Extends a chain of bodies across each other pin of its last body. Rings begin at their lowest body, in the
+// sense in which the lower of its two neighbours comes first.
 void go_round(const PinGraph& graph, int body, const PinOnBody& in, std::vector<Side>& way,
               std::vector<Ring>& rings) {
   const bool last = way.size() == 3;
@@ -140,7 +140,7 @@ FourBarInMechanism as_four_bar(const Ring& ring, const std::vector<double>& dept
   return found;
 }
 
-// The line along which the point C of a body at a slide runs on the other one.
+// The line along which the point C of a body on a slide moves on the other body.
 struct GuideLine {
   Vector2d p_G = Vector2d::Zero();
   Vector2d along_G = Vector2d::UnitX();
@@ -158,7 +158,7 @@ SliderCrankInversion inversion_of(const SliderCrankInMechanism& found) {
                               : SliderCrankInversion::kMoving;
 }
 
-// A crank from the guide to a pin of the coupler.
+// Adds the loops whose crank joins the guide to a pin of the coupler.
 void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_C, std::size_t pin_C,
                 const SliderCrankInMechanism& known, std::vector<SliderCrankInMechanism>& found) {
   for (const PinOnBody& A : graph.on(known.coupler)) {

@@ -16,7 +16,7 @@
 namespace higherpair {
 namespace {
 
-// The motions that are left: orthonormal directions, and how sharply they are known.
+// The remaining motions: orthonormal directions, and the size below which components are not significant.
 struct Freedom {
   Eigen::MatrixXd directions;
   double floor = kMoves;
@@ -33,7 +33,8 @@ bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
   return middle && (*middle - p_B).norm() <= kRoundAbout * size;
 }
 
-// Whether turning a body about a point of it changes nothing: all that holds it is round about that point.
+// Whether turning a body about one of its points changes nothing: all that holds it is round about that
+// point.
 bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
   const Mechanism& mechanism = sized.mechanism;
   bool touches = false;
@@ -59,7 +60,7 @@ bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
   return touches;
 }
 
-// The direction in which a body moves alone, if there is just one: x, y, size·θ.
+// The only direction in which a body can move alone (x, y, size·θ), if there is just one.
 std::optional<Eigen::Vector3d> motion_alone(const Freedom& freedom, int body) {
   const Eigen::Index row = column_of(body);
   const NullSpaces others = null_spaces(without_rows(freedom.directions, row, 3), freedom.floor);
@@ -94,8 +95,8 @@ std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedo
   return idle;
 }
 
-// Drivers in their order; one is useless if those before it fix its joint already. Directions are unit
-// vectors and rows have coefficients of the order of 1, so that the floor is absolute.
+// Drivers that are useless because those before them determine their joints already. Directions are unit
+// vectors and rows have coefficients of the order of 1, so the floor is absolute.
 std::vector<int> useless_drivers(const Eigen::MatrixXd& rates, double floor) {
   std::vector<int> useless;
   Eigen::MatrixXd kept(0, rates.cols());
@@ -111,7 +112,7 @@ std::vector<int> useless_drivers(const Eigen::MatrixXd& rates, double floor) {
   return useless;
 }
 
-// Joints that could be driven: their coordinates still move.
+// Joints that could be driven, because their coordinates still move.
 std::vector<int> moving_joints(const SizedMechanism& sized, const Freedom& freedom,
                                const MechanismPosition& position) {
   Mechanism probe = sized.mechanism;
@@ -136,7 +137,7 @@ bool is_idle(const Mobility& mobility, int body) {
                      [&](const IdleFreedom& idle) { return idle.body == body; });
 }
 
-// What moves with all drivers held.
+// Finds which drivers are useless and what still moves with all drivers held.
 void judge_drivers(const SizedMechanism& sized, const Freedom& all, const MechanismPosition& start,
                    const MechanismPosition& position, Mobility& mobility) {
   const Eigen::MatrixXd rates = product(driver_rows(sized, position), all.directions);
@@ -161,7 +162,8 @@ void judge_drivers(const SizedMechanism& sized, const Freedom& all, const Mechan
   }
 }
 
-// Velocities at the start for given rates of the drivers; those of least norm, so that idle bodies rest.
+// Velocities at the start for given rates of the drivers; the solution of least norm, so that idle bodies are
+// at rest.
 std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const MobilityQuestion& question,
                                       const MechanismPosition& start) {
   const LinearConditions conditions = conditions_at(sized, {}, start);
@@ -201,7 +203,7 @@ void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, c
   const bool shaky = moves.real.cols() < null_space;
   Freedom freedom{moves.at_best.right, kMoves};
   if (shaky) {
-    // Directions are needed where the rank was taken.
+    // Directions are needed at the position at which the rank was determined.
     freedom = {moves.positions > 1 ? explore(sized, moves.best).real : moves.real, kMovesShaky};
   }
   mobility.freedom = static_cast<int>(freedom.directions.cols());

@@ -29,7 +29,7 @@ namespace {
 
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 
-// Only points of the hull can be farthest apart.
+// The two points that are farthest apart are on the convex hull.
 double largest_distance(const std::vector<Vector2d>& points) {
   boost::geometry::model::multi_point<HullPoint> all;
   for (const Vector2d& point : points) {
@@ -55,8 +55,8 @@ std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& l
   return names;
 }
 
-// Whether a body that only turns freely is a roller: it is attached by one pin and touches with circles about
-// it, so that its turning changes nothing else.
+// Whether a loose body is a roller: only its turning is free and it has a contact. It is then attached by one
+// pin and touches with circles about it, so that its turning changes nothing else.
 bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
   if (!loose.turning_only) {
     return false;
@@ -68,7 +68,8 @@ bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
   return has_contact;
 }
 
-// The rank says more than the matching: which joints could be driven, what the count does not see.
+// Explains why too few coordinates are determined. The rank explains more than the matching: which joints
+// could be driven, and what the count misses.
 std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
   const Mobility mobility = analyse_mobility(mechanism);
   if (const auto objection = driver_objection(mechanism, mobility)) {
@@ -84,7 +85,7 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
 
 double size_of(const Mechanism& mechanism) {
   std::vector<Vector2d> points;
-  double largest = 0;  // coordinate, in a body or in ground: what the points are rounded by
+  double largest = 0;  // largest coordinate, to which rounding is relative
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
   const auto add = [&](int body, const Vector2d& p_B) {
     points.push_back(bodies[static_cast<std::size_t>(body)].X_WB * p_B);
@@ -130,7 +131,7 @@ std::vector<int> phase_bodies(const Mechanism& mechanism) {
   return bodies;
 }
 
-// What depends on the dimensions: the groups, one for each set, and the size.
+// Sets what depends on the dimensions: the groups, one for each set, and the size.
 void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>& sets) {
   for (const BodySet& set : sets) {
     plan.groups.push_back(recognise(mechanism, set, plan.groups));
@@ -150,7 +151,7 @@ void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>&
   }
 }
 
-// A contact that may part leaves its body on a joint, where it is held meanwhile.
+// A contact that may part needs a joint that holds its body while it is open.
 std::optional<std::string> cannot_part(const Mechanism& mechanism, const Plan& plan) {
   for (const Group& group : plan.groups) {
     for (const int index : group.contacts) {

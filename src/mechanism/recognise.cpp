@@ -149,13 +149,13 @@ CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int bod
   }
   freedom.theta = carrier_first ? joint.relative_angle : -joint.relative_angle;
   freedom.R_WB = Rotation<double>::from_angle(freedom.theta);
-  // The line belongs to the first body; if that one is carried, the carrier's point runs along it the other
-  // way.
+  // The line belongs to the joint's first body; if that one is carried, the carrier's point moves along it
+  // the opposite way.
   freedom.direction_W = carrier_first ? joint.direction_A : Vector2d(-(freedom.R_WB * joint.direction_A));
   return carried;
 }
 
-// A body that moves on several, a valve in two guides, moves alike on each.
+// If a body is on several joints to ground, like a valve in two guides, it moves alike on each.
 std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body) {
   const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
     return is_grounded(each) && touches(each, body);

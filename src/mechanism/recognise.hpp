@@ -16,12 +16,11 @@ struct GroupItems {
   std::span<const int> drivers;
 };
 
-/// The closed form that places a group's bodies, given the groups before it; CoupledBodies where there is
-/// none.
+/// The closed form that places a group's bodies, given the groups before it; CoupledBodies if there is none.
 [[nodiscard]] GroupKind kind_of(const Mechanism& mechanism, const GroupItems& items,
                                 std::span<const Group> before);
 
-/// Finds the closed-form group that a set of bodies is, given those before it; coupled bodies where it is
+/// Finds the closed-form group that a set of bodies forms, given those before it; coupled bodies if there is
 /// none.
 [[nodiscard]] Group recognise(const Mechanism& mechanism, const BodySet& set,
                               const std::vector<Group>& before);

@@ -17,7 +17,7 @@
 namespace higherpair {
 namespace {
 
-// The joint or contact of every row: joints by their index, contacts after them.
+// The joint or contact that every row belongs to: joints by their index, then contacts.
 std::vector<int> owners_of_rows(const Mechanism& mechanism) {
   std::vector<int> owners;
   int owner = 0;
@@ -49,7 +49,7 @@ bool is_same_pin_twice(const std::vector<Pin>& pins, const Redundancy& set) {
   });
 }
 
-// A link between two pins, seen from the two bodies at its ends.
+// A link between two pins, as a vector between the two bodies at its ends.
 struct Link {
   int body = 0;
   int from = 0;
@@ -57,7 +57,7 @@ struct Link {
   Vector2d along_W = Vector2d::Zero();
 };
 
-// Links whose only ties to the other bodies of a set are two pins.
+// Links connected to the other bodies of a set by exactly two pins.
 std::vector<Link> links_of(const Mechanism& mechanism, const Redundancy& set,
                            const std::vector<BodyMotion>& bodies) {
   std::vector<Link> links;
@@ -200,7 +200,7 @@ std::vector<int> repeated_rows(const Mechanism& mechanism, const std::vector<int
   for (auto row = order.rbegin(); row != order.rend() && left.cols() > 0; ++row) {
     if (left.row(*row).norm() > kInvolved) {
       repeated.push_back(*row);
-      // What is left are the dependences of the other rows.
+      // The remaining columns are dependences among the other rows.
       left = product(left, null_spaces(left.row(*row)).right);
     }
   }

@@ -25,7 +25,8 @@ std::vector<int> by_name(const std::vector<T>& items) {
   return order;
 }
 
-// The first row of each item in conditions_at(), behind `rows` others, to which theirs are added.
+// The first row of each item in conditions_at(), after `rows` preceding ones; adds the items' own rows to
+// `rows`.
 template <class T>
 std::vector<int> first_rows(const std::vector<T>& items, int& rows) {
   std::vector<int> first;
@@ -108,7 +109,7 @@ private:
     enter(condition, body, {Coordinate::kX, Coordinate::kY, Coordinate::kAngle});
   }
 
-  // One component of the place of a point.
+  // Enters the coordinates that one component of a point's position depends on.
   void enter_point(Condition& condition, const PointRef& ref, Coordinate coordinate) const {
     if (is_reference(ref.body, point_of(mechanism_, ref))) {
       enter(condition, ref.body, {coordinate});
@@ -155,7 +156,7 @@ private:
     Condition condition;
     enter(condition, joint.first.body, {Coordinate::kAngle});
     enter(condition, joint.second.body, {Coordinate::kAngle});
-    // Wheels that turn alike do not see their carrier turn.
+    // The carrier's turning does not matter to wheels that turn alike.
     if (joint.turning_ratio != 1) {
       enter(condition, joint.carrier, {Coordinate::kAngle});
     }
@@ -166,7 +167,8 @@ private:
     joint.type == JointType::kRevolute ? add_angle(joint) : add_along_line(joint);
   }
 
-  // A circle about its body's reference pin, or a knife edge there, does not see the body's turning.
+  // The condition of a circle about its body's reference pin, or of a knife edge there, does not depend on
+  // the body's angle.
   void enter_curve(Condition& condition, const CurveRef& ref) const {
     const auto middle = round_center(curve_of(mechanism_, ref));
     if (middle && reference_[static_cast<std::size_t>(ref.body)] && is_reference(ref.body, *middle)) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kUnmatched = -1;
 
-// A maximum matching by augmenting paths. Conditions are taken in their order and keep a partner once they
-// have one, so that what stays over is the last of the conditions that contradict or repeat each other.
+// A maximum matching by augmenting paths. Conditions are taken in order and stay matched once they are, so
+// that of conditions that contradict or repeat each other the last is left over.
 class Matching {
 public:
   Matching(const std::vector<Condition>& conditions, std::size_t variables)
@@ -25,7 +25,7 @@ public:
     }
   }
 
-  // For each condition the variable that it is matched with.
+  // The variable that each condition is matched with.
   [[nodiscard]] std::vector<int> partners() const {
     std::vector<int> partners(conditions_.size(), kUnmatched);
     for (std::size_t v = 0; v < owner_.size(); ++v) {
@@ -64,7 +64,7 @@ private:
   std::vector<int> seen_;
 };
 
-// Component of each body; a body depends on components of smaller number only.
+// Component of each body; bodies depend only on components with smaller numbers.
 std::vector<int> components(const std::vector<Condition>& conditions, const std::vector<int>& matched,
                             std::size_t bodies) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
@@ -103,7 +103,7 @@ bool contains_unmatched(const std::vector<int>& matched) {
   return std::find(matched.begin(), matched.end(), kUnmatched) != matched.end();
 }
 
-// Takes the coordinates from conditions that others imply, so that these place nothing.
+// Removes the coordinates of conditions that others imply, so that these determine nothing.
 void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& conditions) {
   std::vector<int> order;
   for (const Condition& condition : conditions) {
@@ -127,8 +127,8 @@ Structure analyse_structure(const Mechanism& mechanism) {
   const std::size_t bodies = mechanism.bodies.size();
   std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
   if (contains_unmatched(matched)) {
-    // Which coordinates enter does not show that parallel guides, or cranks, repeat each other: bodies that
-    // move would count as placed.
+    // That parallel guides or cranks repeat each other does not show in which coordinates enter their
+    // conditions: bodies that can move would count as placed.
     take_out_repeated(mechanism, conditions);
     matched = Matching(conditions, 3 * bodies).partners();
   }
@@ -144,7 +144,7 @@ Structure analyse_structure(const Mechanism& mechanism) {
       by_component[static_cast<std::size_t>(number)].bodies.push_back(body);
     }
   }
-  // A condition belongs to the last placed of its bodies; ground counts as placed before all.
+  // A condition belongs to the last placed of its bodies; ground counts as placed before all others.
   const auto set_of = [&](int first, int second, int third = 0) -> BodySet& {
     const auto place = [&](int body) { return body == 0 ? 0 : component[static_cast<std::size_t>(body)]; };
     return by_component[static_cast<std::size_t>(std::max({place(first), place(second), place(third)}))];

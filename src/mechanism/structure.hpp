@@ -6,8 +6,8 @@
 
 namespace higherpair {
 
-/// Bodies that must be placed together, and the conditions that do it: all whose last unplaced body is among
-/// them.
+/// Bodies that must be placed together, and the conditions that place them: all those whose last placed body
+/// is among them.
 struct BodySet {
   std::vector<int> bodies;
   std::vector<int> joints;
@@ -15,7 +15,7 @@ struct BodySet {
   std::vector<int> drivers;
 };
 
-/// Which coordinates of which bodies nothing places.
+/// A body with coordinates that no condition determines.
 struct LooseBody {
   int body = 0;
   bool turning_only = false;  ///< only its angle is free
@@ -24,13 +24,13 @@ struct LooseBody {
 struct Structure {
   std::vector<BodySet> sets;  ///< in an order of solution
   std::vector<LooseBody> loose;
-  int surplus = 0;  ///< conditions that no coordinate is left for
+  int surplus = 0;  ///< number of conditions for which no coordinate is left
 };
 
 /// Matches conditions with coordinates (a maximum matching of the bipartite graph) and orders the strongly
-/// connected components of the bodies. Where there are too many, conditions that others imply at an assembled
-/// position are left out first. A surplus condition (drivers come first, slip of rolling contacts
-/// last) counts to the last placed of its bodies.
+/// connected components of the bodies. If there are too many conditions, those that others imply at an
+/// assembled position are left out first. A surplus condition (drivers come first, slip of rolling contacts
+/// last) belongs to the last placed of its bodies.
 [[nodiscard]] Structure analyse_structure(const Mechanism& mechanism);
 
 }  // namespace higherpair

@@ -5,9 +5,9 @@
 
 namespace higherpair {
 
-/// atan2(y, x) [rad] without branches, for doubles and packs alike; within 2 units in the last place of it.
-/// (x, y) must not be (0, 0), and both finite.
-/// With t = min/max of both sizes, and from tan(π/8) on t' = (t - 1)/(t + 1) about π/4,
+/// atan2(y, x) [rad] without branches, for doubles and packs alike; accurate to 2 units in the last place.
+/// (x, y) must be finite and not (0, 0). With t = min/max of |x|, |y|, and above tan(π/8) t' = (t - 1)/(t +
+/// 1) about π/4,
 ///     atan t = t + t³ P(t²),   |t| <= tan(π/8),
 /// P of degree 10 by interpolation at Chebyshev points: relative error 5e-18.
 template <class T>
@@ -20,7 +20,7 @@ template <class T>
                                       0.039231657085083686, -0.019176885636589053};
   constexpr double kTanEighth = 0.41421356237309503;  // tan(π/8)
   constexpr double kQuarterPi = 0.7853981633974483;
-  constexpr double kQuarterPiRest = 3.061616997868383e-17;  // what π/4 is more than its double
+  constexpr double kQuarterPiRest = 3.061616997868383e-17;  // π/4 less its double
   const T ax = abs(x);
   const T ay = abs(y);
   const auto steep = ay > ax;
@@ -29,12 +29,12 @@ template <class T>
   const auto wide = low > T(kTanEighth) * high;
   const T t = select(wide, low - high, low) / select(wide, low + high, high);
   const T z = t * t;
-  // By pairs, which do not wait for each other.
+  // Pairs of terms do not have to wait for each other.
   const auto pair = [&](std::size_t k) { return T(kP[k]) + T(kP[k + 1]) * z; };
   const T z2 = z * z;
   const T z4 = z2 * z2;
   const T p = (pair(0) + pair(2) * z2) + ((pair(4) + pair(6) * z2) + (pair(8) + T(kP[10]) * z2) * z4) * z4;
-  // The angle is base ± (t + tail), each octant with its base, a multiple of π/4.
+  // The angle is base ± (t + tail); each octant has its base, a multiple of π/4.
   const auto left = x < T(0);
   const T turned = select(left, -t, t);
   const T turn = select(steep, -turned, turned);

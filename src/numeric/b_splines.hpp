@@ -10,9 +10,9 @@ namespace higherpair {
 template <std::size_t kTerms>
 using PolynomialOf = std::array<double, kTerms>;
 
-/// The degree + 1 B-splines that do not vanish between the knots k and k + 1, as powers of the distance from
-/// knot k: the j-th belongs to the control point k - degree + j. Cox and de Boor's recursion (C. de Boor, A
-/// Practical Guide to Splines, 2001, chapter IX).
+/// The degree + 1 B-splines that do not vanish between knots k and k + 1, as powers of the distance from knot
+/// k: the j-th belongs to control point k - degree + j. Cox and de Boor's recursion (C. de Boor, A Practical
+/// Guide to Splines, 2001, chapter IX).
 /// \pre degree < kTerms; knots k - degree + 1 … k + degree exist, knot k is below knot k + 1
 template <std::size_t kTerms>
 [[nodiscard]] std::array<PolynomialOf<kTerms>, kTerms> b_splines_between(const std::vector<double>& knots,

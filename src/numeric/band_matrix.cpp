@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// A column of a band; beyond the ends of a matrix that is not cyclic it is none of its columns.
+// A column of the band; outside of 0 … size - 1 beyond the ends of a matrix that is not cyclic.
 Index column_of(Index index, Index size, bool cyclic) {
   return !cyclic ? index : index < 0 ? index + size : index >= size ? index - size : index;
 }
@@ -72,7 +72,7 @@ BandSolver::BandSolver(const BandMatrix& A, Pivoting pivoting)
         continue;
       }
       if (row < inner_ && column < inner_) {
-        // A row begins at its first entry; elimination shifts it to the diagonal.
+        // The stored row begins at its first entry; elimination shifts it to the diagonal.
         band_(column - std::max<Index>(0, row - width_), row) = value;
       } else {
         (row < inner_      ? right_(row, column - inner_)
@@ -98,7 +98,7 @@ void BandSolver::eliminate() {
   pivots_.resize(static_cast<std::size_t>(inner_));
   const Index length = reach_ + 1;
   for (Index k = 0; k < inner_; ++k) {
-    // Rows k to k + width begin at column k.
+    // At this point rows k to k + width begin at column k.
     const Index last = std::min(k + width_, inner_ - 1);
     Index pivot = k;
     for (Index row = k + 1; exchanges_ && row <= last; ++row) {
@@ -128,7 +128,7 @@ void BandSolver::eliminate() {
   }
 }
 
-// U by columns, as back substitution takes it.
+// Stores U by columns, as back substitution needs it.
 void BandSolver::turn_upper() {
   upper_ = MatrixXd::Zero(reach_, inner_);
   for (Index row = 0; row < inner_; ++row) {

@@ -8,11 +8,11 @@
 
 namespace higherpair {
 
-/// A square matrix that is 0 farther than `width` from its diagonal; where it is cyclic, indices go round,
+/// A square matrix that is 0 farther than `width` from its diagonal. If it is cyclic, indices wrap around,
 /// and its corners belong to the band.
 class BandMatrix {
 public:
-  /// Zero. \pre size > 3 width where it is cyclic
+  /// Zero matrix. \pre size > 3 width if it is cyclic
   BandMatrix(Eigen::Index size, Eigen::Index width, bool cyclic);
 
   [[nodiscard]] Eigen::Index size() const { return rows_.cols(); }
@@ -21,26 +21,26 @@ public:
 
   /// \pre the place is within the band
   void add(Eigen::Index row, Eigen::Index column, double value);
-  /// Of a place within the band of row `row`, -width <= offset <= width: its column is row + offset.
+  /// Element of row `row` within the band, -width <= offset <= width: its column is row + offset.
   [[nodiscard]] double at(Eigen::Index row, Eigen::Index offset) const {
     return rows_(width() + offset, row);
   }
 
-  /// this + factor · other, which has the same shape.
+  /// this + factor · other, which must have the same shape.
   [[nodiscard]] BandMatrix plus(double factor, const BandMatrix& other) const;
   [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& x) const;
 
 private:
   bool cyclic_;
-  Eigen::MatrixXd rows_;  // a column is the band of a row
+  Eigen::MatrixXd rows_;  // each column holds the band of one row
 };
 
-/// How rows are chosen: the largest pivot, or without exchanging any where A is symmetric and positive
+/// How pivots are chosen: the largest one, or without exchanging rows where A is symmetric and positive
 /// definite.
 enum class Pivoting { kPartial, kNone };
 
-/// Solves A x = b by elimination within the band; a cyclic matrix by its last `width` rows and columns as a
-/// border. Cost grows with size · width².
+/// Solves A x = b by elimination within the band; the last `width` rows and columns of a cyclic matrix are
+/// treated as a border. Cost grows with size · width².
 class BandSolver {
 public:
   explicit BandSolver(const BandMatrix& A, Pivoting pivoting = Pivoting::kPartial);
@@ -58,12 +58,12 @@ private:
   Eigen::Index inner_;  // rows without the border
   Eigen::Index width_;
   bool exchanges_;
-  Eigen::Index reach_;  // of U beyond the diagonal
+  Eigen::Index reach_;  // number of diagonals of U above the main one
   bool regular_ = true;
-  Eigen::MatrixXd band_;     // a column has U of a row from its diagonal on
-  Eigen::MatrixXd upper_;    // a column has U of a column, upwards from the diagonal and without it
+  Eigen::MatrixXd band_;     // each column holds a row of U, from its diagonal on
+  Eigen::MatrixXd upper_;    // each column holds a column of U, upwards from the diagonal, without it
   Eigen::VectorXd inverse_;  // of the diagonal
-  Eigen::MatrixXd lower_;    // a column has the factors of a step
+  Eigen::MatrixXd lower_;    // each column holds the factors of one elimination step
   std::vector<Eigen::Index> pivots_;
   Eigen::MatrixXd right_, below_;  // the border's columns, solved for, and its rows
   LuSolver corner_;

@@ -13,16 +13,16 @@
 
 namespace higherpair {
 
-// Series p(t) = Σ c_k T_k(t), -1 <= t <= 1. As |T_k| <= 1, its values lie within c_0 ± Σ_{k>0} |c_k|, and
-// they come to lie as near to these bounds as one likes when the interval is halved again and again: that is
-// how minima and signs are found without missing one.
+// Series p(t) = Σ c_k T_k(t), -1 <= t <= 1. As |T_k| <= 1, its values lie within c_0 ± Σ_{k>0} |c_k|. These
+// bounds become as tight as desired when the interval is halved repeatedly: this finds minima and signs
+// without missing any.
 
 inline constexpr std::size_t kNodes = 16;
 
 /// Coefficients c_0, c_1, …
 using ChebyshevSeries = std::array<double, kNodes>;
 
-/// The points at which a series is interpolated, ascending, none of them an end: zeros of T_16.
+/// The points at which a series is interpolated, ascending, excluding the ends: zeros of T_16.
 [[nodiscard]] inline double node(std::size_t j) {
   return -std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / kNodes);
 }
@@ -85,7 +85,8 @@ using ChebyshevSeries = std::array<double, kNodes>;
   return sum;
 }
 
-/// The first t >= from with p(t) < level. The series is on the part [low, high] of its first interval.
+/// The first t >= from with p(t) < level. The series represents the part [low, high] of the original
+/// interval.
 [[nodiscard]] inline std::optional<double> first_below(const ChebyshevSeries& p, double level, double from,
                                                        double low = -1, double high = 1) {
   const double reach = spread(p);
@@ -105,7 +106,7 @@ struct LowestValue {
   double value = 0;
 };
 
-/// Takes a value of p below best.value - `tolerance` into `best`, if there is one, until none is left.
+/// Replaces `best` by lower values of p until none is lower by more than `tolerance`.
 inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& best, double low = -1,
                        double high = 1) {
   if (!(p[0] - spread(p) < best.value - tolerance)) {
@@ -122,7 +123,7 @@ inline void find_lower(const ChebyshevSeries& p, double tolerance, LowestValue& 
   }
 }
 
-/// The minimum that `t` is near, where the derivative vanishes: there the value does not feel t.
+/// The minimum close to `t`, by the zero of the derivative, where the value is insensitive to t.
 [[nodiscard]] inline double settled_minimum(const ChebyshevSeries& p, double t) {
   const ChebyshevSeries first = derivative(p);
   const ChebyshevSeries second = derivative(first);

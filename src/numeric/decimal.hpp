@@ -5,11 +5,11 @@
 
 namespace higherpair {
 
-/// Appends the shortest decimal number that is read as x, without the sign of a zero.
+/// Appends the shortest decimal number that reads back as x, with -0 written as 0.
 void append_decimal(double x, std::string& out);
 
-/// The same with no more digits than it needs, as 1.25e+20: append_decimal() writes out whole numbers of up
-/// to 21 digits.
+/// The same in scientific notation with no more digits than necessary, as 1.25e+20: append_decimal() writes
+/// out whole numbers of up to 21 digits.
 [[nodiscard]] std::string shortest_digits(double x);
 
 /// std::from_chars for double, which some standard libraries (libc++ before 20) do not have.

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-// Not <boost/numeric/interval.hpp>, which wants a processor whose rounding mode it can set.
+// Not <boost/numeric/interval.hpp>, which requires a processor whose rounding mode it can set.
 #include <boost/numeric/interval/arith.hpp>
 #include <boost/numeric/interval/arith2.hpp>
 #include <boost/numeric/interval/checking.hpp>
@@ -19,15 +19,15 @@
 
 namespace higherpair {
 
-/// Rounding of intervals outwards without touching the processor's rounding mode: the nearest double is
-/// within half a unit of the last place, and one to two units are taken off or added. So no compiler flag is
-/// needed, a call of foreign code in between cannot spoil it, and it works where there are no rounding modes.
+/// Outward rounding of intervals without changing the processor's rounding mode: the nearest double is within
+/// half a unit in the last place, and one to two units are subtracted or added. This needs no compiler flags,
+/// cannot be disturbed by calls of foreign code, and works where there are no rounding modes.
 struct OutwardRounding {
   using unprotected_rounding = OutwardRounding;
 
-  // The last summand covers underflow; subnormal numbers are kept away, they are slow.
+  // The last summand covers underflow; it also keeps away from subnormal numbers, which are slow.
   static double margin(double x) { return std::abs(x) * std::numeric_limits<double>::epsilon() + 0x1p-960; }
-  // A NaN (∞ - ∞, 0·∞) may be any number; what has overflowed was finite.
+  // A NaN (∞ - ∞, 0·∞) may be any number; a result that overflowed was finite.
   static double down(double x) {
     const double y = x - margin(x);
     if (y == y) return y;
@@ -55,7 +55,7 @@ using Interval = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<OutwardRounding,
                                                    boost::numeric::interval_lib::checking_base<double>>>;
 
-/// From the ends of a range.
+/// Converts from the ends of a range.
 template <class Range>
 [[nodiscard]] Interval to_interval(const Range& range) {
   return {range.low, range.high};
@@ -75,8 +75,8 @@ template <class Range>
   return around(std::numbers::pi, 0x1p-52);
 }
 
-/// Encloses the cosine (`quarter` = 0) or the sine (1) over x, from the values at the ends (libraries compute
-/// them within one unit of the last place) and the extremes between: at (k + quarter/2) π, k whole.
+/// Encloses the cosine (`quarter` = 0) or the sine (1) over x, from the values at the ends (which libraries
+/// compute to one unit in the last place) and the extremes in between: at (k + quarter/2) π, k whole.
 [[nodiscard]] inline Interval wave(const Interval& x, int quarter) {
   if (!(x.upper() - x.lower() < 2 * std::numbers::pi)) {
     return {-1, 1};
@@ -97,7 +97,7 @@ template <class Range>
   return {std::max(low, -1.0), std::min(high, 1.0)};
 }
 
-/// \name Found by the type of their argument, in templates over a scalar
+/// \name Found by argument-dependent lookup in templates over a scalar
 /// @{
 [[nodiscard]] inline Interval cos(const Interval& x) {
   return wave(x, 0);

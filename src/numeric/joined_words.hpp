@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// Words in one text, with a separator between each two.
+/// The words in one text, with a separator between neighbours.
 [[nodiscard]] std::string joined_words(std::span<const std::string> words, std::string_view separator = ", ");
 
 }  // namespace higherpair

@@ -5,8 +5,8 @@
 
 namespace higherpair {
 
-/// Solves J x = b for J of any shape and rank: by least squares where there are more conditions than
-/// unknowns, and of all solutions the one of least norm where some freedom is left (complete orthogonal
+/// Solves J x = b for J of any shape and rank: in the least-squares sense where there are more conditions
+/// than unknowns, and with the solution of least norm where freedom is left (complete orthogonal
 /// decomposition).
 class LeastNormSolver {
 public:
@@ -15,7 +15,7 @@ public:
   LeastNormSolver(const Eigen::MatrixXd& J, double rank_tolerance) : LeastNormSolver(rank_tolerance) {
     compute(J);
   }
-  /// With a tolerance of rounding alone.
+  /// With a tolerance for rounding only.
   explicit LeastNormSolver(const Eigen::MatrixXd& J) { compute(J); }
 
   void compute(const Eigen::MatrixXd& J);

@@ -46,7 +46,7 @@ private:
     return problem_.low.size() == 0 ? x : Eigen::VectorXd(x.cwiseMax(problem_.low).cwiseMin(problem_.high));
   }
 
-  // One Jacobian, and steps with more and more damping until one gains.
+  // One Jacobian, and steps with increasing damping until one reduces the sum.
   std::optional<LeastSquaresEnd> iterate() {
     if (is_stopped()) return LeastSquaresEnd::kStopped;
     Eigen::MatrixXd J;
@@ -80,7 +80,7 @@ private:
     return static_cast<double>(fit_.r.size()) * options_.rounding * options_.rounding;
   }
 
-  // Without what is at a bound and would go beyond it, and what changes nothing.
+  // All variables except those at a bound that would move beyond it, and those without any effect.
   void find_free() {
     free_.clear();
     const Eigen::VectorXd slope = fit_.J.transpose() * fit_.r;
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  // What steps need of J and r: of the free variables, scaled, with as many rows as columns.
+  // The parts of J and r that steps need: free variables, scaled, with as many rows as columns.
   void reduce() {
     const auto n = static_cast<Eigen::Index>(free_.size());
     Eigen::MatrixXd both(fit_.r.size(), n + 1);
@@ -126,7 +126,7 @@ private:
     return step;
   }
 
-  // True where the sum became smaller; the damping follows from how well the gain was predicted.
+  // True where the sum decreased; the damping is adapted to how well the gain was predicted.
   bool try_step() {
     const Eigen::VectorXd x = within(fit_.x + damped_step());
     const Eigen::VectorXd step = x - fit_.x;
@@ -147,13 +147,14 @@ private:
   const LeastSquaresProblem& problem_;
   const LeastSquaresOptions& options_;
   LeastSquaresFit fit_;
-  Eigen::VectorXd scale_;  // of each variable, by how much r changes with it
+  Eigen::VectorXd scale_;  // for each variable: how strongly r changes with it
   std::vector<Eigen::Index> free_;
   Eigen::MatrixXd R_;
   Eigen::VectorXd c_;
   double damping_ = kFirstDamping;
   bool smallest_step_ = false;
-  double gain_ = std::numeric_limits<double>::infinity();  // of the best step, at the last Jacobian
+  // Predicted gain of the best step, at the last Jacobian.
+  double gain_ = std::numeric_limits<double>::infinity();
   bool unseen_ = false;
 };
 

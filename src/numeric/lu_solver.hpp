@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-/// Solves A x = b for a square A of any size by LU decomposition, rows exchanged. Finite only where A is
+/// Solves A x = b for a square A of any size by LU decomposition with row exchanges. Finite only if A is
 /// regular.
 class LuSolver {
 public:
@@ -17,7 +17,7 @@ public:
   /// Any number of right-hand sides, as columns.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   [[nodiscard]] auto pivots() const { return factors_.matrixLU().diagonal(); }
-  /// Of the determinant, -1 or 1.
+  /// Sign of the determinant, -1 or 1.
   [[nodiscard]] int sign() const;
 
 private:

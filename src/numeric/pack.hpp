@@ -5,16 +5,16 @@
 
 #include <Eigen/Core>
 
-// Several doubles at once, for the kernels that are templates over their scalar (geometry/scalar.hpp).
-// Every operation is the one on doubles in each lane, rounded in the same way: what a kernel gives for a pack
-// is bit for bit what it gives for its lanes, whatever their number, as long as nothing is contracted
+// Several doubles at once, for the kernels that are templates over their scalar (geometry/scalar.hpp). Every
+// operation is that on doubles in each lane, with the same rounding: the results of a kernel for a pack are
+// bit for bit those for its lanes, whatever their number, provided that nothing is contracted
 // (-ffp-contract=off).
 
 namespace higherpair {
 
 namespace pack_detail {
 
-// The attribute is lost where it depends on a template's argument.
+// Specialisations, since the attribute is lost where it depends on a template argument.
 template <int W>
 struct Lanes;
 template <>
@@ -33,8 +33,8 @@ struct Lanes<8> {
   using Bits = long long __attribute__((vector_size(8 * sizeof(double))));
 };
 
-// GCC fills lanes one by one in whatever way but this one. Not returned: how vectors are depends on the
-// machine.
+// GCC fills lanes one by one if written in any other way. Not returned by value: how vectors are returned
+// depends on the machine.
 template <int W>
 [[gnu::always_inline]] inline void set_all(double value, typename Lanes<W>::Doubles& lanes) {
 #ifdef __clang__
@@ -46,14 +46,14 @@ template <int W>
 
 }  // namespace pack_detail
 
-/// Which lanes of a pack something holds in: all bits or none.
+/// The lanes of a pack in which a condition holds: all bits or none.
 template <int W>
 struct PackMask {
   mutable typename pack_detail::Lanes<W>::Bits bits;
 };
 
-/// `W` doubles, 2, 4 or 8: as many as a register of the machine should have. Members are mutable because GCC
-/// keeps constants of other classes in memory.
+/// `W` doubles, 2, 4 or 8: preferably as many as fit into a register of the machine. Members are mutable
+/// because GCC keeps constants of other classes in memory.
 template <int W>
 struct Pack {
   using Doubles = typename pack_detail::Lanes<W>::Doubles;
@@ -74,13 +74,13 @@ struct Pack {
   [[gnu::always_inline]] void store(double* to) const { std::memcpy(to, &lanes, sizeof lanes); }
 };
 
-/// Which lanes of a pair something holds in.
+/// The lanes of a pair in which a condition holds.
 template <int W>
 struct PairMask {
   PackMask<W> low, high;
 };
 
-/// Two packs side by side: where one would wait for its own results, the other goes on.
+/// Two packs side by side: while one waits for its own results, the other can proceed.
 template <int W>
 struct PackPair {
   static constexpr int kLanes = 2 * W;
@@ -147,7 +147,7 @@ template <int W>
   return {a.bits & b.bits};
 }
 
-/// Whether it holds in every lane.
+/// Whether the condition holds in every lane.
 template <int W>
 [[gnu::always_inline]] inline bool holds_everywhere(const PackMask<W>& mask) {
   long long all = mask.bits[0];
@@ -207,7 +207,7 @@ template <int W>
   return sum;
 }
 
-/// The largest lane; any of those that are not numbers is lost.
+/// The largest lane; lanes that are NaN are ignored, except the first.
 template <int W>
 [[gnu::always_inline]] inline double largest_lane(const Pack<W>& a) {
   double largest = a.lanes[0];
@@ -217,7 +217,7 @@ template <int W>
   return largest;
 }
 
-/// \name The same of pairs.
+/// \name The same for pairs.
 /// @{
 template <int W>
 [[gnu::always_inline]] inline PackPair<W> operator-(const PackPair<W>& a) {
@@ -272,7 +272,7 @@ template <int W>
 
 }  // namespace higherpair
 
-// Eigen would align vectors of packs to 16 bytes, which Clang refuses where a pack asks for more.
+// Eigen would align vectors of packs to 16 bytes, which Clang rejects where a pack requires more.
 template <int W, int Size>
 struct Eigen::internal::compute_default_alignment<higherpair::Pack<W>, Size> {
   enum { value = 0 };

@@ -14,8 +14,8 @@
 
 namespace higherpair {
 
-// The largest value of a function of one variable that is smooth but for jumps and kinks, to within rounding:
-// samples say near which places it can be, and there the function is resolved by Chebyshev series.
+// The largest value of a function of one variable that is smooth except for jumps and kinks, to within
+// rounding: samples show near which places it can be, and there the function is resolved by Chebyshev series.
 
 /// A place and the value there.
 struct Peak {
@@ -23,19 +23,21 @@ struct Peak {
   double value = -std::numeric_limits<double>::infinity();
 };
 
-/// What a search may cost, and what it does not look at.
+/// Limits of the cost of a search, and values that it may ignore.
 struct PeakLimits {
-  double shortest = 0;                                      ///< interval: where a jump lies is known to that
-  double noise = 0;                                         ///< of values: smaller differences are rounding
-  double known = -std::numeric_limits<double>::infinity();  ///< a value elsewhere; less is of no use
-  int calls = 3000;  ///< of the function, between two neighbouring samples
+  double shortest = 0;  ///< interval: position of a jump is known to this
+  double noise = 0;     ///< smaller differences of values are rounding
+  /// A value found elsewhere; lower ones are of no use.
+  double known = -std::numeric_limits<double>::infinity();
+  int calls = 3000;  ///< calls of the function between two neighbouring samples
 };
 
-/// The largest value of f strictly between two places, its one-sided limits at jumps and ends included. Where
-/// f is a NaN it is not defined. Intervals are halved until the series of each has converged, or its last
-/// terms are small and no longer fall: they are rounding then. First come those next to the larger values; a
-/// half over which the series stays below what is known already, by many times its last terms, is left out.
-/// \param last  terms of the interval that this one is a half of
+/// The largest value of f strictly between two places, including its one-sided limits at jumps and ends.
+/// Where f is a NaN it is not defined. Intervals are halved until the series of each has converged, or its
+/// last terms are small and do not fall any more, so that they are rounding. The half next to the larger
+/// values comes first; a half over which the series stays below what is already known, by many times its last
+/// terms, is left out.
+/// \param last  size of the last terms of the interval that was halved to give this one
 template <class F>
 void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
            double last = std::numeric_limits<double>::infinity()) {
@@ -56,7 +58,7 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
   }
   limits.calls -= static_cast<int>(kNodes);
   double tail = std::numeric_limits<double>::infinity();
-  std::array<double, 2> highest{tail, tail};  // that the function may come to in each half
+  std::array<double, 2> highest{tail, tail};  // upper bounds of the function in each half
   if (whole) {
     const ChebyshevSeries series = interpolate(values);
     tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
@@ -110,8 +112,9 @@ public:
     }
   }
 
-  /// The first of the places at which `f` is largest, to within rounding; none where it is nowhere defined.
-  /// \param limits  its noise is raised to the rounding of the largest sample
+  /// The first of the places at which `f` has its largest value, to within rounding; none where it is nowhere
+  /// defined.
+  /// \param limits  its noise is raised to at least the rounding of the largest sample
   template <class F>
   [[nodiscard]] std::optional<Peak> largest(const F& f, PeakLimits limits) {
     limits.noise = std::max(limits.noise, kPeakRounding * scale_);

@@ -25,9 +25,9 @@ using spline_basis::Polynomial;
 using spline_basis::Weights;
 
 constexpr std::uintmax_t kMostTrials = 40;
-constexpr int kBitsOfWeight = 20;  // of the power of ten
+constexpr int kBitsOfWeight = 20;  // precision of the exponent of the weight
 
-// x⁰ to the highest power that a spline has.
+// Powers of x from 0 to the highest degree of a spline.
 Polynomial powers_of(double x) {
   Polynomial powers{1};
   for (std::size_t k = 1; k < powers.size(); ++k) {
@@ -45,7 +45,7 @@ public:
         right_(MatrixXd::Zero(basis.size(), task.values.cols())) {}
 
   [[nodiscard]] MatrixXd solve() {
-    // The conditions at the begin come first: the matrix is banded.
+    // The conditions at the beginning come first, which keeps the matrix banded.
     const Index before = basis_.periodic() ? 0 : (basis_.degree() - 1) / 2;
     for (Index i = 0; i < basis_.points(); ++i) {
       add(before + i, derivative_at_point(basis_, i, 0));
@@ -58,7 +58,7 @@ public:
               outermost ? task_.last_slope : Eigen::RowVectorXd());
     }
     const BandSolver solver(system_);
-    if (!solver.is_regular()) {  // numbers have left their range
+    if (!solver.is_regular()) {  // a number has overflowed
       return MatrixXd::Constant(right_.rows(), right_.cols(), std::numeric_limits<double>::quiet_NaN());
     }
     MatrixXd solution = solver.solve(right_);
@@ -71,7 +71,8 @@ public:
   }
 
 private:
-  // Of a period the spline that is largest at a point is on the diagonal.
+  // Shifts the indices of a periodic spline so that the B-spline that is largest at a point is on the
+  // diagonal.
   [[nodiscard]] Index turned(Index index) const {
     return basis_.periodic() ? (index + basis_.size() * basis_.degree() - basis_.degree() / 2) % basis_.size()
                              : index;
@@ -84,8 +85,8 @@ private:
     }
   }
 
-  // A condition beside the points at an end: a slope, that there is no knot at a point within, or a
-  // derivative 0.
+  // A condition besides the points at an end: a slope, the absence of a knot at the next inner point, or a
+  // derivative of 0.
   void add_end(Index row, Index point, Index k, const Eigen::RowVectorXd& slope) {
     if (slope.size() > 0) {
       add(row, derivative_at_point(basis_, point, 1));
@@ -147,16 +148,16 @@ MatrixXd smoothed(const Basis& basis, const SplineTask& task) {
   const BandMatrix rough = bends.normal_matrix();
   const MatrixXd right = at_points.transpose_times(values);
   std::optional<MatrixXd> best;
-  double heaviest = kLightestSmoothing;  // of those that hold
-  // The logarithm of how much of the tolerance a weight takes: it grows with the weight.
+  double heaviest = kLightestSmoothing;  // exponent of the heaviest weight that keeps the tolerance
+  // Logarithm of the largest distance of a point relative to the tolerance: it grows with the weight.
   const auto share = [&](double exponent) {
     const double weight = std::pow(10.0, exponent);
     const BandSolver solver(near_points.plus(weight, rough), Pivoting::kNone);
     if (!solver.is_regular()) {
       return kHeaviestSmoothing;
     }
-    // With a heavy weight the condition number is large: what remains of the conditions themselves restores
-    // the digits.
+    // With a heavy weight the condition number is large: the residuals, computed from the conditions
+    // themselves, restore the digits.
     MatrixXd solution = solver.solve(right);
     solution += solver.solve(at_points.transpose_times(values - at_points.times(solution)) -
                              weight * bends.transpose_times(bends.times(solution)));

@@ -46,7 +46,7 @@ double Basis::knot(const SplineTask& task, int i) const {
     const int turns = i >= 0 ? i / n : -((n - 1 - i) / n);
     return point(i - turns * n) + turns * static_cast<double>(n);
   }
-  // Beyond the ends the intervals are as long as the outermost ones.
+  // Beyond the ends the intervals are as long as the outermost inner ones.
   return i < 0    ? i * point(1)
          : i >= n ? point(n - 1) + (i - n + 1) * (point(n - 1) - point(n - 2))
                   : point(i);

@@ -16,10 +16,10 @@ namespace higherpair::spline_basis {
 
 using Eigen::Index;
 
-inline constexpr int kHighest = 5;  // degree
+inline constexpr int kHighest = 5;  // largest degree
 using Polynomial = std::array<double, kHighest + 1>;
 
-/// The B-splines that do not vanish on an interval; those beyond the degree are 0.
+/// The B-splines that do not vanish on an interval; surplus entries are 0.
 using Splines = std::array<Polynomial, kHighest + 1>;
 
 /// B-splines over knots at the points, in units in which the points are 1 apart on average.
@@ -41,7 +41,7 @@ public:
     return index < size() ? index : index % size();
   }
 
-  /// The degree + 1 B-splines that do not vanish on an interval, as powers of t from its begin; the j-th
+  /// The degree + 1 B-splines that do not vanish on an interval, as powers of t from its beginning; the j-th
   /// belongs to the coefficient index(interval, j).
   [[nodiscard]] const Splines& on(Index interval) const {
     return splines_[static_cast<std::size_t>(interval)];
@@ -55,21 +55,21 @@ private:
   bool periodic_;
   Index points_;
   double unit_ = 1;
-  std::vector<double> knots_;  // from -degree
+  std::vector<double> knots_;  // starts at index -degree
   std::vector<Splines> splines_;
 };
 
-/// A zero matrix for conditions of which each reaches `width` coefficients to either side. It is banded, but
-/// full for a few points, round which a condition may reach more than once.
+/// A zero matrix for conditions each of which reaches `width` coefficients to either side: banded, but full
+/// for so few points that a condition may reach around more than once.
 [[nodiscard]] BandMatrix conditions(const Basis& basis, Index width);
 
-/// What the coefficients of an interval contribute to one number.
+/// The contributions of an interval's coefficients to one number.
 using Weights = std::array<double, kHighest + 1>;
 
-/// The k-th derivative, over k!, at t from the begin of an interval.
+/// The k-th derivative, over k!, at distance t from the beginning of an interval.
 [[nodiscard]] Weights derivative_at(const Basis& basis, Index interval, int k, double t);
 
-/// The k-th derivative, over k!, at a point: an interval that it belongs to, and the weights there.
+/// The k-th derivative, over k!, at a point: an interval that contains it, and the weights there.
 [[nodiscard]] std::pair<Index, Weights> derivative_at_point(const Basis& basis, Index point, int k);
 
 /// Numbers that depend linearly on the coefficients of one interval each: the rows of a matrix.
@@ -79,10 +79,10 @@ public:
 
   void add(Index interval, const Weights& weights) { rows_.push_back({interval, weights}); }
 
-  /// The numbers for coefficients, one column each.
+  /// The numbers for the given coefficients, one set per column.
   [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& coefficients) const;
   [[nodiscard]] Eigen::MatrixXd transpose_times(const Eigen::MatrixXd& numbers) const;
-  /// The matrix of the sum of their squares.
+  /// The matrix of the quadratic form that is the sum of their squares.
   [[nodiscard]] BandMatrix normal_matrix() const;
 
 private:

@@ -1,48 +1,53 @@
 #pragma once
 
-// The tolerances of this room. Its methods know of no model: numbers are shares of what they are compared
-// with, of the largest one, or of the interval, from -1 to 1.
+// Tolerances of the numerical methods. They do not depend on any model: numbers are relative to what they are
+// compared with, to the largest one, or to the interval from -1 to 1.
 
 namespace higherpair {
 
-// In place of a divisor that may be 0, or added to it: no other number is changed by it.
+// Replaces a divisor that may be 0, or is added to it: too small to change any other number.
 inline constexpr double kNeverZero = 1e-300;
 
 // Least squares.
-inline constexpr double kFirstDamping = 1e-3;  // of the scaled columns
+inline constexpr double kFirstDamping = 1e-3;  // relative to the scaled columns
 inline constexpr double kLeastDamping = 1e-12;
 inline constexpr double kMostDamping = 1e20;
-inline constexpr double kNoChangeRank = 1e-11;  // of the largest: what counts as no change of r at all
-inline constexpr double kLeastGain = 1e-22;     // of the sum: the best step gains less
-inline constexpr double kUnseenGain = 1e-12;    // the same: rounding of the sum may hide it
-inline constexpr double kSameSum = 1e-14;       // of the sum: one that is no larger but for rounding
-inline constexpr double kNoGain = 1e-8;         // of the sum, where no step gains anything
-inline constexpr double kNoFitStep = 4e-16;     // of the variables: a step that is none
+// Singular directions below this fraction of the largest do not change r at all.
+inline constexpr double kNoChangeRank = 1e-11;
+// The best step gains less than this fraction of the sum: converged.
+inline constexpr double kLeastGain = 1e-22;
+inline constexpr double kUnseenGain = 1e-12;  // rounding of the sum may hide a gain below this fraction
+inline constexpr double kSameSum = 1e-14;     // increase of the sum, as a fraction, that is rounding
+// Converged if no step gains anything and the best predicted gain is below this fraction of the sum.
+inline constexpr double kNoGain = 1e-8;
+inline constexpr double kNoFitStep = 4e-16;  // steps below this fraction of the variables count as 0
 
 // Chebyshev series.
-inline constexpr double kNarrowestBelow = 1e-14;  // an interval at whose begin a series is below a level
-inline constexpr double kNarrowestLower = 1e-9;   // an interval in which no lower value is looked for
-inline constexpr double kNearMinimum = 1e-3;      // a step of Newton's method to the minimum that it is near
+inline constexpr double kNarrowestBelow = 1e-14;  // narrowest interval examined for a crossing of a level
+inline constexpr double kNarrowestLower = 1e-9;   // narrowest interval searched for a lower value
+inline constexpr double kNearMinimum = 1e-3;      // largest Newton step to a minimum close by
 
 // The largest value of a function, by series over intervals that are halved.
-inline constexpr double kPeakRounding = 1e-12;  // of the largest sample
-inline constexpr double kTermsFall = 1.4;       // last terms of a half that fall less do not fall
-inline constexpr double kRoughTerms = 1e5;      // times the noise: more is no rounding
-inline constexpr double kFarthestSeries = 20;   // times the last terms: farther no series is, even at a jump
-inline constexpr double kFineOfNoise = 1e-3;    // precision of the lowest value, of the noise
-inline constexpr double kFineOfTerms = 0.1;     // and of the last terms
+inline constexpr double kPeakRounding = 1e-12;  // rounding of values, relative to the largest sample
+// Last terms of a half that fall by less than this factor do not fall any more.
+inline constexpr double kTermsFall = 1.4;
+inline constexpr double kRoughTerms = 1e5;  // last terms above this multiple of the noise are not rounding
+// Largest error of a series, in multiples of its last terms, even at a jump.
+inline constexpr double kFarthestSeries = 20;
+inline constexpr double kFineOfNoise = 1e-3;  // precision of the lowest value, relative to the noise
+inline constexpr double kFineOfTerms = 0.1;   // and relative to the last terms
 
-// Splines. Weights on smoothness in units in which the points are 1 apart, as powers of ten: from a spline
-// that goes through all points, to within rounding, to a polynomial.
+// Splines. Exponents of ten of the weight on smoothness, in units in which the points are 1 apart: from a
+// spline through all points, to within rounding, to a polynomial.
 inline constexpr double kLightestSmoothing = -10;
 inline constexpr double kHeaviestSmoothing = 16;
 
-// Band matrices. What is smaller is taken for 0: influence falls off along a band, and numbers that leave the
-// normal range on their way to 0 are slow.
+// Band matrices. Smaller numbers are replaced by 0: influences decay along a band, and subnormal numbers are
+// slow.
 inline constexpr double kBandNothing = 1e-250;
 
-// Intervals. How near to an end of an interval of angles an extreme of their sine lies within, of a radian
-// and of the angle.
+// Intervals. Distance beyond the ends of an interval of angles, relative to a radian plus the angle, within
+// which an extreme of sine or cosine is counted as inside.
 inline constexpr double kExtremeSlack = 1e-15;
 
 }  // namespace higherpair

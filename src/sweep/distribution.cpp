@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kRoot2 = 1.4142135623730950488;
 
-// The share of all values below z, of the normal distribution of mean 0 and deviation 1.
+// The cumulative distribution function of the standard normal distribution.
 double normal_share(double z) {
   return std::erfc(-z / kRoot2) / 2;
 }
 
-// Shares near 1 have lost their digits: an interval above the mean is mirrored.
+// An interval above the mean is mirrored, as shares near 1 have lost digits.
 double truncated_normal_quantile(double low, double high, double u) {
   if (low + high > 0) {
     return -truncated_normal_quantile(-high, -low, 1 - u);
@@ -64,7 +64,7 @@ double normal_quantile(double u) {
 
 double quantile(const Distribution& distribution, double u) {
   assert(u > 0 && u < 1);
-  // By rounding alone could it lie outside.
+  // Only rounding could put it outside.
   return std::clamp(unclamped_quantile(distribution, u), distribution.low, distribution.high);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kDigits = 40;  // 2^40 > kMostVariants
 
-// What words are drawn for: those of different purposes have nothing to do with each other.
+// What a random word is for: words for different purposes are independent of each other.
 enum class Purpose : std::uint64_t { kDraw, kShift };
 
 std::uint64_t word(std::uint64_t seed, Purpose purpose, std::uint64_t variant, std::uint64_t variable) {
@@ -29,8 +29,9 @@ double share_of(std::uint64_t word) {
   return (static_cast<double>(word >> 12U) + 0.5) * 0x1p-52;
 }
 
-// Point n is the sum without carries of the directions at the digits of n's Gray code. In that of 2^(k+1) - 1
-// digit k alone is set. Boost counts from the point after 0.
+// Point n is the XOR of the direction numbers at the set bits of n's Gray code. The Gray code of 2^(k+1) - 1
+// has bit k alone set, so that this point is direction number k. Boost leaves out point 0: seed(m) makes
+// point m + 1 the next one.
 std::vector<std::uint64_t> sobol_directions(std::size_t variables) {
   boost::random::sobol_engine<std::uint64_t, 64> engine(variables);
   std::vector<std::uint64_t> directions(variables * kDigits);
@@ -144,7 +145,7 @@ double Variants::share(std::int64_t variant, std::size_t variable) const {
   return share_of(point);
 }
 
-// Independent normal numbers, times the factor.
+// Independent normal numbers, times the Cholesky factor.
 void Variants::correlate(std::int64_t variant, std::span<double> values) const {
   Eigen::VectorXd normal(static_cast<Eigen::Index>(correlated_.size()));
   for (Eigen::Index i = 0; i < normal.size(); ++i) {

@@ -1,4 +1,4 @@
-// A step of a running analysis takes no memory from the heap.
+// A step of a running analysis allocates no heap memory.
 #include "analysis/counting_allocator.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/contact/finder.hpp"
@@ -86,7 +86,7 @@ TEST_P(Allocation, AStepOfAWholeQuarterTurnMakesNone) {
 INSTANTIATE_TEST_SUITE_P(Pairs, Allocation, ::testing::ValuesIn(pair_cases()),
                          [](const auto& test) { return test.param.name; });
 
-// A counter that sees nothing would pass every test above.
+// A counter that never counts would pass every test above.
 TEST(CountingAllocator, SeesVectorsStringsArraysAndAlignedMemory) {
   struct alignas(64) Wide {
     double values[8];
@@ -96,7 +96,7 @@ TEST(CountingAllocator, SeesVectorsStringsArraysAndAlignedMemory) {
     allocate();
     return allocation_count() - before;
   };
-  // A compiler may leave out what it can see to be unused.
+  // A compiler may remove allocations that it sees to be unused.
   const volatile std::size_t size = 100;
   const void* volatile seen = nullptr;
   EXPECT_EQ(count_of([&] {

@@ -1,4 +1,4 @@
-// Where a motion ends, and where it goes on behind that, is the same however far apart the rows are.
+// Where a motion ends, and where it continues beyond that, does not depend on the spacing of the rows.
 #include "coupled_cranks.hpp"
 #include "io/profile_testing.hpp"
 #include "run_testing.hpp"
@@ -18,8 +18,8 @@ using testing::analyze_text;
 using testing::replaced;
 using testing::RunTable;
 
-// A slide carries an arm of 6 on a line 1 off the middle of a ring of 10, which the arm's tip touches from
-// within: it can while the pivot is 4 from the middle, or farther.
+// A slide carries an arm of 6 along a line 1 off the middle of a ring of 10, which the tip of the arm touches
+// from within: possible while the pivot is at least 4 from the middle.
 constexpr const char* kArmInARing = R"(
 [bodies.ground]
 points.O = [0, 1]
@@ -51,7 +51,7 @@ std::vector<double> limits_of(const RunTable& motion) {
   return found;
 }
 
-// NaN where there are none or several.
+// NaN where there is none or more than one.
 double only_limit_of(const RunTable& motion) {
   std::vector<double> found;
   for (const RunEvent& event : motion.events()) {
@@ -81,8 +81,8 @@ TEST(BeyondLimits, AContactIsFoundAgainFromAnyRow) {
   }
 }
 
-// Two cranks of 30 mm, each driven, the second three times as fast and backwards: two links of 45.5 mm reach
-// between their tips in three stretches of the turn, the shortest of which is half a degree long.
+// Two cranks of 30 mm, each driven, the second three times as fast and backwards. Two links of 45.5 mm can
+// join their tips in three stretches of the turn, the shortest of which is half a degree long.
 constexpr const char* kDrivenCranks = R"(
 [bodies.ground]
 points = { O1 = [0, 0], O2 = [100, 0] }
@@ -131,8 +131,8 @@ TEST(BeyondLimits, StretchesOfSeveralDriversAreThoseOfTheirLine) {
   }
 }
 
-// The face of a blade goes through its pivot, which slides to where it is on an asymptote of the hyperbola
-// that the face touches: at x = -30.
+// The face of a blade passes through the blade's pivot. The pivot slides until it is on an asymptote of the
+// hyperbola that the face touches: at x = -30.
 constexpr const char* kBladeOnAHyperbola = R"(
 [bodies.ground]
 points.O = [0, 20]
@@ -170,7 +170,7 @@ TEST(BeyondLimits, AContactRunsOffWhereAsymptotesCoincide) {
   }
 }
 
-// A second blade 0.05 ahead of the first runs off before it.
+// A second blade, 0.05 ahead of the first, runs off to infinity before it.
 TEST(BeyondLimits, OfTwoContactsFarOutTheFirstToRunOffEndsTheMotion) {
   const std::string one = replaced(kBladeOnAHyperbola, "[joints]", R"([bodies.second]
 pose = { x = -0.05, y = 20, angle = -60 }
@@ -191,9 +191,8 @@ ahead = { between = ["ground.branch", "second.face"] })");
   }
 }
 
-// The blade of another driver rests far out, while a piston comes to the end of its guide.
-// After ten million turns the driver is known to 5e-7 degrees: a stretch shorter than that is not divided for
-// ever.
+// The blade of another driver stays far out while a piston comes to the end of its guide. After ten million
+// turns the driver is known to 5e-7 degrees: a stretch shorter than that is not divided any further.
 TEST(BeyondLimits, StretchesAreDividedAsFarAsTheDriverIsResolved) {
   const auto rows_from = [](double start) {
     return testing::analyze(testing::shipped(
@@ -246,7 +245,7 @@ end = -60
   for (const RunEvent& event : events) EXPECT_NE(event.type, EventType::kLimitPosition);
 }
 
-// A parabola rolls on a face until its axis lies along it, at 90 degrees.
+// A parabola rolls on a face until its axis is parallel to the face, at 90 degrees.
 constexpr const char* kRollingParabola = R"(
 [bodies.ground]
 points.O = [0, 50]
@@ -285,7 +284,7 @@ TEST(BeyondLimits, ArcsKeepTheirDigitsFarOut) {
   }
 }
 
-// With its angle driven a hyperbola comes to its asymptote like a root of what is left.
+// With its angle driven, a hyperbola approaches its asymptote like the square root of what is left.
 TEST(BeyondLimits, AHyperbolaRollsUntilItsAsymptoteLiesOnTheFloor) {
   const std::string profile =
       replaced(kRollingParabola, R"(type = "parabola", vertex = [0, 0], focal_length = 10)",
@@ -299,8 +298,8 @@ TEST(BeyondLimits, AHyperbolaRollsUntilItsAsymptoteLiesOnTheFloor) {
   }
 }
 
-// A hyperbola turns about O, 60 from its middle. On it rolls the face of a blade, whose pin, 40 from where it
-// touches at first, is on a slide through O.
+// A hyperbola turns about O, 60 from its middle. The face of a blade rolls on it. The blade's pin, which is
+// 40 from the first contact point, is on a slide through O.
 constexpr const char* kRollingBlade = R"(
 [bodies.ground]
 points.O = [0, 0]
@@ -327,17 +326,17 @@ start = 73.3007557660063935
 end = 130
 )";
 
-// That mechanism, in the frame of the hyperbola, by the parameter t of its point (30 cosh t, 20 sinh t) at
-// which the face touches.
+// The same mechanism in the frame of the hyperbola, by the parameter t of its contact point (30 cosh t, 20
+// sinh t).
 struct RollingBlade {
   double a = 30, b = 20, c = std::hypot(a, b);
 
-  // How much longer the asymptote is up to its point c exp(t) / 2 than the hyperbola from its vertex on.
+  // Length of the asymptote up to its point c exp(t) / 2, less that of the hyperbola from its vertex.
   [[nodiscard]] double arc_saved(double end) const {
     const auto slower = [&](double t) {
       const double on_asymptote = c * std::exp(t) / 2;
       const double on_curve = std::hypot(a * std::sinh(t), b * std::cosh(t));
-      // The difference of their squares, without what is large.
+      // The difference of the squares, with the large terms cancelled analytically.
       const double squares = (a * a - b * b) / 2 - c * c * std::exp(-2 * t) / 4;
       return squares / (on_asymptote + on_curve);
     };
@@ -350,9 +349,9 @@ struct RollingBlade {
 
   [[nodiscard]] Vector2d tangent(double t) const { return Vector2d(a * std::tanh(t), b) / width(t); }
 
-  // The pin, seen from O.
+  // Vector from O to the pin.
   [[nodiscard]] Vector2d arm(double t) const {
-    // c tangent - (a, b), times exp(t) / 2, by small terms alone.
+    // (c tangent - (a, b)) exp(t) / 2, from small terms only.
     const double narrower = std::pow(a / std::cosh(t), 2) / (c + width(t));  // c - width
     const Vector2d turned((narrower - 2 * c * std::exp(-2 * t) / (1 + std::exp(-2 * t))) * a, narrower * b);
     return Vector2d(a, -b) * std::exp(-t) / 2 - turned * (std::exp(t) / (2 * width(t))) +
@@ -373,7 +372,8 @@ TEST(BeyondLimits, RollingEndsWhereTheFaceLiesOnTheAsymptote) {
   }
 }
 
-// The face turns about where it touches, so that its pin goes at right angles to it, however far that is.
+// The face turns about the contact point, so that its pin moves at right angles to it, however far away that
+// is.
 TEST(BeyondLimits, SpeedsOfRollingBodiesKeepTheirDigitsFarOut) {
   const RollingBlade blade;
   for (const double t : {2.0, 6.0, 9.0}) {
@@ -392,8 +392,8 @@ TEST(BeyondLimits, SpeedsOfRollingBodiesKeepTheirDigitsFarOut) {
 }
 
 // A hyperbola rolls on its mirror image, from vertex to vertex: it remains the mirror image in the tangent
-// N·x = h at the angle ψ, with h² = a² cos²ψ - b² sin²ψ, and its pin that of Q. By h, which falls to 0 where
-// the asymptotes coincide, all of it is smooth.
+// N·x = h at the angle ψ, with h² = a² cos²ψ - b² sin²ψ, and its pin remains that of Q. As functions of h,
+// which falls to 0 where the asymptotes coincide, all quantities are smooth.
 TEST(BeyondLimits, AccelerationsOfTwoOpenCurvesKeepTheirDigitsFarOut) {
   const std::string turned =
       replaced(kRollingBlade, "angle = -16.6992442339936065", "angle = 73.3007557660063935");

@@ -42,7 +42,7 @@ struct Lift {
   double s = 0, v = 0, a = 0;
 };
 
-// Two circles about O and about a point at the distance a on x, joined by tangents; sizes [m].
+// Two circles, about O and about a point at `distance` on the x axis, joined by common tangents; sizes [m].
 struct TangentCam {
   double base = 20 * kMillimetre, nose = 8 * kMillimetre, distance = 25 * kMillimetre,
          roller = 10 * kMillimetre;
@@ -64,14 +64,14 @@ struct TangentCam {
     return *Boundary::make(std::move(spans), true, 1e-12);
   }
 
-  // Where the roller goes over from the nose to the flank, and from there to the base circle.
+  // Angles at which the roller passes from the nose to the flank, and from the flank to the base circle.
   [[nodiscard]] double nose_ends() const {
     const Vector2d centre = Vector2d(distance, 0) + (nose + roller) * unit_vector(tangent());
     return angle_of(centre);
   }
 
-  // Of the roller's centre, by the angle ψ from the nose, at dψ/dt = 1: textbook's tangent cam, whose nose is
-  // a slider-crank.
+  // Motion of the roller's centre over the angle ψ from the nose, at dψ/dt = 1: the tangent cam of textbooks,
+  // whose nose is equivalent to a slider-crank.
   [[nodiscard]] Lift lift(double psi) const {
     const double sign = psi < 0 ? -1 : 1;
     const double x = std::abs(psi);
@@ -146,12 +146,13 @@ TEST(BoundaryCams, ANoseOfNoRadiusIsACornerThatTheRollerGoesRound) {
   }
 }
 
-// |x/a|³ + |y/b|³ = 1 by x = a c^{2/3}, …: a kind of curve in a few lines. Flat where it meets the axes.
+// |x/a|³ + |y/b|³ = 1 by x = a c^{2/3}, …: a user-defined kind of curve in a few lines. Its curvature is 0
+// where it meets the axes.
 class LameOval final : public Span {
 public:
   LameOval(double a, double b) : a_(a), b_(b) {}
   [[nodiscard]] SpanPoint at(double t) const override {
-    // By the direction t: r(t) = (|cos/a|³ + |sin/b|³)^(-1/3), and its derivatives.
+    // As a function of the direction t: r(t) = (|cos/a|³ + |sin/b|³)^(-1/3), and its derivatives.
     const double c = std::cos(t), s = std::sin(t);
     const double A = 1 / (a_ * a_ * a_), B = 1 / (b_ * b_ * b_);
     const double ac = std::abs(c), as = std::abs(s);
@@ -163,7 +164,7 @@ public:
     const double r = std::pow(g, -1 / 3.0);
     const double q1 = -g1 / (3 * g), q2 = -(g2 / g - g1 * g1 / (g * g)) / 3;
     const double q3 = -(g3 / g - 3 * g1 * g2 / (g * g) + 2 * g1 * g1 * g1 / (g * g * g)) / 3;
-    // With q = r'/r and its derivatives, of ln r.
+    // With q = r'/r and its derivatives, from ln r.
     const double r1 = r * q1, r2 = r * (q2 + q1 * q1), r3 = r * (q3 + 3 * q1 * q2 + q1 * q1 * q1);
     const double v2 = r * r + r1 * r1, v = std::sqrt(v2);
     const double m = r * r + 2 * r1 * r1 - r * r2;
@@ -205,7 +206,7 @@ TEST(BoundaryCams, AKindOfCurveIsOneClass) {
       EXPECT_NEAR(here.velocity, (after.position - before.position) / (2 * h), 1e-6) << u;
       EXPECT_NEAR(here.acceleration, (after.velocity - before.velocity) / (2 * h), 2e-5) << u;
       EXPECT_LT((touch.at.p1_W - touch.at.p2_W).norm(), 1e-15);
-      // The roller's centre is farther from every other point of the oval.
+      // Every other point of the oval is farther from the roller's centre.
       const Vector2d centre(here.position, offset);
       for (const Boundary::Sample& sample : oval.samples()) {
         EXPECT_GE((Rotation<double>::from_angle(u) * sample.point.p_B - centre).norm(),
@@ -245,11 +246,11 @@ TEST(BoundaryCams, AWholeConicAsABoundaryMovesAsTheConicDoes) {
 
 // A convex polygon whose corners are rounded.
 struct RoundedPolygon {
-  std::vector<Vector2d> centres;  // of the roundings, anticlockwise
+  std::vector<Vector2d> centres;  // centres of the roundings, anticlockwise
   double radius = 0;
 
   [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % centres.size(); }
-  // Direction of the outward normal of the side behind the i-th corner.
+  // Direction of the outward normal of the side after the i-th corner.
   [[nodiscard]] double normal(std::size_t i) const {
     return angle_of(-perp(Vector2d(centres[next(i)] - centres[i])));
   }
@@ -266,7 +267,7 @@ struct RoundedPolygon {
     return *Boundary::make(std::move(spans), true, 1e-12);
   }
 
-  // How far it reaches along x when it has turned by u.
+  // Largest x of the polygon when it has turned by u.
   [[nodiscard]] double reach(double u) const {
     double farthest = 0;
     for (const Vector2d& centre : centres) {
@@ -276,7 +277,7 @@ struct RoundedPolygon {
   }
 };
 
-// Each side comes to lie flat on the tappet, and the contact goes on at its other end.
+// Each side in turn lies flat on the tappet, and the contact continues at its other end.
 TEST(BoundaryCams, ASideThatLiesFlatOnATappetIsGoneOverWhateverTheRows) {
   RoundedPolygon polygon;
   polygon.radius = 3.1 * kMillimetre;

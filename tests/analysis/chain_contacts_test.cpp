@@ -1,4 +1,5 @@
-// Rows of discs and ovals that touch: where they are given they are those of a run that follows the motion.
+// Chains of discs and ovals in contact: where they give rows, these agree with those of a run that follows
+// the motion.
 #include "analysis/chain_testing.hpp"
 #include "analysis/random_cam.hpp"
 #include "linkage/four_bar_motion.hpp"
@@ -50,7 +51,7 @@ TEST(ChainContacts, ShortWaysOfRandomPairsAreThoseOfARun) {
   }
 }
 
-// Most come to a limit on a whole turn, which must not be passed over.
+// Most pairs come to a limit within a whole turn, which must not be passed over.
 TEST(ChainContacts, WholeTurnsOfRandomPairsAreThoseOfARun) {
   for (const CamShape first : {CamShape::kDisc, CamShape::kOval}) {
     for (const CamShape second : kShapes) {
@@ -69,7 +70,7 @@ TEST(ChainContacts, LengthsOfAnyOrderAreAllTheSame) {
   }
 }
 
-// An eccentric disc about (0, 0) under a roller on an arm about (8, 0).
+// An eccentric disc turning about (0, 0) under a roller on an arm about (8, 0).
 struct Eccentric {
   double eccentricity = 1, disc = 2, roller = 1.5, arm = 6, distance = 8;
 
@@ -108,8 +109,8 @@ TEST(ChainContacts, DiscsAreTheFourBarOfTheirCentres) {
   }
 }
 
-// The follower can just, or just not, be lifted over the top of the cam: within a window far narrower than a
-// step, between two rows.
+// The follower can, or cannot, just be lifted over the top of the cam. The critical window lies between two
+// rows and is far narrower than a step.
 TEST(ChainContacts, LimitsBetweenTwoRowsAreNotPassedOver) {
   for (const double short_by : {1e-3, 1e-5, 1e-8, -1e-8, -1e-5}) {
     SCOPED_TRACE(short_by);
@@ -141,7 +142,7 @@ TEST(ChainContacts, RollingPartingAndConcaveContactsAreNotForThem) {
   EXPECT_FALSE(is_chain(other));
 }
 
-// What is an ellipse of one variant may be a circle, or no oval at all, of the next.
+// A curve that is an ellipse in one variant may be a circle, or no oval at all, in the next.
 TEST(ChainContacts, VariantsMayBeOfOtherShapes) {
   const Mechanism plain = Eccentric().mechanism();
   const auto rows = turn(0, 2 * kPi, 91);

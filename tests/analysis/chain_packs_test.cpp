@@ -1,4 +1,4 @@
-// Rows come out with the same bits whatever the width of the packs.
+// Rows have the same bits whatever the width of the packs.
 #include "analysis/chain_loop.hpp"
 
 #include <cmath>
@@ -20,7 +20,7 @@ OneFreedom pivot(const Vector2d& p_W) {
   return freedom;
 }
 
-// A crank with a four-bar, and an oval on it that turns the oval of a follower.
+// A crank that drives a four-bar, and an oval on the crank that turns the oval of a follower.
 std::vector<ChainGroup> groups() {
   const DrivenBody driven{0, {kCrank, 0, pivot({0, 0}), 1}};
   RrrDyad dyad;
@@ -56,12 +56,12 @@ ChainSupport support(int joint, double sign) {
   return {joint, sign, {}, false};
 }
 
-// Of all bodies, each has one.
+// The angle column of a body, in a mechanism where every body turns.
 ChainAngle turning(int body) {
   return {0, body, 0};
 }
 
-// Weights, a load and springs; the pins of the crank, the dyad and the follower.
+// Weights, a load and springs, with reactions at the pins of the crank, the dyad and the follower.
 ChainStatics statics() {
   ChainStatics statics;
   statics.loads.gravity_W = Vector2d(0.3, -9.8);
@@ -79,7 +79,7 @@ ChainStatics statics() {
   return statics;
 }
 
-// The columns, one behind the other.
+// The columns, one after another.
 template <class Fill>
 std::vector<double> numbers_by(const Fill& fill) {
   const std::vector<ChainGroup> all = groups();

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-// Rows of chains, held against those of a run.
+// Compares the rows of a chain with those of a run.
 
 namespace higherpair::testing {
 
@@ -69,12 +69,12 @@ inline double number_of(const ChainColumn& column, const Mechanism& mechanism, c
     case ChainColumn::Quantity::kAlpha:
       return row.bodies[body].alpha;
     default:
-      return NAN;  // not of bodies
+      return NAN;  // not a column of a body
   }
 }
 
-// Of a place a share of the size; of rates shares of the fastest motion, sharper than their rounding times
-// the inverse of the smallest sine (0.02), thrice.
+// Tolerance of a column: positions relative to the mechanism's size, rates relative to the fastest motion.
+// Allows for rounding magnified three times by the inverse of the smallest sine (0.02).
 inline double precision_of(ChainColumn::Quantity quantity, const MotionRow& row, double size) {
   using Q = ChainColumn::Quantity;
   double fastest = 1;
@@ -90,7 +90,8 @@ inline double precision_of(ChainColumn::Quantity quantity, const MotionRow& row,
 
 enum class Outcome { kNoChain, kNotProven, kProven };
 
-// Holds a chain against a run, row by row; what the run finds on the way must not be missed.
+// Compares a chain with a run, row by row. The chain must not have missed anything that the run finds on the
+// way.
 inline Outcome compare(const Mechanism& mechanism, const std::vector<DriverMotion>& rows) {
   const auto plan = make_plan(mechanism);
   const auto columns = all_columns(mechanism);

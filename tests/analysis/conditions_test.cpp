@@ -1,5 +1,5 @@
-// The one form of the conditions: it holds where positions were found by other means, and its Jacobian is
-// that of differences.
+// The general form of the conditions holds at positions that were found by other means, and its Jacobian
+// agrees with differences.
 #include "analysis/run_testing.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/io/driver_schedule.hpp"
@@ -24,7 +24,7 @@ Coordinates<double> coordinates_of(const MotionRow& row, const std::vector<doubl
   return at;
 }
 
-// What rolling holds from here on.
+// The arc differences that rolling contacts keep from this position on.
 std::vector<double> arcs_at(const Dimensions<double>& dimensions, const Coordinates<double>& at) {
   std::vector<double> arcs;
   for (const auto& contact : dimensions.contacts) {
@@ -42,7 +42,7 @@ struct Placed {
   Coordinates<double> at;
 };
 
-// All conditions of a shipped profile, at a row far from its start.
+// All conditions of a shipped profile at a row far from its start.
 Placed placed(const std::string& name) {
   const Profile profile = shipped(name);
   const DriverSchedule schedule = DriverSchedule::analyze(profile).value();
@@ -107,7 +107,7 @@ TEST_P(Conditions, HoldWhereTheRowsWereSolvedAndHaveTheJacobianOfDifferences) {
   expect_jacobian_of_differences(system, at);
 }
 
-// Where no term of the Jacobian is hidden by a gap of 0.
+// Away from the solution no term of the Jacobian is hidden by a gap of 0.
 TEST_P(Conditions, HaveTheJacobianOfDifferencesBesideTheSolution) {
   auto [system, at] = placed(GetParam());
   std::mt19937 random(7);

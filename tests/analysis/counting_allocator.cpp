@@ -1,5 +1,5 @@
-// Replaces the global operators new and delete by ones that count. All forms: the standard's own would call
-// these, but those of an address sanitizer do not.
+// Replaces all forms of the global operators new and delete by ones that count. The standard's own array and
+// nothrow forms would call these, but those of an address sanitizer do not.
 #include "analysis/counting_allocator.hpp"
 
 #include <atomic>
@@ -12,7 +12,7 @@ std::atomic<std::size_t> count{0};
 
 void* allocate_or_null(std::size_t size, std::size_t alignment) {
   ++count;
-  // aligned_alloc wants a multiple of the alignment.
+  // aligned_alloc requires a multiple of the alignment.
   return std::aligned_alloc(alignment, (size + alignment) / alignment * alignment);
 }
 

@@ -1,4 +1,4 @@
-// Bodies that are solved together go on beyond a limit, on the branch of the same sense.
+// Bodies that are solved together continue beyond a limit, on the branch of the same sense.
 #include "driven_four_bar.hpp"
 #include "io/profile_testing.hpp"
 #include "run_testing.hpp"
@@ -25,7 +25,7 @@ using testing::RunTable;
 
 constexpr FourBar kUsual = {20, 50, 60, 40};
 
-// A four-bar that is driven at the pin of crank and coupler: no body can be placed before the others.
+// A four-bar that is driven at the pin between crank and coupler: no body can be placed before the others.
 constexpr const char* kDrivenAtTheCoupler = R"(
 [units]
 length = "mm"
@@ -54,7 +54,7 @@ start = -145
 end = 575
 )";
 
-// The same, but discs of 15 and 25 that touch keep their centres 40 apart.
+// The same with discs of 15 and 25 in contact, which keep their centres 40 apart.
 std::string with_discs() {
   std::string text = replaced(kDrivenAtTheCoupler, R"([bodies.rocker]
 pose = { x = 20, y = 0, angle = 60 }
@@ -75,7 +75,7 @@ touch = { between = ["ground.disc", "coupler.disc"] }
   return text;
 }
 
-// Drivers at which B is as far from O as frame and rocker in one line reach, or as near.
+// Driver positions at which the distance of B from O is the sum or the difference of frame and rocker.
 std::vector<double> limits_between(const FourBar& bar, double from, double to) {
   const auto at = [&](double reach) {
     return std::acos((reach * reach - bar.crank * bar.crank - bar.coupler * bar.coupler) /
@@ -144,7 +144,7 @@ TEST(CoupledBeyondLimits, DiscsThatTouchGoOnAsTheLinkBetweenTheirCentres) {
   }
 }
 
-// The gap from 120 to 240 degrees is a whole number of the steps in which the branch is looked for.
+// The gap from 120 to 240 degrees is a whole multiple of the step with which the branch is looked for.
 TEST(CoupledBeyondLimits, AStretchMayBeginWhereItIsLookedFor) {
   const FourBar bar{20, 50, 50, 30};
   for (const int rows : {9, 61, 541}) {
@@ -174,7 +174,7 @@ TEST(CoupledBeyondLimits, ARowMayBeAtTheBeginOfAStretch) {
   }
 }
 
-// The same mechanism 3 m from the origin, its bodies described in ground's frame.
+// The same mechanism 3 m from the origin, with its bodies described in ground's frame.
 TEST(CoupledBeyondLimits, BodiesMayBeFarFromTheOriginsOfTheirFrames) {
   const RunTable near =
       analyze_text(kDrivenAtTheCoupler, {"driver.samples=61", "bodies.crank.pose.angle=-60"});
@@ -199,7 +199,7 @@ TEST(CoupledBeyondLimits, BodiesMayBeFarFromTheOriginsOfTheirFrames) {
   }
 }
 
-// A slider-crank of 20 and 60 that is driven at the crank's pin: the slide ends at 50 from O.
+// A slider-crank of 20 and 60 that is driven at the pin of its crank; the slide ends at 50 from O.
 TEST(CoupledBeyondLimits, AJointsEndIsWhereStretchesEndAndBegin) {
   constexpr const char* kDrivenAtThePin = R"(
 [bodies.ground]
@@ -245,8 +245,8 @@ end = 643
   }
 }
 
-// With two more rockers, parallel to the first, the conditions are more than the coordinates: no sign tells
-// the assemblies from each other, and none is taken for the one that was lost.
+// With two more rockers, parallel to the first, there are more conditions than coordinates: no sign tells the
+// assemblies apart, and none is taken for the one that was lost.
 TEST(CoupledBeyondLimits, WithConditionsInSurplusNothingIsTakenUp) {
   constexpr const char* kThreeRockers = R"(
 [bodies.ground]

@@ -8,18 +8,19 @@
 
 namespace higherpair::testing {
 
-/// Two cranks of 30 mm, 100 mm apart, hold two links that reach so far together: they can be assembled while
-/// the tips of the cranks are no farther from each other.
+/// Two cranks of 30 mm on pivots 100 mm apart carry two links, which join the tips of the cranks. The
+/// mechanism can be assembled while the distance of the tips is at most `reach`, the length of both links
+/// together.
 struct CoupledCranks {
   double phase = 0;  ///< of the second crank [rad], which turns back at three times the speed
   double reach = 0;  ///< [mm]
 
-  /// What is left of the reach [mm], the first crank being at `theta`.
+  /// What is left of the reach [mm] with the first crank at `theta`; negative where it cannot be assembled.
   [[nodiscard]] double room(double theta) const {
     const Complex i(0, 1);
     return reach - std::abs(100.0 + 30.0 * std::exp(i * (phase - 3 * theta)) - 30.0 * std::exp(i * theta));
   }
-  /// The limits over a turn from a position at which it can be.
+  /// The limits over one turn from `start`, where it can be assembled.
   [[nodiscard]] std::vector<double> limits(double start) const {
     constexpr int kParts = 7200;
     std::vector<double> found;

@@ -1,4 +1,4 @@
-// Where branches of coupled bodies cross, or nearly do.
+// Motions in which branches of coupled bodies cross, or nearly do.
 #include "driven_four_bar.hpp"
 #include "run_testing.hpp"
 
@@ -41,8 +41,8 @@ RunTable run_with(int samples, const char* rocker) {
       {fmt::format("driver.samples={}", samples), fmt::format("bodies.rocker.points.B.0={}", rocker)}));
 }
 
-// Of the change-point four-bar with another rocker, continuous over the driver's half turn.
-// \param side  of the line O Q on which B lies
+// Of the change-point four-bar with another rocker length; continuous over the driver's half turn.
+// \param side  the side of line OQ on which B lies
 double crank_angle(double driver, double rocker, double side) {
   const std::optional<double> angle = testing::crank_angle({100, 30, 80, rocker}, driver, -side);
   return angle.value_or(NAN) - (driver > kPi ? 2 * kPi : 0);
@@ -73,8 +73,8 @@ TEST(CoupledCrossings, ArePassedStraightOnWhateverTheRows) {
   }
 }
 
-// At a dead point the poses need not be exact; it is left on the branch along which the crank turns more
-// slowly.
+// At a change point the poses need not be exact; the motion leaves it on the branch along which the crank
+// turns more slowly.
 TEST(CoupledCrossings, AreStartedAt) {
   for (const int samples : {3, 5, 361}) {
     for (const int pose : {180, 175}) {
@@ -96,7 +96,7 @@ TEST(CoupledCrossings, AreStartedAt) {
   }
 }
 
-// A rocker longer by 1e-10 never lets the links come in line: B stays on its side.
+// With a rocker longer by 1e-10 the links never come into line: B stays on its side.
 TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
   for (const char* rocker : {"50.00001", "50.0000001", "50.0000000001"}) {
     for (const int samples : {2, 3, 7, 13, 19, 37, 361}) {
@@ -114,8 +114,8 @@ TEST(CoupledCrossings, BranchesThatNearlyCrossAreKeptApart) {
   }
 }
 
-// With a shorter one the links of 30 and 80 would bring B nearer to O than 100 - 49.99999 can reach. Beyond,
-// and when the driver comes back, B is on the same side.
+// With a shorter rocker the links of 30 and 80 would bring B nearer to O than 100 - 49.99999, which is out of
+// reach. Beyond the gap, and when the driver comes back, B is on the same side.
 TEST(CoupledCrossings, BetweenTwoNearLimitsTheBranchIsLost) {
   const double nearest = 100 - 49.99999;
   const double limit = std::acos((nearest * nearest - 900 - 6400) / 4800);

@@ -31,8 +31,9 @@ struct TwoWays {
   int hard = 0;  ///< driven here bodies are coupled
 };
 
-// Stephenson's six-bar: three legs hold a ternary link, one on the crank and two on ground. Driven at a
-// grounded leg it is a four-bar and a dyad; driven at the crank nothing smaller than four bodies closes.
+// Stephenson's six-bar: a ternary link carried by three legs, one on the crank and two on ground. Driven at a
+// grounded leg it is a four-bar and a dyad; driven at the crank it cannot be split into groups smaller than
+// four bodies.
 TwoWays stephenson(Random& random) {
   TwoWays result;
   Builder& b = result.builder;
@@ -79,7 +80,7 @@ JointMotion motion_at_joint(const Run& run, int joint) {
                       run.row.bodies);
 }
 
-// Drives the easy way, then the hard one through the positions of its joint; compares all bodies.
+// Drives the easy joint, then the hard one through the positions that it had; compares all bodies.
 void compare_ways(const TwoWays& ways, unsigned seed, Worst& worst, int& compared) {
   const auto driven_at = [&](int joint) {
     Builder builder = ways.builder;
@@ -98,7 +99,7 @@ void compare_ways(const TwoWays& ways, unsigned seed, Worst& worst, int& compare
     move_to(*known, {{easy.coordinate(ways.easy) + 0.03 * k, 0.9, 0.4}});
     if (known->row.status != RowStatus::kOk) return;
     const JointMotion driver = motion_at_joint(*known, ways.hard);
-    // Near the dead point of the second driver the two runs part.
+    // Near the dead point of the second driver the two runs diverge.
     if (std::abs(driver.velocity) < 0.3 || driver.velocity * last < 0) return;
     last = driver.velocity;
     move_to(*coupled, {{driver.position, driver.velocity, driver.acceleration}});
@@ -112,7 +113,7 @@ void compare_ways(const TwoWays& ways, unsigned seed, Worst& worst, int& compare
       worst.see(angle_error(a.theta, c.theta) / speed);
       worst.see(std::abs(a.omega - c.omega) / (speed * speed));
       worst.see((a.v_WB - c.v_WB).norm() / (speed * speed));
-      // α is a difference of terms as large as this.
+      // α is a difference of terms of this size.
       const double term = std::abs(a.omega * driver.acceleration / driver.velocity);
       worst.see(std::abs(a.alpha - c.alpha) / (speed * speed * speed + std::abs(a.alpha) + term));
     }
@@ -136,7 +137,7 @@ TEST_P(CoupledBodiesDrivenTheHardWay, MoveLikeTheSameMechanismMadeOfDyads) {
 INSTANTIATE_TEST_SUITE_P(SixBarAndFourBar, CoupledBodiesDrivenTheHardWay, ::testing::Bool(),
                          [](const auto& test) { return test.param ? "Stephenson" : "FourBar"; });
 
-// Three equal cranks on one coupler: by the count a structure, yet it turns.
+// Three equal cranks on one coupler: a structure by the mobility formula, yet it moves.
 Builder three_cranks(const Vector2d& third) {
   Builder b;
   const std::array<Vector2d, 3> pivots{Vector2d(0, 0), Vector2d(0.7, 0.1), third};
@@ -184,7 +185,7 @@ TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
   const auto still = start_run(four_bar(random).builder.mechanism, {});
   ASSERT_FALSE(still);
   EXPECT_THAT(still.error().reason, HasSubstr("1 driver needed, 0 given"));
-  // A link that hangs on the crank by one pin.
+  // A link that is attached to the crank by one pin only.
   TwoWays ways = four_bar(random);
   const int flag = ways.builder.body("flag", {0.2, 0.3}, 0.4);
   ways.builder.revolute(1, flag, {0.25, 0.35});
@@ -193,7 +194,7 @@ TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
   ASSERT_FALSE(hanging);
   EXPECT_THAT(hanging.error().reason, HasSubstr("2 drivers needed, 1 given"));
   EXPECT_THAT(hanging.error().reason, HasSubstr("in which flag can move"));
-  // A body that hangs on nothing.
+  // A body that is attached to nothing.
   ways.builder.body("stone", {2, 1}, 0);
   const auto apart = start_run(ways.builder.mechanism, {0});
   ASSERT_FALSE(apart);
@@ -211,7 +212,7 @@ TEST(TooManyDrivers, AreRefused) {
   EXPECT_THAT(run.error().reason, HasSubstr("driver"));
 }
 
-// Each parallelogram is driven by the one before; every crank turns like the first.
+// A row of parallelograms, each driven by the one before; every crank turns like the first.
 Builder ladder(int rungs) {
   Builder b;
   const double theta = 1.1;
@@ -250,7 +251,7 @@ TEST(Ladder, OfAThousandFourBarsRunsInOneFile) {
     }
     fmt::print("{} four-bars: start {:.2f} ms, {:.3f} ms a row\n", rungs, start, ms(begin) / 21);
     EXPECT_AT_MOST(run->row.residual, 1e-12 * run->plan().size);
-    // Places of up to 700 round to 1e-13, which turns a crank of 0.3 by 3e-13 at every rung.
+    // Coordinates of up to 700 round to 1e-13, which turns a crank of 0.3 by 3e-13 at every rung.
     EXPECT_NEAR(run->row.bodies.back().theta, 1.5, 1e-14 * rungs);
     EXPECT_NEAR(run->row.bodies.back().omega, 1, 1e-13 * rungs);
   }

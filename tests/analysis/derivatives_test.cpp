@@ -1,5 +1,5 @@
-// Higher derivatives, by the equations of motion of order k, against closed forms, against the jerk that is
-// worked out otherwise, and against differences of the next lower derivative.
+// Higher derivatives from the conditions differentiated k times, compared with closed forms, with the jerk
+// that is computed by other means, and with differences of the next lower derivative.
 #include "higherpair/analysis/derivatives.hpp"
 
 #include "analysis/run_testing.hpp"
@@ -38,7 +38,7 @@ std::size_t body_index(const Run& run, const std::string& name) {
   return i;
 }
 
-// s = (cos wt)-like motions: y = 30 + 10 sin(u) mm at a constant rate.
+// A sinusoidal lift at a constant rate: y = 30 + 10 sin(u) mm.
 TEST(Derivatives, OfAFlatFollowerOnAnEccentricDiscAreThoseOfASine) {
   const Profile profile = testing::read(R"([bodies.ground]
 points.O = [0, 0]
@@ -73,8 +73,8 @@ joint = "cam_pivot"
   }
 }
 
-// The ellipse 2 x 1 about its centre under a flat follower: s = sqrt(4 sin^2 u + cos^2 u). Its derivatives by
-// a power series worked out by hand: s^2 = g gives s s_k = (g_k - sum of products)/2.
+// The ellipse 2 x 1 about its centre under a flat follower: s = sqrt(4 sin^2 u + cos^2 u). Its derivatives
+// from a power series, by hand: s^2 = g gives s s_k = (g_k - sum of products)/2.
 TEST(Derivatives, OfAFlatFollowerOnAnEllipseAreThoseOfItsSupport) {
   const Profile profile = testing::read(R"(units = { length = "m", angle = "rad" }
 [bodies.ground]
@@ -121,7 +121,7 @@ joint = "cam_pivot"
   EXPECT_NEAR(derivatives_of(run, drivers, 3)->at(2).p_WB[3].y(), -6.378404883307, 1e-12);
 }
 
-// Position, velocity, acceleration as the run has them and the jerk as --jerk has it, in all shipped
+// Position, velocity and acceleration as the run has them, and the jerk as --jerk gives it, in all shipped
 // profiles: two derivations that share nothing but the mechanism.
 TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
   int compared = 0;
@@ -204,7 +204,7 @@ TEST(Derivatives, OfAPointAreThoseOfACircle) {
 }
 
 TEST(Derivatives, AreNotDefinedWhereTheMechanismIsSingular) {
-  // A parallelogram in line.
+  // A parallelogram with all links in line.
   auto run = started(shipped("parallelogram"));
   const std::vector<DriverMotion> drivers{{0, 1, 0}};
   move_to(run, drivers);

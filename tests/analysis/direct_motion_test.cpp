@@ -1,4 +1,5 @@
-// Positions in closed form against runs that follow the motion, and what dyads are short of.
+// Positions in closed form compared with runs that follow the motion, and the gaps of dyads that cannot be
+// closed.
 #include "higherpair/analysis/direct_motion.hpp"
 
 #include "analysis/run_testing.hpp"
@@ -56,12 +57,13 @@ TEST(ClosureGap, OfAFourBarIsWhatItsLinksAreShortOf) {
     for (const auto& one : at.gaps()) largest = one ? std::max(largest, *one) : largest;
     return largest;
   };
-  // |O4 A| is 3 cm and 1 cm with the crank on the line of pivots: short of 5 cm by 2, more than 0 by 1.
+  // With the crank on the line of pivots |O4 A| is 3 cm and 1 cm: 2 cm short of 5 cm, and 1 cm more than 0.
   EXPECT_TRUE(motion.move_to({{kPi, 0, 0}}, false));
   EXPECT_NEAR(gap(motion), -0.02, 1e-15);
   EXPECT_TRUE(motion.move_to({{0, 0, 0}}, false));
   EXPECT_NEAR(gap(motion), -0.01, 1e-15);
-  // With a rocker of 0.2 cm the links reach 2.7 cm, 0.3 too little, and are 2.3 - 1 = 1.3 cm too unequal.
+  // With a rocker of 0.2 cm the links reach 2.7 cm, 0.3 cm too little; and their difference, 2.3 cm, is 1.3
+  // cm more than 1 cm.
   mechanism.bodies[3].points[1].p_B = {0.002, 0};
   DirectMotion stuck(mechanism, redimensioned(plan, mechanism), 0);
   EXPECT_FALSE(stuck.move_to({{kPi, 0, 0}}, false));

@@ -8,15 +8,15 @@
 
 namespace higherpair::testing {
 
-/// The lengths of a four-bar that is driven at the pin of its crank and coupler: no body can be placed before
-/// the others.
+/// The lengths of a four-bar that is driven at the pin between crank and coupler: no body can be placed
+/// before the others.
 struct FourBar {
   double frame, crank, coupler, rocker;  // mm
 };
 
-/// Seen from the crank the end B of the coupler is on a circle about A, and the frame's pin C on one about O:
-/// the angle from the frame to the crank in either assembly, σ = ±1, where there is one. \param driver  from
-/// the crank to the coupler
+/// Angle from the frame to the crank in the assembly σ = ±1; none where it cannot be assembled. In the
+/// crank's frame the coupler's end B lies on a circle about A, and the frame's pin C on a circle about O.
+/// \param driver  angle from the crank to the coupler
 inline std::optional<double> crank_angle(const FourBar& bar, double driver, double sigma) {
   const Complex B = bar.crank + bar.coupler * std::polar(1.0, driver);
   const double cosine =

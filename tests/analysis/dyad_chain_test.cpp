@@ -1,4 +1,4 @@
-// Rows of linkages in closed form: where they are proven they are those of a run that follows the motion.
+// Linkages in closed form: where their rows are proven, they are those of a run that follows the motion.
 #include "analysis/chain_testing.hpp"
 #include "analysis/random_cam.hpp"
 #include "analysis/random_mechanism.hpp"
@@ -56,7 +56,7 @@ TEST(DyadChain, FourBarsOfRandomLengthsAreProvenWhereTheyTurnFully) {
     const double coupler = random.between(0.5, 3), rocker = random.between(0.5, 3);
     const Mechanism mechanism = four_bar(ground, crank, coupler, rocker);
     const Outcome outcome = compare(mechanism, turn(0.1, 2 * kPi, 181));
-    // Full turns where ground and crank reach neither end of what the dyad does.
+    // The crank turns fully where the distance of its end from the other pivot stays within the dyad's reach.
     const double far = coupler + rocker - (ground + crank);
     const double near = std::abs(ground - crank) - std::abs(coupler - rocker);
     const bool turns = far > 0.05 && near > 0.05;
@@ -71,7 +71,7 @@ TEST(DyadChain, FourBarsOfRandomLengthsAreProvenWhereTheyTurnFully) {
 }
 
 // The links are in line at 180 degrees, halfway between two rows, and out of reach within a window far
-// narrower than a step: all rows can be assembled.
+// narrower than a step: all rows themselves can be assembled.
 TEST(DyadChain, LimitsBetweenTwoRowsAreNotPassedOver) {
   for (const double short_by : {1e-3, 1e-5, 1e-8, 0.0, -1e-8, -1e-5}) {
     SCOPED_TRACE(short_by);
@@ -120,7 +120,7 @@ TEST(DyadChain, LinksWithoutLengthAndFarOriginsAreNotProven) {
   EXPECT_TRUE(chain->solve(mechanism));
 }
 
-// Every column alone, which leaves out what only the others need, to the last bit.
+// Computes every column alone, which leaves out what only the others need, and compares it bit by bit.
 void compare_columns(const Mechanism& mechanism, const std::vector<DriverMotion>& rows) {
   const auto plan = make_plan(mechanism);
   const auto columns = all_columns(mechanism);

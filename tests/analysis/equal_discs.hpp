@@ -2,8 +2,8 @@
 
 namespace higherpair::testing {
 
-/// Equal eccentric discs touch as the cranks of a parallelogram: at 0° and 180° it has branches that cross.
-/// Driver and follower start upright.
+/// Equal eccentric discs in contact move like the cranks of a parallelogram, so that branches cross at 0° and
+/// 180°. Driver and follower start upright.
 inline constexpr const char* kEqualDiscs = R"(
 [bodies.ground]
 points = { O = [0, 0], Q = [35, 0] }

@@ -20,7 +20,7 @@ namespace {
 
 using testing::shipped;
 
-// Runs over a turn in so many equal steps and gathers the events of one type.
+// Runs over a turn in the given number of equal steps and collects the events of one type.
 std::vector<RunEvent> events_of(const Mechanism& mechanism, EventType type, int steps) {
   auto run = start_run(mechanism, {0}).value();
   std::vector<RunEvent> found;
@@ -33,7 +33,7 @@ std::vector<RunEvent> events_of(const Mechanism& mechanism, EventType type, int 
 }
 
 TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
-  // s = r + e sin θ, whatever the spacing of the rows.
+  // s = r + e sin θ; the same for any spacing of the rows.
   for (const int steps : {3, 7, 361}) {
     const auto events = events_of(shipped("flat_faced_translating").mechanism, EventType::kStrokeEnd, steps);
     ASSERT_EQ(events.size(), 2U) << steps;
@@ -58,9 +58,9 @@ TEST(StrokeEnds, OfATappetInTwoGuidesAreThoseOfOne) {
   }
 }
 
-// A block on a line 20 mm beside the pivot slides on one 10 mm above it, at x = (10 cos θ - 20)/sin θ: to
-// infinity at 180° and from there back to where cos θ = 1/2. What was fast beside the pole does not make it
-// slow here.
+// A crank's line passes 20 mm beside its pivot, and a block on it slides along a line 10 mm above the pivot:
+// x = (10 cos θ - 20)/sin θ. The block goes to infinity at 180° and returns from there until cos θ = 1/2.
+// Speeds near the pole must not count as the scale by which a speed near this stroke end is judged slow.
 TEST(StrokeEnds, BehindAPoleAreWhereTheMotionReverses) {
   const Profile profile = testing::profile_of(R"([bodies]
 ground = { points = { O = [0, 0], H = [0, 10] } }
@@ -94,8 +94,8 @@ end = 390
   }
 }
 
-// Three bodies in five joints, of which no dyad can be made; two of them run off to infinity where the slots
-// j2 and j3 come to be parallel.
+// Three bodies with five joints, which cannot be split into dyads. Two of them run off to infinity where the
+// slots j2 and j3 become parallel.
 TEST(Poles, OfCoupledBodiesAreWhereTheirSlotsAreParallel) {
   const Profile profile = testing::profile_of(R"([units]
 length = "m"
@@ -132,7 +132,7 @@ end = -2
   }
 }
 
-// The pin comes into a slot just over its end: from whichever side, and wherever steps end.
+// The pin enters a slot just over its end, from either side and wherever steps end.
 TEST(Engagements, OfAGenevaWheelAreSeenWhateverTheRowsAndTheSenseOfTurning) {
   for (const int rows : {2, 4, 7, 37, 61, 361}) {
     for (const double start : {360.0, 300.0, 250.0, 241.0}) {
@@ -150,7 +150,7 @@ TEST(Engagements, OfAGenevaWheelAreSeenWhateverTheRowsAndTheSenseOfTurning) {
 }
 
 TEST(StrokeEnds, OfAnOutputAtRestAreNone) {
-  // A disc about its own centre moves nothing.
+  // A disc that turns about its own centre moves nothing.
   for (const char* name : {"flat_faced_translating", "eccentric_disc_oscillating_roller", "knife_edge"}) {
     Profile profile = shipped(name);
     for (Body& body : profile.mechanism.bodies) {
@@ -164,7 +164,7 @@ TEST(StrokeEnds, OfAnOutputAtRestAreNone) {
   }
 }
 
-// Both positions at which two contacts hold at once, by the list of all contacts.
+// The two positions at which both contacts hold at once, from the list of all contacts.
 double smallest_distance_of_two_free_contacts(const Run& run, double u) {
   const auto& tracked = std::get<TrackedPair>(run.plan().groups[1].kind);
   const CurveContacts all = find_curve_contacts(tracked.pair, u);
@@ -221,7 +221,7 @@ TEST(SecondContacts, ThatMayNotBeTakenAreOverlaps) {
   ASSERT_EQ(overlaps.size(), 1U);
   EXPECT_NEAR(overlaps[0].driver, jumps[0].driver, 1e-12);
   auto run = start_run(profile.mechanism, {0}).value();
-  // The branch ends at 118.11 and is there again from 244.08 on, free of overlap from 260.6 on.
+  // The branch ends at 118.11, exists again from 244.08 on, and is free of overlap from 260.6 on.
   const auto status_at = [&](double degrees) {
     move_to(run, {{degrees * kPi / 180, 1, 0}});
     return run.row.status;
@@ -232,7 +232,7 @@ TEST(SecondContacts, ThatMayNotBeTakenAreOverlaps) {
   EXPECT_EQ(status_at(265), RowStatus::kOk);
 }
 
-// A ring is put on an ellipse of ground so that it cuts the ellipse elsewhere.
+// A ring placed on an ellipse of ground so that it cuts the ellipse elsewhere.
 TEST(Overlaps, ThatAreThereAtTheStartBeginInTheFirstRow) {
   const Profile profile = testing::profile_of(R"([units]
 length = "m"
@@ -316,7 +316,7 @@ TEST(DeadPoints, OfAParallelogramAreCrossedStraightOn) {
     EXPECT_NEAR(rocker.theta, degrees * kPi / 180, 1e-14);
     EXPECT_EQ(run.row.status, degrees == 180 ? RowStatus::kSingular : RowStatus::kOk);
     if (run.row.status == RowStatus::kOk) {
-      // The cranks are always parallel; near the dead point the rates come from both sides of it.
+      // The cranks are always parallel; near the change point the rates are interpolated from both sides.
       EXPECT_NEAR(rocker.omega, 1, 1e-12);
       EXPECT_NEAR(rocker.alpha, 0, 1e-8);
     }
@@ -335,7 +335,7 @@ TEST(DeadPoints, OfEqualDiscsAreCrossedStraightOnWhateverTheRows) {
       for (int k = 0; k <= rows; ++k) {
         const double u = kPi / 2 + (first + k * 360.0 / rows) * kPi / 180;
         move_to(run, {{u, 1, 0}});
-        // Next to a crossing the angle is known to the root of rounding only.
+        // Next to a crossing the angle is known only to the square root of rounding.
         EXPECT_NEAR(run.row.bodies[2].theta, u, 1e-9);
         for (const RunEvent& event : run.events) {
           EXPECT_EQ(event.type, EventType::kDeadPoint);
@@ -357,7 +357,7 @@ TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {
   EXPECT_NEAR(run.row.bodies[3].theta, kPi / 3, 1e-13);
 }
 
-// A stroke that ends between the first row and the second, however near they are.
+// A stroke that ends between the first row and the second, however close they are.
 TEST(StrokeEnds, InTheFirstStepAreSaid) {
   const auto profile = shipped("toggle_press");
   const DriverSchedule schedule = DriverSchedule::analyze(profile).value();
@@ -375,7 +375,8 @@ TEST(StrokeEnds, InTheFirstStepAreSaid) {
   for (const double end : ends) EXPECT_NEAR(end, 0.273973480999 * kPi / 180, 1e-13);
 }
 
-// Where a second contact appears and at which rates does not depend on the rows, also where one falls on it.
+// Where a second contact appears, and with which rates, does not depend on the rows, even if a row falls on
+// it.
 TEST(SecondContacts, AreTheSameWhateverTheRows) {
   const auto profile = shipped("oval_in_ring");
   const double place = 99.39339667515179 * kPi / 180;
@@ -399,7 +400,8 @@ TEST(SecondContacts, AreTheSameWhateverTheRows) {
 }
 
 TEST(LimitPositions, OfAFourBarAreWhereCouplerAndRockerAreInLine) {
-  // Ground 80, crank 60, coupler 30, rocker 40: 70 = 30 + 40 from the crank's end to the rocker's pivot.
+  // Ground 80, crank 60, coupler 30, rocker 40: the limit is where the crank's end is 70 = 30 + 40 from the
+  // rocker's pivot.
   auto profile = read_profile_text(parallelogram("start = 30"), "four-bar").value();
   Mechanism& mechanism = profile.mechanism;
   mechanism.bodies[0].points[1].p_B = {0.080, 0};
@@ -413,7 +415,7 @@ TEST(LimitPositions, OfAFourBarAreWhereCouplerAndRockerAreInLine) {
   EXPECT_EQ(run.events[0].type, EventType::kLimitPosition);
   const double limit = std::acos((80.0 * 80 + 60 * 60 - 70 * 70) / (2.0 * 80 * 60));
   EXPECT_NEAR(run.events[0].driver, limit, 1e-14);
-  // It comes back on the branch that it has left.
+  // It comes back on the branch that it was on before the limit.
   move_to(run, {{kPi / 4, 1, 0}});
   EXPECT_EQ(run.row.status, RowStatus::kOk);
   const double back = run.row.bodies[3].theta;

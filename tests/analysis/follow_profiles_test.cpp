@@ -1,5 +1,6 @@
-// Random mechanisms on which the first limit is hard to meet: two limits near each other, a limit just after
-// the start, contacts in chains, bodies that contacts alone hold. Where it lies does not depend on the rows.
+// Random mechanisms whose first limit is hard to find: two limits close together, a limit just after the
+// start, contacts in chains, bodies that only contacts hold. Where the limit lies must not depend on the
+// rows.
 #include "analysis/reference_follower.hpp"
 #include "analysis/run_testing.hpp"
 #include "higherpair/io/driver_schedule.hpp"
@@ -18,8 +19,8 @@ namespace {
 using namespace higherpair::testing;
 
 /// A profile of tests/data/follow and the first driver's coordinate at the first limit, in the profile's
-/// units; none: the motion gets to its end. By reference_motion; another tracker, in 42 digits, gave the same
-/// to its step (2e-5).
+/// units; none: the motion reaches its end. Computed by reference_motion; an independent tracker with 42
+/// digits gave the same to within its step (2e-5).
 struct Followed {
   const char* name;
   std::optional<double> limit;
@@ -38,7 +39,8 @@ constexpr std::array kFollowed{
     Followed{"coupled44", std::nullopt},          Followed{"coupled45", 145.12608254094022},
     Followed{"coupled136", std::nullopt}};
 
-// Not yet right: "NAME at ROWS". Whoever mends one takes it off: the test fails where a listed one passes.
+// Known failures, "NAME at ROWS". Remove an entry when it is fixed: the test also fails where a listed one
+// passes.
 const std::set<std::string> kKnown{};
 
 Profile followed(const std::string& name) {
@@ -53,7 +55,7 @@ double to_profile_units(const Profile& profile, double driver) {
   return from_si(has_angle(joint.type) ? dimension::kAngle : dimension::kLength, profile.units).apply(driver);
 }
 
-// What is wrong with a run; empty: nothing.
+// What is wrong with a run; empty if nothing.
 std::string objection(const Profile& profile, const Followed& wanted, std::int64_t rows) {
   const DriverSchedule schedule = DriverSchedule::analyze(profile, rows).value();
   const double first = schedule.state(0).profile.position;

@@ -1,4 +1,4 @@
-// The shipped profiles with gears and belts move as their comments say.
+// The shipped profiles with gears and belts move as their comments claim.
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
@@ -15,9 +15,9 @@ namespace {
 
 using testing::kDegree;
 
-constexpr double kRounding = 1e-14;  // of lengths up to 0.36 m and their squares
+constexpr double kRounding = 1e-14;  // for lengths up to 0.36 m and their squares
 
-// A shipped profile with its driver at any position.
+// A shipped profile with its driver at an arbitrary position.
 class ShippedProfile {
 public:
   explicit ShippedProfile(const std::string& name)
@@ -54,9 +54,8 @@ private:
   Run run_;
 };
 
-// The law of gearing: flanks that are involutes of the pitch circles' tangents turn the wheels as these
-// would, and the contact goes straight along the line of action, which leaves the centre line at the pressure
-// angle.
+// The law of gearing: involute flanks turn the wheels in the constant ratio of the pitch circles, and the
+// contact point moves straight along the line of action, which is inclined by the pressure angle.
 TEST(GearProfiles, AnInvolutePairKeepsItsRatioAlongTheLineOfAction) {
   Mechanism mechanism =
       read_profile_file(std::string(HIGHERPAIR_SOURCE_DIR "/profiles/") + "involute_pair.toml")->mechanism;
@@ -71,7 +70,7 @@ TEST(GearProfiles, AnInvolutePairKeepsItsRatioAlongTheLineOfAction) {
     EXPECT_NEAR(wheel.omega, -0.5, 1e-12);
     EXPECT_NEAR(wheel.alpha, 0, 1e-11);
     EXPECT_NEAR(wheel.theta, 177.75 * kDegree - (angle + 4.5 * kDegree) / 2, 1e-12);
-    // From the pitch point by the roll of the base circle.
+    // Distance from the pitch point: the arc of the base circle.
     const double along = base * (angle + 4.5 * kDegree);
     const Vector2d line_of_action = unit_vector(70 * kDegree);
     const CommonNormal& at = run.row.contacts[0].at;

@@ -16,7 +16,7 @@ namespace {
 
 using testing::shipped;
 
-// A four-bar whose coupler drives a slider by a rod, and a lever with a slot on the crank's pin.
+// A four-bar whose coupler drives a slider through a rod, and a lever whose slot takes the crank's pin.
 constexpr const char* kLinkages = R"(
 [bodies.ground]
 points = { A = [0, 0], D = [90, 0], S = [0, 0], G = [-60, -80] }
@@ -51,7 +51,7 @@ h = { type = "slot", between = ["lever.G", "crank.B"], direction = [1, 0] }
 joint = "a"
 )";
 
-// A slide, which is driven, turns a crank by a rod.
+// A driven slide turns a crank through a rod.
 constexpr const char* kDrivenSlide = R"(
 units = { length = "m", angle = "rad" }
 [bodies.ground]
@@ -93,7 +93,7 @@ Run run_at(const Profile& profile, double u) {
   return run;
 }
 
-// Differences of a_x, a_y, α over times of the driver's motion u + t + t²/4.
+// Central differences of a_x, a_y, α over time for the driver's motion u + t + t²/4.
 Eigen::Vector3d slope(const Run& at, double u, std::size_t body, double h) {
   const auto acceleration = [&](double t) {
     Run run = at;
@@ -116,7 +116,7 @@ TEST(JerksOfARun, AreTheDifferencesOfItsAccelerations) {
         const Eigen::Vector3d wide = slope(run, u, i, 4e-3);
         const Eigen::Vector3d narrow = slope(run, u, i, 2e-3);
         const Eigen::Vector3d value = (16 * narrow - wide) / 15;
-        // Rounding of accelerations over the step.
+        // The rounding of accelerations divided by the step.
         const double tolerance = (narrow - wide).norm() + 1e-9 * (1 + value.norm());
         EXPECT_LE((jerk - value).norm(), tolerance)
             << profile.mechanism.title << ' ' << profile.mechanism.bodies[i].name << " at " << u;
@@ -125,7 +125,7 @@ TEST(JerksOfARun, AreTheDifferencesOfItsAccelerations) {
   }
 }
 
-// The mechanism with circles of curvature in place of its conics, posed as it stands.
+// The mechanism in its present position with its conics replaced by their circles of curvature.
 Mechanism with_circles(const Run& run) {
   Mechanism mechanism = run.mechanism();
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
@@ -161,7 +161,7 @@ TEST(JerksOfARun, OfTheFrozenLinkageAreThoseOfCirclesOfCurvature) {
     const double scale = 1e-9 * (1 + jerks.linkage[last]->j_WB.norm());
     EXPECT_LE((jerks.linkage[last]->j_WB - expected.bodies[last]->j_WB).norm(), scale);
     EXPECT_LE(std::abs(jerks.linkage[last]->angular - expected.bodies[last]->angular), 1e-9);
-    // Origins on a pivot have no jerk.
+    // A body whose origin is on a pivot has no jerk of the origin.
     EXPECT_GT((jerks.linkage[last]->j_WB - jerks.bodies[last]->j_WB).norm() +
                   std::abs(jerks.linkage[last]->angular - jerks.bodies[last]->angular),
               1e-4);
@@ -180,7 +180,8 @@ TEST(JerksOfARun, OfARollingPairAreThoseOfThePair) {
   EXPECT_LE(std::abs(jerks.linkage.back()->angular - 27 * *pair.linkage_d3q), 1e-10);
 }
 
-// In closed form where all bodies hang on ground, by power series of all conditions in general.
+// The jerk of bodies on ground joints has a closed form; it is compared with the general method, power series
+// of all conditions.
 TEST(JerksOfARun, OfCamsInClosedFormAreThoseOfPowerSeries) {
   std::vector<Profile> all = profiles();
   for (const char* name : {"spline_cam", "law_cam_flat", "law_cam_roller", "four_arc_cam", "tangent_cam",

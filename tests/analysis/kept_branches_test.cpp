@@ -1,5 +1,5 @@
-// Linkages and contacts whose branches cross stay on theirs, wherever they start and however far apart the
-// rows are: random ones, and those whose rows fall on a crossing or a hair beside it.
+// Linkages and contacts whose branches cross stay on their branch, wherever they start and however far apart
+// the rows are: random mechanisms, and some whose rows fall on a crossing or very close to it.
 #include "coupled_cranks.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "run_testing.hpp"
@@ -18,13 +18,13 @@ namespace {
 constexpr int kRuns = 400;
 constexpr int kFewRows = 20;
 
-// Mechanisms that move as cos and sin of the driver say, on one of two branches that cross.
+// Mechanisms whose motion is known in closed form, on one of two branches that cross.
 struct Change {
   const char* name;
-  std::string (*profile)(double theta);                 // at the driver's position [rad]
-  double (*error)(const MotionRow& row, double theta);  // of the motion [rad or, of 0.1 m, m]
+  std::string (*profile)(double theta);                 // with the driver at theta [rad]
+  double (*error)(const MotionRow& row, double theta);  // of the motion [rad; m in units of 0.1 m]
   double period;                                        // from crossing to crossing [rad]
-  double first;                                         // crossing [rad]
+  double first;                                         // a crossing [rad]
 };
 
 std::string driven_at(const char* text, double theta) {
@@ -85,7 +85,7 @@ start = {t}
                    theta);
 }
 
-// At the crossing on the right the contact lies on the follower's pivot.
+// At the crossing on the right the contact point lies on the follower's pivot.
 constexpr const char* kDiscs = R"([bodies]
 ground.points = {{ P = [-0.05, 0], O = [0, 0], Q = [0.1, 0] }}
 left = {{ pose.angle = {t}, points.O = [0, 0], curves.c = {{ type = "circle", center = [0.04, 0], radius = 0.06 }} }}
@@ -150,12 +150,12 @@ double off_cosine(const MotionRow& row, double theta) {
 
 class KeptBranches : public ::testing::TestWithParam<Change> {};
 
-// From 0 to 1, the same ones everywhere.
+// A number in [0, 1), the same on every platform.
 double share(std::mt19937_64& random) {
   return static_cast<double>(random() % 1000000007) / 1000000007;
 }
 
-// Short, long and even steps, and such as end near a crossing after some rows.
+// Short, long and uniform steps, and steps that come close to a crossing after some rows.
 double any_step(const Change& change, double start, std::mt19937_64& random) {
   switch (random() % 4) {
     case 0:
@@ -190,7 +190,7 @@ TEST_P(KeptBranches, DoNotDependOnTheRows) {
       const double theta = start + k * step;
       move_to(*run, {{theta, 1, 0}});
       ASSERT_TRUE(run->row.status == RowStatus::kOk || run->row.status == RowStatus::kSingular) << k;
-      // Next to a crossing a contact is known to the root of rounding only.
+      // Next to a crossing a contact is known only to the square root of rounding.
       ASSERT_LE(change.error(run->row, theta), 1e-7) << k;
     }
   }
@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{"DiscThatPushesADisc", disc_that_pushes_a_disc, off_cosine, kPi, kPi / 2}),
     [](const auto& change) { return std::string(change.param.name); });
 
-// Between rows that are far apart angles could as well have gone the other way round.
+// With rows far apart the angles could just as well have gone the other way round.
 TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
   const auto expect_alike = [](const std::string& name, testing::Settings settings, const char* column) {
     settings.emplace_back("driver.samples=5");
@@ -234,7 +234,7 @@ TEST(Angles, GoTheShortWayOverAStretchThatCannotBeAssembled) {
                "touch.normal");
 }
 
-// The limits that a run over the same turn finds, forwards or backwards, by their driver's position.
+// The driver positions of the limits that a run over one turn from `start` finds, forwards or backwards.
 std::vector<double> found_limits(const testing::CoupledCranks& cranks, double start, int rows, bool back) {
   constexpr double kOneDegree = kPi / 180;
   const double from = (back ? start + 2 * kPi : start) / kOneDegree;
@@ -255,7 +255,7 @@ std::vector<double> found_limits(const testing::CoupledCranks& cranks, double st
   return found;
 }
 
-// The second of three stretches is 0.5° long.
+// The second of the three stretches is 0.5° long.
 TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
   const testing::CoupledCranks cranks{200 * kPi / 180, 91.115};
   const std::vector<double> limits = cranks.limits(0);
@@ -272,7 +272,7 @@ TEST(LimitPositions, BoundStretchesThatNoRowLiesIn) {
   }
 }
 
-// Wherever the stretches are, and however short: with a reach that is hardly enough for one of them.
+// For stretches anywhere, and as short as they come: the reach is hardly enough for one of them.
 TEST(LimitPositions, BoundTheShortestStretches) {
   int shortest = 0;
   for (int phase = 0; phase < 360; phase += 7) {

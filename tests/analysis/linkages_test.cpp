@@ -16,7 +16,7 @@ double dot(Complex a, Complex b) {
   return (std::conj(a) * b).real();
 }
 
-/// A place with its first and second derivative by time.
+/// A point's position with its first and second derivative by time.
 struct Path3 {
   Complex p, v, a;
 };
@@ -34,8 +34,8 @@ Path3 turning(Complex center, double radius, double theta, double omega, double 
   return {center + r, kI * omega * r, (kI * alpha - omega * omega) * r};
 }
 
-/// v and a of a point at fixed distances from two moving ones: (p - A)·(v - v_A) = 0,
-/// (p - A)·(a - a_A) = -|v - v_A|², and the same for B.
+/// Velocity and acceleration of a point at fixed distances from two moving ones: (p - A)·(v - v_A) = 0, (p -
+/// A)·(a - a_A) = -|v - v_A|², and the same for B.
 Path3 held_by(Complex p, const Path3& A, const Path3& B) {
   const Complex r = p - A.p, s = p - B.p;
   const auto solve = [&](double along_r, double along_s) {
@@ -47,7 +47,7 @@ Path3 held_by(Complex p, const Path3& A, const Path3& B) {
   return {p, v, a};
 }
 
-/// Errors of a point's columns, in units of its own speed and acceleration.
+/// Errors of a point's columns, relative to its own speed and acceleration.
 void compare_point(const RunTable& motion, std::size_t row, const std::string& name, const Path3& expected,
                    double size, Worst& worst) {
   worst.see(std::abs(motion.vector(row, name + ".") - expected.p) / size);
@@ -101,7 +101,7 @@ TEST(ScotchYoke, IsAPureHarmonicForEveryDirectionOfItsSlot) {
   }
 }
 
-// Exactly at the end of its stroke the yoke stands still, while the crank's pin does not.
+// Exactly at the end of its stroke the yoke is at rest, while the crank's pin is not.
 TEST(ScotchYoke, IsOkExactlyAtTheEndOfItsStroke) {
   const RunTable motion =
       analyze(shipped("scotch_yoke", {"joints.slot.direction=141", "driver.positions=[51, 231]"}));
@@ -123,7 +123,7 @@ TEST(ScotchYoke, TurnsItsCrankWhenTheYokeIsDriven) {
   }
 }
 
-// Crank, knee and ram of the toggle press by circles that meet.
+// The toggle press: crank, knee and ram by intersecting circles.
 void compare_toggle(const RunTable& motion, Worst& worst) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const Path3 A = turning({-260, -150}, 50, static_cast<double>(i) * kDegree, 2 * kPi, 0);
@@ -144,13 +144,13 @@ TEST(TogglePress, HasTheMotionOfItsKneeAndRam) {
   Worst worst;
   compare_toggle(motion, worst);
   EXPECT_AT_MOST(worst.value(), 1e-13);
-  // The ram stands still where the knee is straight, or where the knee reverses.
+  // The ram is at rest where the knee is straight, or where the knee reverses.
   std::size_t ends = 0;
   for (const RunEvent& event : motion.events()) ends += event.type == EventType::kStrokeEnd ? 1 : 0;
   EXPECT_GE(ends, 2U);
 }
 
-// Three links on one pin are two joints, and it does not matter which two.
+// Three links on one pin count as two joints, and it does not matter which two are written.
 TEST(TogglePress, MovesTheSameWhicheverTwoJointsMakeItsTriplePin) {
   const std::vector<Settings> choices = {{"joints.knee_upper.between=[\"lower.K\", \"upper.K\"]"},
                                          {"joints.knee_lower.between=[\"upper.K\", \"lower.K\"]"},
@@ -192,8 +192,8 @@ TEST(QuickReturn, SwingsOrTurnsTheLeverThatCarriesTheSlot) {
   }
 }
 
-// The other way round: the slot goes through the crank's pivot, the pin is on the lever 120 from its pivot:
-// cosine rule in the triangle of the pivots and the pin.
+// The reverse arrangement: the slot passes through the crank's pivot, and the pin is on the lever, 120 from
+// the lever's pivot. Cosine rule in the triangle of the pivots and the pin.
 TEST(QuickReturn, MovesALeverWhosePinRunsInTheCranksSlot) {
   const RunTable motion =
       analyze(shipped("quick_return", {"joints.slot.between=[\"crank.O\", \"lever.T\"]",
@@ -203,7 +203,7 @@ TEST(QuickReturn, MovesALeverWhosePinRunsInTheCranksSlot) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const Complex u = direction(motion.radians(i, "driver"));
     const double omega = motion.radians(i, "driver.velocity");
-    // |90 i + s u| = 120 with s > 0: the pivot is inside the pin's circle.
+    // |90 i + s u| = 120 with s > 0: the pivot lies inside the pin's circle.
     const double sine = u.imag(), cosine = u.real();
     const double root = std::sqrt(120. * 120 - 90. * 90 * cosine * cosine);
     const double root1 = 90. * 90 * cosine * sine * omega / root;
@@ -231,7 +231,8 @@ TEST(Parallelogram, GoesStraightOnWhereItCouldFoldOver) {
     worst.see(std::abs(motion.value(i, "right.alpha")) / 360);
     worst.see(std::abs(motion.value(i, "coupler.omega")) / 360);
   }
-  // Half a degree from a change point a position has lost a factor of 1/sin(0.5 deg) = 115, rates its square.
+  // Half a degree from a change point a position loses a factor of 1/sin(0.5 deg) = 115, and rates lose its
+  // square.
   EXPECT_AT_MOST(worst.value(), 115 * 115 * 1e-15);
 }
 
@@ -278,7 +279,7 @@ TEST(FiveBar, MovesItsToolAsTwoDriversTellIt) {
   }
 }
 
-// A round roller on its own pin touches where a roller fixed to the arm would; its spin is idle.
+// A round roller on its own pin touches where a roller fixed to the arm would; its spin has no effect.
 TEST(RollerBody, MovesItsArmLikeARollerFixedToItAndKeepsItsAngle) {
   const RunTable motion = analyze(shipped("roller_body", {"bodies.roller.pose.angle=33"}));
   const RunTable fixed = analyze(profile_of(R"(
@@ -321,7 +322,7 @@ velocity = 60
   EXPECT_AT_MOST(worst.value(), 1e-13);
 }
 
-// A pair that rolls through a turn rolls through any number of them.
+// A pair that rolls through one turn rolls through any number of turns.
 TEST(RollingEllipses, DoNotSlipAfterABillionTurns) {
   const Mechanism mechanism = shipped("rolling_ellipses").mechanism;
   for (const double turns : {0.0, 1e7, 1e9}) {
@@ -348,7 +349,8 @@ TEST(RollerBody, IsTurnedByTheCamWhereItRollsFromTheAngleOfItsPose) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
     worst.see(std::abs(motion.value(i, "touch.sliding")) / 80);
     worst.see(std::abs(motion.value(i, "touch.arc1") - motion.value(i, "touch.arc2")) / 80);
-    // The roller's own arc, against its outward normal's turning: that normal is -n, its t is -t.
+    // The roller's own arc, measured against the turning of its outward normal. That normal is -n, and its
+    // tangent is -t.
     const double against = motion.radians(i, "touch.normal") - motion.radians(i, "roller.angle");
     if (i == 0) turned = against;
     worst.see(std::abs(15 * (against - turned) + motion.value(i, "touch.arc2")) / 80);

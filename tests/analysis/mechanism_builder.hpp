@@ -9,7 +9,8 @@
 
 namespace higherpair::testing {
 
-/// Builds a mechanism from the answer: bodies are placed first, and joined where their points coincide.
+/// Builds a mechanism from an assembled position: bodies are placed first, and joined where their points
+/// coincide.
 class Builder {
 public:
   Builder() { (void)body("ground", Vector2d::Zero(), 0); }
@@ -30,7 +31,7 @@ public:
         {name(), JointType::kRevolute, point(a, p_W), point(b, p_W), Vector2d::UnitX(), 0, 0, 1, {}, {}, {}});
   }
 
-  /// The first point lies `back` behind the second along the direction: the joint's coordinate.
+  /// The first point lies `back` behind the second along the direction; `back` is the joint's coordinate.
   int prismatic(int a, int b, const Vector2d& p_W, const Vector2d& direction_W, double back) {
     return add({name(),
                 JointType::kPrismatic,

@@ -1,4 +1,4 @@
-// Linkages of pins in closed form against the ordinary solution, and their derivatives against differences.
+// Pin linkages in closed form compared with the ordinary solution, and their derivatives with differences.
 #include "higherpair/analysis/pin_linkage.hpp"
 
 #include "analysis/run_testing.hpp"
@@ -21,7 +21,7 @@ Mechanism with_numbers(Mechanism mechanism, const std::vector<double>& numbers) 
   return mechanism;
 }
 
-// Turned and moved a little, so that no number is 0 and no two are equal.
+// Slightly perturbed, so that no number is 0 and no two are equal.
 std::vector<double> shaken(std::vector<double> numbers, unsigned seed, double size) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(-0.03, 0.03);
@@ -29,7 +29,7 @@ std::vector<double> shaken(std::vector<double> numbers, unsigned seed, double si
   return numbers;
 }
 
-// Of a name with ~ every joint names its bodies the other way round.
+// For a name that begins with ~ every joint names its bodies in the opposite order.
 Mechanism mechanism_of(const std::string& name) {
   if (name.front() != '~') return shipped(name).mechanism;
   Mechanism mechanism = shipped(name.substr(1)).mechanism;
@@ -88,7 +88,7 @@ TEST_P(PinLinkages, ChangeAsDifferencesSay) {
   for (double q = 0.1; q < 2 * kPi; q += 0.41) {
     const Rotation<double> turn = Rotation<double>::from_angle(q);
     bool placed = true;
-    // Places of all points, gaps and transmissions, one after the other.
+    // Positions of all points, gaps and transmissions, one after the other.
     const auto values = [&](double step) -> Eigen::VectorXd {
       std::vector<double> at = numbers;
       for (std::size_t k = 0; k < at.size(); ++k) at[k] += step * slopes[k];
@@ -116,7 +116,7 @@ TEST_P(PinLinkages, ChangeAsDifferencesSay) {
     for (std::size_t k = 0; k < linkage_.dyads(); ++k) {
       least_sine = std::min(least_sine, std::abs(linkage_.transmission(k)));
     }
-    if (least_sine < 0.1) continue;  // differences are no good next to a dead point
+    if (least_sine < 0.1) continue;  // differences are inaccurate next to a dead point
     const double near = 1e-8 * expected.lpNorm<Eigen::Infinity>();
     for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
       for (std::size_t p = 0; p < mechanism_.bodies[b].points.size(); ++p) {

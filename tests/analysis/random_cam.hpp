@@ -7,8 +7,8 @@ namespace higherpair::testing {
 
 enum class CamShape { kDisc, kOval, kEdge };
 
-/// A cam on ground and a follower on ground that touch at a place, with the shapes given; behind the follower
-/// maybe two links. Well away from limits where it starts, but not on its way.
+/// A cam and a follower, both on ground joints, that touch with the given shapes; two links may be attached
+/// to the follower. The start is well away from limits, but the motion may meet some.
 class RandomCam {
 public:
   RandomCam(unsigned seed, double scale) : random_(seed), scale_(scale) {}
@@ -41,7 +41,7 @@ private:
   double sign() { return chance() ? 1 : -1; }
   bool chance() { return random_.between(0, 1) < 0.5; }
 
-  // The curve of a body whose outward normal at p is n.
+  // A curve of the given shape on the body, through p with the outward normal n.
   CurveRef curve(CamShape shape, int body, const Vector2d& p, const Vector2d& n) {
     if (shape == CamShape::kEdge) {
       return b_.edge(body, p);

@@ -16,17 +16,18 @@ struct RandomMechanism {
   double start = 0;  ///< coordinate of the driven joint in the poses
 };
 
-/// Groups of bodies between two known ones; S: its line without a slider.
+/// Groups of bodies between two known ones. S: the slot variant, in which the line is guided by a pin without
+/// a slider body.
 enum class RandomGroup { kRrr, kRrp, kRrpS, kRpr, kRprS, kPrp, kRpp, kRppS, kTouching };
 
 inline constexpr std::array kAllRandomGroups{RandomGroup::kRrr, RandomGroup::kRrp,  RandomGroup::kRrpS,
                                              RandomGroup::kRpr, RandomGroup::kRprS, RandomGroup::kPrp,
                                              RandomGroup::kRpp, RandomGroup::kRppS, RandomGroup::kTouching};
 
-/// Mechanisms of random groups, each well away from its dead points, hung one on the other.
+/// Mechanisms of random groups, each well away from its dead points and attached to the bodies before it.
 class RandomBuilder {
 public:
-  /// \param groups  of which it draws
+  /// \param groups  the kinds to draw from
   RandomBuilder(unsigned seed, std::size_t most_bodies,
                 std::span<const RandomGroup> groups = kAllRandomGroups)
       : random_(seed), most_bodies_(most_bodies), groups_(groups) {}
@@ -54,7 +55,7 @@ private:
   }
   static Vector2d turned(const Vector2d& v, double angle) { return Rotation<double>::from_angle(angle) * v; }
   double sign() { return random_.between(-1, 1) < 0 ? -1 : 1; }
-  /// A body that moves, and any other one.
+  /// Picks a moving body and any other one, in random order.
   void choose(int& moving, int& other) {
     moving = known_[1 + index(known_.size() - 1)];
     do {
@@ -130,7 +131,7 @@ private:
     }
     const int b = body();
     b_.revolute(k2, b, B);
-    // The slide's points need not be the pins.
+    // The slide's points need not be at the pins.
     const Vector2d off = B + random_.between(-0.2, 0.2) * perp(u);
     sign() > 0 ? b_.prismatic(a, b, off, u, back()) : b_.prismatic(b, a, off, u, back());
     know({b});

@@ -1,4 +1,4 @@
-// Laws that every mechanism obeys, on random ones.
+// Laws that every mechanism obeys, checked on random ones.
 #include "analysis/random_mechanism.hpp"
 #include "higherpair/analysis/run.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 using namespace higherpair::testing;
 
 constexpr unsigned kSeeds = 300;
-constexpr double kReach = 0.2;  // of the driver to either side of the poses
+constexpr double kReach = 0.2;  // range of the driver to either side of the poses
 
 RandomMechanism random_mechanism(unsigned seed) {
   return RandomBuilder(seed, 4 + seed % 9).build();
@@ -25,7 +25,7 @@ DriverMotion at(double position) {
   return {position, 1.3, -0.7};
 }
 
-// Runs through driver positions; the rows until one is not ok.
+// Runs through the driver positions; returns the rows up to the first that is not ok.
 std::vector<MotionRow> rows_of(const Mechanism& mechanism, double start,
                                const std::vector<double>& positions) {
   std::vector<MotionRow> rows;
@@ -59,7 +59,8 @@ std::vector<double> values_of(const std::vector<BodyMotion>& bodies) {
   return values;
 }
 
-// Largest difference of places and angles, of velocities and of accelerations (by the speed and its square).
+// Largest difference of positions and angles, of velocities and of accelerations (relative to the speed and
+// its square).
 double difference(const std::vector<BodyMotion>& a, const std::vector<BodyMotion>& b) {
   const std::vector<double> left = values_of(a), right = values_of(b);
   double fastest = 1;
@@ -97,12 +98,12 @@ TEST(RandomMechanisms, StandInTheirPosesAndCloseToRoundingOnTheirWay) {
   }
   EXPECT_AT_MOST(pose.value(), 1e-12);
   EXPECT_AT_MOST(closure.value(), 1e-12);
-  // Some lock up on the way, by far not most of them.
+  // Some reach a limit on the way, but by far the fewest.
   EXPECT_GT(rows, kSeeds * 21 * 2 / 3);
 }
 
-// Places, and their central differences (sixth order) for one driver coordinate u: with u' and u'' given,
-// v = p_u u', a = p_uu u'² + p_u u''.
+// Compares with central differences (sixth order) of positions over one driver coordinate u: with u' and u''
+// given, v = p_u u' and a = p_uu u'² + p_u u''.
 TEST(RandomMechanisms, HaveVelocitiesAndAccelerationsThatAreDerivativesOfTheirPlaces) {
   Worst velocity, acceleration;
   int compared = 0;
@@ -116,7 +117,7 @@ TEST(RandomMechanisms, HaveVelocitiesAndAccelerationsThatAreDerivativesOfTheirPl
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (i % 9 >= 3 && i % 9 < 6) fastest = std::max(fastest, std::abs(here[i]) / 1.3);
     }
-    // Chains of groups are steeper than their rates say.
+    // In chains of groups positions curve more sharply than their rates suggest.
     const double h = 0.001 / fastest;
     std::vector<double> positions;
     for (int k = -3; k <= 3; ++k) positions.push_back(middle + k * h);
@@ -138,12 +139,13 @@ TEST(RandomMechanisms, HaveVelocitiesAndAccelerationsThatAreDerivativesOfTheirPl
     ++compared;
   }
   EXPECT_GT(compared, static_cast<int>(kSeeds) * 9 / 10);
-  // Rounding of 1e-15 over h² = 1e-6.
+  // Rounding of 1e-15 divided by h² = 1e-6.
   EXPECT_AT_MOST(velocity.value(), 1e-9);
   EXPECT_AT_MOST(acceleration.value(), 1e-6);
 }
 
-// The same mechanism with bodies, joints and contacts in another order; `place` is where each body went.
+// The same mechanism with bodies, joints and contacts in another order; `place` gives the new index of each
+// body.
 struct Shuffled {
   Mechanism mechanism;
   std::vector<std::size_t> place;
@@ -227,7 +229,8 @@ struct Similarity {
   }
 };
 
-// The image: moving bodies are placed anew, ground keeps its frame and has its points and lines moved.
+// The image of a mechanism: moving bodies get new poses; ground keeps its frame, and its points and lines are
+// moved.
 Mechanism image_of(const Mechanism& mechanism, const Similarity& map) {
   Mechanism image = mechanism;
   for (std::size_t i = 0; i < image.bodies.size(); ++i) {
@@ -307,7 +310,7 @@ TEST(RandomMechanisms, StandWhereTheyStandHoweverManyRowsLeadThere) {
     const auto [mechanism, start] = random_mechanism(seed);
     const auto many = rows_of(mechanism, start, spaced(start, start + 3 * kReach, 500));
     const auto few = rows_of(mechanism, start, spaced(start, start + 3 * kReach, 5));
-    // Rows that cannot be assembled may lie between the few; none of these is lost before.
+    // Rows that cannot be assembled may lie between the coarse ones, but no coarse row may be lost earlier.
     EXPECT_GE(100 * few.size(), many.size()) << seed_name(seed);
     for (std::size_t i = 0; i < few.size() && 100 * i < many.size(); ++i) {
       const double error = difference(many[100 * i].bodies, few[i].bodies);

@@ -20,8 +20,8 @@ using RealVector = Eigen::Matrix<Real, 2, 1>;
 constexpr Real kHalfTurn = std::numbers::pi_v<Real>;
 constexpr Real kLongestStep = 0.02L;  // in radians and sizes of the mechanism
 constexpr Real kShortestStep = 1e-11L;
-constexpr Real kLargestBend = 0.02L;  // of the tangent in a step
-constexpr Real kSmallStep = 1e-6L;    // one that may go across a turning point
+constexpr Real kLargestBend = 0.02L;  // largest change of the unit tangent in a step
+constexpr Real kSmallStep = 1e-6L;    // a step that may cross a turning point
 constexpr int kMostSteps = 200000;
 
 RealVector heading(Real angle) {
@@ -36,7 +36,7 @@ RealVector turned(Real angle, const RealVector& v) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);
 }
 
-// A point of y² = 2 ℓ x - q x² by the heading m of the outward normal there, and the radius of curvature.
+// The point of y² = 2 ℓ x - q x² whose outward normal has the heading m, and the radius of curvature.
 //     D² = cos² m + q sin² m,   y = ℓ sin m / D,   x = ℓ (D + cos m) / (q D),   ρ = ℓ / D³
 struct ConicPoint {
   RealVector p = RealVector::Zero();
@@ -59,7 +59,7 @@ ConicPoint conic_point(const Curve& curve, Real m) {
     return point;
   }
   const Real D = std::sqrt(D2);
-  // D + cos m = q sin² m / (D - cos m): no difference of nearly equal numbers, and no q to divide by.
+  // D + cos m = q sin² m / (D - cos m): avoids the difference of nearly equal numbers and the division by q.
   const Real x = c < 0 ? l * s * s / (D * (D - c)) : l * (D + c) / (q * D);
   point.p = {x, l * s / D};
   point.rho = l / (D2 * D);
@@ -74,7 +74,7 @@ Real arc_between(const Curve& curve, Real from, Real to) {
                                   0.478628670499366468041291514835638193L,
                                   0.236926885056189087514264040719917363L};
   if (!(std::abs(to - from) < 2 * kHalfTurn)) {
-    return std::numeric_limits<Real>::quiet_NaN();  // a solution that runs away
+    return std::numeric_limits<Real>::quiet_NaN();  // a solution that diverges
   }
   const int pieces = 1 + static_cast<int>(std::abs(to - from) / 0.005L);
   const Real half = (to - from) / (2 * pieces);
@@ -94,9 +94,9 @@ Real arc_between(const Curve& curve, Real from, Real to) {
 struct Face {
   const Curve* curve = nullptr;
   int body = 0;
-  Real axis = 0;      // heading of the curve's axis in the body
-  Real flip = 0;      // added to the contact's normal: the heading of the convex side's outward normal
-  Real arc_sign = 1;  // of the arc along the contact's tangent for a growing heading
+  Real axis = 0;      // heading of the curve's axis in the body's frame
+  Real flip = 0;      // heading of the convex side's outward normal less that of the contact's normal
+  Real arc_sign = 1;  // sign of the arc along the contact's tangent for a growing heading
   Real last_m =
       0;  // heading of the normal in the curve's frame at the last accepted point, and the arc there
   Real arc = 0;
@@ -105,8 +105,8 @@ struct Face {
 struct Touch {
   Face first, second;
   bool rolling = false;
-  Real phase = 0;  // arc of the first less arc of the second, at the start
-  Real turns = 0;  // of the equation of a line's normal
+  Real phase = 0;  // arc of the first curve less arc of the second, at the start
+  Real turns = 0;  // whole turns in the equation of a line's normal
 };
 
 Mechanism scaled(Mechanism mechanism, double size) {
@@ -121,7 +121,7 @@ Mechanism scaled(Mechanism mechanism, double size) {
   return mechanism;
 }
 
-// A power of two of the order of the mechanism's size: to divide by it rounds nothing.
+// A power of two of the order of the mechanism's size: division by it is exact.
 double size_of_points(const Mechanism& mechanism) {
   double most = 0;
   for (const Body& body : mechanism.bodies) {
@@ -132,8 +132,9 @@ double size_of_points(const Mechanism& mechanism) {
   return most > 0 ? std::exp2(std::round(std::log2(most))) : 1;
 }
 
-// The conditions, their derivatives and the point where they were taken last. The unknowns: x, y, θ of each
-// moving body, the heading of each contact's normal, the length that the drivers have moved along their path.
+// The conditions, their derivatives, and the point where they were evaluated last. Unknowns: x, y, θ of each
+// moving body, the heading of each contact's normal, and the distance that the drivers have moved along their
+// path.
 class Conditions {
 public:
   Conditions(const Mechanism& mechanism, const std::vector<double>& from, const std::vector<double>& to);
@@ -149,11 +150,11 @@ public:
   [[nodiscard]] Real size() const { return size_; }
   [[nodiscard]] const Vector& posed() const { return at_; }
 
-  /// Residual and Jacobian at a point; false where a curve has no such normal.
+  /// Computes residual and Jacobian at a point; false where a curve has no point with this normal.
   bool evaluate(const Vector& at);
-  /// Takes the arcs of rolling contacts on from this point.
+  /// Makes this point the one from which the arcs of rolling contacts are continued.
   void accept(const Vector& at);
-  /// Of the first point: whole turns of angles, phases of rolling contacts.
+  /// Determines from the first point the whole turns of angles and the phases of rolling contacts.
   void fix_turns();
 
   Vector residual;
@@ -254,12 +255,13 @@ Face Conditions::face_of(const CurveRef& ref, bool first) const {
   face.body = ref.body;
   face.axis = std::atan2(static_cast<Real>(curve.axis_B.y()), static_cast<Real>(curve.axis_B.x()));
   face.flip = first == outside ? kHalfTurn : 0;
-  // The tangent at the convex side's normal is the contact's, or against it where that normal is.
+  // Positive along the contact's tangent where the convex side's normal is the contact's normal, else
+  // negative.
   face.arc_sign = first == outside ? -1 : 1;
   return face;
 }
 
-// How far the curves are apart where both have this normal; of a line how far its own normal is from it.
+// Distance of the two points that have this normal; for a line, the deviation of its own normal from it.
 Real Conditions::miss(const Touch& touch, Real normal) const {
   for (const Face* face : {&touch.first, &touch.second}) {
     if (face->curve->kind == CurveKind::kLine) {
@@ -272,7 +274,7 @@ Real Conditions::miss(const Touch& touch, Real normal) const {
                                   : std::numeric_limits<Real>::infinity();
 }
 
-// The normal in which the curves come nearest to each other in the poses.
+// The normal for which the curves come nearest to each other in the poses.
 void Conditions::guess_normal(std::size_t contact) {
   const Touch& touch = touches_[contact];
   constexpr int kTries = 7200;
@@ -281,7 +283,7 @@ void Conditions::guess_normal(std::size_t contact) {
   for (int i = 1; i < kTries; ++i) {
     best = miss(touch, spacing * i) < miss(touch, best) ? spacing * i : best;
   }
-  // Exactly, since the arcs of rolling contacts begin there.
+  // Refined to full precision, because the arcs of rolling contacts begin there.
   for (; spacing > 1e-19L; spacing *= 0.7L) {
     for (const Real next : {best - spacing, best + spacing}) {
       best = miss(touch, next) < miss(touch, best) ? next : best;
@@ -290,7 +292,7 @@ void Conditions::guess_normal(std::size_t contact) {
   at_[normal_column(contact)] = best;
 }
 
-// e·(P2 - P1), e along the joint's line or to its left.
+// Residual e·(P2 - P1), with e along the joint's line or to its left.
 void Conditions::add_along(const Joint& joint, bool along, Real target, Real by_share) {
   const int A = joint.first.body;
   const RealVector direction = turned(theta(A), joint.direction_A.cast<Real>());
@@ -353,7 +355,8 @@ void Conditions::add_driver(std::size_t index) {
   }
 }
 
-// d(e·p) for the point of a curve that has the contact's normal: with the body, and along the curve.
+// Derivative of e·p, where p is the point of a curve that has the contact's normal: by the body's motion and
+// along the curve.
 void Conditions::by_foot(const Face& face, const RealVector& p_W, Real rho, Real normal, Eigen::Index index,
                          const RealVector& e, Real sign) {
   by_point(face.body, p_W, e, sign);
@@ -380,7 +383,7 @@ void Conditions::add_meeting(const Touch& touch, Real normal, Eigen::Index index
   }
 }
 
-// A line sets the normal, and the other curve's point lies on it.
+// The line determines the normal, and the other curve's point with this normal lies on the line.
 void Conditions::add_face(const Touch& touch, Real normal, Eigen::Index index, bool line_first) {
   const Face& line = line_first ? touch.first : touch.second;
   const Face& other = line_first ? touch.second : touch.first;
@@ -398,8 +401,8 @@ void Conditions::add_face(const Touch& touch, Real normal, Eigen::Index index, b
   by_angle(line.body, left_of(e).dot(p_W - foot_W));
 }
 
-// The arcs along both curves grow alike, along the tangent (the normal turned +90°). On a line the arc is the
-// place of the contact point along it.
+// The arcs along both curves grow equally, along the tangent (the normal turned by +90°). On a line the arc
+// is the coordinate of the contact point along it.
 void Conditions::add_rolling(const Touch& touch, Real normal, Eigen::Index index) {
   const auto is_line = [](const Face& face) { return face.curve->kind == CurveKind::kLine; };
   row(-touch.phase);
@@ -410,7 +413,8 @@ void Conditions::add_rolling(const Touch& touch, Real normal, Eigen::Index index
       const ConicPoint at = conic_point(*other.curve, heading_on(other, normal));
       const RealVector p_W = foot(other, at);
       const RealVector foot_W = in_ground(face->body, face->curve->vertex_B.cast<Real>());
-      // The outward normal of the line is against its axis; as that of the second body against the contact's.
+      // The outward normal of a line is opposite to its axis; that of the second body is opposite to the
+      // contact's.
       const RealVector t = left_of(heading(theta(face->body) + face->axis + (sign > 0 ? kHalfTurn : 0)));
       residual[count_ - 1] += sign * t.dot(p_W - foot_W);
       by_foot(other, p_W, at.rho, normal, index, t, sign);
@@ -496,7 +500,7 @@ void Conditions::fix_turns() {
   }
 }
 
-// Along the solution curve by steps of its arc length.
+// Follows the solution curve in steps of its arc length.
 class Follower {
 public:
   Follower(const Mechanism& mechanism, const std::vector<double>& from, const std::vector<double>& to)
@@ -508,7 +512,7 @@ private:
   struct Point {
     Vector at;
     Vector tangent;     // unit
-    Real bordered = 0;  // determinant of the Jacobian with the tangent below: 0 where branches cross
+    Real bordered = 0;  // determinant of the Jacobian bordered by the tangent: 0 where branches cross
     [[nodiscard]] Real forward() const { return tangent[tangent.size() - 1]; }
   };
 
@@ -533,7 +537,7 @@ private:
   Vector start_;
 };
 
-// Newton's method at the start, by least change: the poses need not close.
+// Newton's method at the start with the smallest change: the poses need not satisfy the conditions.
 bool Follower::assemble() {
   conditions_.fix_turns();
   start_ = conditions_.posed();
@@ -563,7 +567,7 @@ bool Follower::set_tangent(Point& point, const Vector& near) {
   return point.tangent.allFinite();
 }
 
-// Newton's method in the plane through the guess, across the given direction.
+// Newton's method in the plane through the guess that is perpendicular to `across`.
 std::optional<Vector> Follower::solved(const Vector& guess, const Vector& across) {
   const Eigen::Index n = conditions_.unknowns();
   Vector at = guess;
@@ -594,7 +598,7 @@ std::optional<Follower::Point> Follower::stepped(const Point& from, Real length)
   return to;
 }
 
-// How far from `from`, of at most `length`, the drivers turn back.
+// The distance from `from`, at most `length`, at which the drivers turn back.
 Real Follower::turning_point(const Point& from, Real length) {
   Real low = 0;
   Real high = length;
@@ -616,7 +620,8 @@ void Follower::keep(const Vector& at) {
   result_.places.push_back(places);
 }
 
-// The stations within a step, each by the length of the step that leads to its share (Illinois' method).
+// Records the stations within a step. Each is found by the step length that leads to its fraction of the path
+// (Illinois method).
 bool Follower::keep_stations(const std::vector<double>& stations, const Point& from, const Point& to,
                              Real length) {
   for (; result_.places.size() < stations.size();) {
@@ -670,7 +675,7 @@ ReferenceMotion Follower::run(const std::vector<double>& stations) {
       return result_;
     }
     if (!keep_stations(stations, here, *to, length)) return gave_up("no solution at a station");
-    // set_tangent borders with the tangent before: that determinant keeps its sign where nothing crosses.
+    // set_tangent borders with the previous tangent: this determinant keeps its sign where no branches cross.
     if (i > 0 && (to->bordered > 0) != (here.bordered > 0)) {
       result_.crossings.push_back(static_cast<double>(share(*to)));
     }
@@ -681,7 +686,8 @@ ReferenceMotion Follower::run(const std::vector<double>& stations) {
       result_.share = 1;
       return result_;
     }
-    // Longer where something is far away: a slide nearly along another one goes hundreds of sizes.
+    // Longer steps where something is far away: a slide nearly parallel to another one moves by hundreds of
+    // sizes.
     const Real far = std::max<Real>(1, here.at.cwiseAbs().maxCoeff() / 8);
     length = std::min(far * kLongestStep, bend < 0.5L * kLargestBend ? 1.5L * length : length);
   }

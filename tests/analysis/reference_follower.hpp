@@ -7,9 +7,9 @@
 
 namespace higherpair::testing {
 
-/// Where the motion of a mechanism leads, found by other means than the library's: all conditions at once in
-/// 80-bit arithmetic, contact normals among the unknowns, the arc length along the solution curve as the
-/// parameter and very short steps. Slow and simple; it knows no groups, no branches and no events.
+/// The motion of a mechanism by other means than the library's: all conditions are solved together in 80-bit
+/// arithmetic with the contact normals among the unknowns, in very short steps of the arc length along the
+/// solution curve. Slow and simple; it has no groups, branches or events.
 struct ReferenceMotion {
   enum class End {
     kReached,  ///< the drivers get to the end of their path
@@ -25,7 +25,7 @@ struct ReferenceMotion {
 };
 
 /// Follows the straight path of the drivers from their first positions [rad or m] to the last.
-/// \param stations  shares of the path, increasing, at which the bodies' places are wanted
+/// \param stations  fractions of the path, increasing, at which the bodies' poses are wanted
 [[nodiscard]] ReferenceMotion reference_motion(const Mechanism& mechanism, const std::vector<double>& from,
                                                const std::vector<double>& to,
                                                const std::vector<double>& stations = {});

@@ -9,8 +9,8 @@ namespace {
 
 using testing::RunTable;
 
-// A planet between a driven sun and a ring that stands, without an arm to carry it: both contacts keep it at
-// the same distance from the centre, so that one condition repeats another.
+// A planet between a driven sun and a fixed ring, without an arm to carry it: both contacts keep it at the
+// same distance from the centre, so that one condition is redundant.
 constexpr const char* kPlanet = R"(
 [bodies.ground]
 points.O = [0, 0]

@@ -1,4 +1,4 @@
-// A row of a running analysis takes no memory from the heap once the first has been made.
+// After the first row a running analysis allocates no heap memory.
 #include "analysis/counting_allocator.hpp"
 #include "higherpair/analysis/dyad_chain.hpp"
 #include "higherpair/analysis/run.hpp"
@@ -41,7 +41,7 @@ TEST_P(RowAllocation, RowsOfTheTableAndTheirTextMakeNone) {
     ASSERT_TRUE(analysis.next(row));
     text.clear();
     append_csv_row(analysis.columns(), row, text);
-    // An event has a text.
+    // The text of an event is allocated.
     made += k == 0 || analysis.events().size() > events ? 0 : allocation_count() - before;
     events = analysis.events().size();
     ASSERT_EQ(row.status, RowStatus::kOk);
@@ -55,7 +55,7 @@ TEST_P(RowAllocation, MovingTheMechanismMakesNone) {
     const std::vector<DriverMotion> drivers{{2 * kPi * k / kTurnRows, 1, 0.5}};
     const std::size_t before = allocation_count();
     move_to(run, drivers);
-    // An event has a text.
+    // The text of an event is allocated.
     made += k == 0 || !run.events.empty() ? 0 : allocation_count() - before;
     ASSERT_EQ(run.row.status, RowStatus::kOk);
   }

@@ -19,7 +19,7 @@ namespace higherpair::testing {
 using Complex = std::complex<double>;
 using Settings = std::vector<std::string>;
 
-/// What a run gives, as its table shows it: in the profile's units, NaN for an empty field.
+/// The table of a run: values in the profile's units, NaN for an empty field.
 class RunTable {
 public:
   RunTable(const Profile& profile, const RunSettings& settings) {
@@ -49,7 +49,7 @@ public:
   [[nodiscard]] double radians(std::size_t row, const std::string& column) const {
     return value(row, column) * (kPi / 180);
   }
-  /// The columns `name`x and `name`y: value "crank.P." is a place, "crank.P.v" a velocity.
+  /// The columns `name`x and `name`y as one number: "crank.P." gives the position, "crank.P.v" the velocity.
   [[nodiscard]] Complex vector(std::size_t row, const std::string& name) const {
     return {value(row, name + "x"), value(row, name + "y")};
   }
@@ -89,7 +89,7 @@ inline Profile shipped(const std::string& name, const Settings& settings = {}) {
   return *profile;
 }
 
-/// Names of all shipped profiles whose contacts are those of whole conics.
+/// Names of all shipped profiles whose contacts are between whole conics only.
 inline std::vector<std::string> shipped_without_boundaries() {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
@@ -112,7 +112,7 @@ inline Profile profile_of(const std::string& text, const Settings& settings = {}
   return *profile;
 }
 
-/// What `analyze` writes for a text.
+/// What `analyze` writes for the text of a profile.
 inline RunTable analyze_text(const std::string& text, const Settings& settings = {}) {
   return analyze(profile_of(text, settings));
 }
@@ -124,7 +124,7 @@ inline void expect_all_ok(const RunTable& motion) {
   EXPECT_EQ(motion.count(RowStatus::kOk), motion.size());
 }
 
-/// Of the two points at the given distances from A and B the one to the left of AB (right: side -1).
+/// The point at the given distances from A and B, to the left of AB (to the right for side -1).
 inline Complex meeting_point(Complex A, double a, Complex B, double b, double side) {
   const double c = std::abs(B - A);
   const double along = (a * a - b * b + c * c) / (2 * c);

@@ -1,4 +1,5 @@
-// The size of a mechanism means nothing: at 1e-6 and 1e6 of it the same happens at the same places.
+// The size of a mechanism has no influence: scaled by 1e-6 and 1e6 it has the same events at the same
+// positions.
 
 #include "analysis/mechanism_builder.hpp"
 #include "analysis/run_testing.hpp"
@@ -36,7 +37,7 @@ std::vector<RunEvent> events_over(const Mechanism& mechanism, const std::vector<
   return events;
 }
 
-// From `from` to `to` in so many equal steps.
+// Positions from `from` to `to` in `count` equal steps.
 std::vector<double> steps(double from, double to, int count) {
   std::vector<double> positions;
   for (int i = 0; i <= count; ++i) positions.push_back(from + (to - from) * i / count);

@@ -1,4 +1,5 @@
-// Derivatives by dimensions: against differences between whole runs with other dimensions, and closed forms.
+// Derivatives by dimensions, compared with differences between whole runs with other dimensions and with
+// closed forms.
 #include "analysis/run_testing.hpp"
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/contact/details.hpp"
@@ -33,7 +34,7 @@ std::optional<Row> row_of(const Mechanism& mechanism, const std::vector<double>&
   return row;
 }
 
-// Everything that a row's bodies and contacts show.
+// All numbers of a row's bodies and contacts.
 Eigen::VectorXd numbers_of(const MotionRow& row) {
   std::vector<double> all;
   for (const BodyMotion& body : row.bodies) {
@@ -56,7 +57,8 @@ Eigen::VectorXd numbers_of(const RowSensitivity& row) {
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-// What the joints, contacts and drivers must do, and what the contacts' links are, where the row has them.
+// Forces and moments of joints, contacts and drivers, and the data of the contacts' equivalent links, where
+// the row has them.
 std::vector<double> details_of(const higherpair::Run& run) {
   std::vector<double> all;
   const Reactions reactions = InverseDynamics(run).solve(run);
@@ -78,7 +80,7 @@ std::vector<double> details_of(const higherpair::Run& run) {
                                                           run.row.contacts[i].at, run.row.contacts[i].phi);
     for (const auto& [arc, ref] :
          {std::pair(details.side1.arc, contact.first), {details.side2.arc, contact.second}}) {
-      // Where the arc begins depends on the curve's axis but for whole turns.
+      // Where the arc begins depends on the curve's axis, but only up to whole turns.
       const double turn = arc_length(curve_of(run.mechanism(), ref), 2 * kPi);
       const bool closed = is_conic(curve_of(run.mechanism(), ref)) && curve_of(run.mechanism(), ref).q > 0;
       all.push_back(closed ? turn * std::sin(2 * kPi * arc / turn) : arc);
@@ -93,7 +95,7 @@ Mechanism zero_of(Mechanism mechanism) {
   return mechanism;
 }
 
-// One number of a mechanism after the other, with the derivative of all by it; unit vectors are turned.
+// The derivative of the mechanism by each of its numbers in turn; unit vectors are rotated.
 std::vector<Mechanism> parameters_of(const Mechanism& mechanism) {
   std::vector<Mechanism> parameters;
   const Mechanism zero = zero_of(mechanism);
@@ -107,7 +109,7 @@ std::vector<Mechanism> parameters_of(const Mechanism& mechanism) {
       for (std::size_t c = 0; c < one.bodies[b].curves.size(); ++c) {
         const Curve& curve = mechanism.bodies[b].curves[c].curve;
         Curve& by_p = one.bodies[b].curves[c].curve;
-        // A circle and a parabola remain what they are.
+        // Circles and parabolas must keep their kind.
         keep =
             keep && (by_p.q == 0 || curve.kind == CurveKind::kEllipse || curve.kind == CurveKind::kHyperbola);
         keep = keep && by_p.axis_B.y() == 0;
@@ -159,7 +161,8 @@ TEST_P(Sensitivities, AreTheDifferencesBetweenRunsWithOtherDimensions) {
     const Eigen::VectorXd derivatives = numbers_of(*of_row);
     const std::vector<double> details = derivative_along(
         row->run, *by, *of_row, [](const higherpair::Run& run, double /*h*/) { return details_of(run); });
-    // By two steps, from which the error is seen. Redundant mechanisms close for their dimensions only.
+    // With two step sizes, whose difference shows the error. Redundant mechanisms can be assembled with their
+    // own dimensions only.
     const auto difference = [&](double h) -> std::optional<std::pair<Eigen::VectorXd, Eigen::VectorXd>> {
       const auto after = row_of(turned_to_unit(displaced(mechanism, derivative, h)), start, motions);
       const auto before = row_of(turned_to_unit(displaced(mechanism, derivative, -h)), start, motions);
@@ -200,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Sensitivities,
                          ::testing::ValuesIn(testing::shipped_without_boundaries()),
                          [](const auto& name) { return name.param; });
 
-// The slider of a crank r and a rod l is at x = r cos u + w, w = √(l² - r² sin² u).
+// A slider-crank with crank r and rod l: the slider is at x = r cos u + w, w = √(l² - r² sin² u).
 TEST(SensitivityOf, ASliderCrankToTheLengthOfItsCrankIsTheClosedForm) {
   const double u = 0.8, omega = 2.5, r = 0.03, l = 0.1;
   const auto mechanism_with = [](double crank) {
@@ -243,7 +246,7 @@ joint = "o"
   EXPECT_NEAR(slider.v_WB.x(), 1e-3 * omega * by_r, 1e-14);
 }
 
-// Discs that roll about their centres: θ2 = θ2(0) - (r1/r2) (u - u0), whatever the pose of the first row.
+// Discs that roll about fixed centres: θ2 = θ2(0) - (r1/r2) (u - u0), whatever the pose of the first row.
 TEST(SensitivityOf, RollingDiscsToARadiusGrowsFromTheStart) {
   const auto mechanism_with = [](double radius) {
     return profile_of(R"(units = { length = "m", angle = "rad" }
@@ -282,7 +285,7 @@ joint = "a"
   EXPECT_NEAR(of_row->bodies[2].theta, -5.0 / 2, 1e-13);
   EXPECT_NEAR(of_row->bodies[2].omega, -3.0 / 2, 1e-13);
   EXPECT_NEAR(of_row->bodies[2].X_WB.p_WB.x(), 1, 1e-13);
-  // And to the angle in which the second disc was started.
+  // Also by the angle at which the second disc starts.
   Mechanism angle = zero_of(row->run.mechanism());
   angle.bodies[2].guess_theta = 1;
   const auto by_angle = Sensitivity::at_start(row->start, angle, {0});
@@ -290,7 +293,7 @@ joint = "a"
   EXPECT_NEAR(by_angle->of_row(row->run, {{5.2, 3, 0}}, {{}})->bodies[2].theta, 1, 1e-13);
 }
 
-// As arcs do where a curve's axis turns through the direction from which its angle is measured.
+// Arcs jump in this way where a curve's axis turns through the direction from which its angle is measured.
 TEST(SensitivityOf, AColumnThatJumpsAtTheRowItselfIsThatOfTheRowsOwnSide) {
   const auto row = row_of(shipped("four_bar").mechanism, {0.3}, {{0.7, 1, 0}});
   Mechanism derivative = zero_of(row->run.mechanism());

@@ -20,7 +20,7 @@ std::vector<EventType> types_of(const RunTable& motion) {
   return types;
 }
 
-// A disc of radius 20 with its centre 10 from the pivot reaches the line x = 25 just so at 60 degrees.
+// A disc of radius 20 with its centre 10 from the pivot just reaches the line x = 25 at 60 degrees.
 constexpr const char* kKnifeAtItsLimit = R"(
 [bodies.ground]
 points = { O = [0, 0], Q = [25, 0] }
@@ -81,8 +81,8 @@ TEST(SingularStarts, OfAContactThatIsApproachedGoOnTheSideOfThePose) {
   EXPECT_THAT(analyze_text(kKnifeAtItsLimit, {"driver.start=90"}).failure(), HasSubstr("do not touch"));
 }
 
-// The arm of a roller points to the centre of a disc that turns about it, or both discs turn about their own
-// centres: they touch whatever the driver does, and nothing says how the follower moves.
+// The arm of a roller points to the centre of a disc that turns about that centre, or both discs turn about
+// their own centres: they touch whatever the driver does, and nothing determines the motion of the follower.
 TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
   const Settings arm{"bodies.cam.curves.edge.center.0=0", "bodies.ground.points.Q.0=45",
                      "bodies.follower.pose.x=45", "bodies.follower.pose.angle=180", "driver.samples=5"};
@@ -103,7 +103,7 @@ TEST(SingularStarts, OfContactsThatGiveNoConditionAreSingularThroughout) {
 }
 
 TEST(SingularStarts, OfContactsThatTheDriverOpensAreRefused) {
-  // An eccentric disc and a roller about its own pivot touch in single positions only.
+  // An eccentric disc and a roller that turns about its own centre touch only in isolated positions.
   const RunTable motion =
       analyze_text(testing::kEqualDiscs, {"bodies.follower.curves.edge.center.0=0", "driver.start=0",
                                           "bodies.ground.points.Q.0=45", "bodies.follower.pose.x=45"});
@@ -126,7 +126,7 @@ TEST(SingularStarts, WhereContactsCrossGoStraightOn) {
   }
 }
 
-// However near to the crossing a row is, it is as good as any other.
+// However close to a crossing a row is, it is as accurate as any other.
 TEST(SingularStarts, RowsBesideACrossingOfContactsAreNotSingular) {
   const std::vector<double> beside{1e-3, 1e-4, 2e-5, 1e-5, 1e-6, 1e-7, 1e-8};
   std::vector<double> positions{170};
@@ -152,7 +152,7 @@ TEST(SingularStarts, RowsBesideACrossingOfContactsAreNotSingular) {
   EXPECT_NEAR(motion.events()[0].driver, kPi, 1e-12);
 }
 
-// Driven by its piston a slider-crank starts and ends in its dead centres, 120 and 60.
+// Driven by its piston, a slider-crank starts and ends at its dead centres, 120 and 60.
 const std::string kDrivenPiston = testing::slider_crank_profile(30, 90) + R"([driver]
 joint = "cylinder"
 start = 120
@@ -182,7 +182,7 @@ TEST(SingularStarts, AndEndsOfAStrokeAreRowsAndTheLimitIsSaidOnce) {
   }
 }
 
-// With a rod shorter than its crank the piston has two stretches, 40 to 20 and -20 to -40.
+// With a rod shorter than its crank the piston has two ranges, 40 to 20 and -20 to -40.
 TEST(SingularStarts, AndRowsAtBothEndsOfEachStretchAreSingular) {
   const std::string profile = testing::slider_crank_profile(30, 10) + R"([driver]
 joint = "cylinder"
@@ -253,7 +253,8 @@ end = 70
   }
 }
 
-// A block on the line x = 20 in the slot of a crank: it runs off to infinity where both are parallel.
+// A block on the line x = 20 in the slot of a crank: it runs off to infinity where line and slot are
+// parallel.
 TEST(LimitPositions, OfTwoSlidesAreWhereTheyAreParallel) {
   const RunTable motion = analyze_text(R"(
 [bodies.ground]
@@ -280,8 +281,9 @@ positions = [0, 60, 90, 120]
   EXPECT_THAT(motion.events()[0].cause, HasSubstr("slides are parallel"));
 }
 
-// The same arm on ground, the ellipse sliding: where it begins to reach the top two contacts merge, and two
-// others are far away. It neither starts there nor goes on there past the end of its branch.
+// The same arm on ground, with a sliding ellipse: where the arm's tip begins to reach the top, two contacts
+// merge, and two others are far away. The run must not start at a far one, nor jump to it past the end of its
+// own branch.
 TEST(SingularStarts, TakeNoFarContactForTheOneAtItsLimit) {
   constexpr const char* kArmOnASlide = R"(
 [bodies.ground]
@@ -314,7 +316,8 @@ samples = 5
   for (std::size_t k = 5; k < 9; ++k) EXPECT_EQ(beyond.status(k), RowStatus::kNotAssemblable);
 }
 
-// Where two pins of a rhombus coincide the links may stand anywhere, but the motion leads straight through.
+// Where two pins of a rhombus coincide, the links on them may point in any direction, but the motion
+// continues straight on.
 TEST(SingularStarts, AndRowsWherePinsCoincideGoStraightOn) {
   constexpr const char* kRhombus = R"(
 [bodies.ground]
@@ -355,8 +358,8 @@ samples = 3
   }
 }
 
-// An arm of 20 on a cart keeps its tip on an ellipse 20 by 10 from below: at the top it cannot go lower.
-// Beside that limit a prediction leads anywhere.
+// An arm of 20 on a cart keeps its tip on an ellipse 20 by 10 from below: at the top it cannot go lower. Near
+// that limit predictions are useless.
 TEST(LimitPositions, OfACarriedFollowerEndTheRunOnItsBranch) {
   constexpr const char* kArmOnACart = R"(
 [bodies.ground]
@@ -400,7 +403,8 @@ samples = 9
   }
 }
 
-// However a row comes to a limit, it stands there and has no rates; from there the branch goes on.
+// However a row comes to a limit, its status there is singular and it has no rates; from there the branch
+// continues.
 TEST(LimitPositions, OfAContactAreSingularRows) {
   const std::vector<double> positions{0, 30, 59, 60, 45, 60, 61, 60, 30, 60, 59.999};
   const RunTable motion =
@@ -425,7 +429,7 @@ TEST(LimitPositions, OfAContactAreSingularRows) {
   }
 }
 
-// The crank of a parallelogram and a pointer that has nothing to do with it, each with its driver.
+// The crank of a parallelogram and an unconnected pointer, each with its driver.
 constexpr const char* kTwoDrivers = R"(
 [bodies.ground]
 points = { A = [0, 0], D = [100, 0], Z = [0, -100] }
@@ -457,7 +461,7 @@ velocity = 7
 samples = 3
 )";
 
-// A belt turns the disc, so that the pair is no driver and follower: a parallelogram of discs all the same.
+// A belt turns the disc, so that the pair is not a driver and its follower: still a parallelogram of discs.
 TEST(DeadPoints, OfContactsOnCarriedBodiesAreCrossedStraightOn) {
   constexpr const char* kDrivenByABelt = R"(
 [bodies.ground]

@@ -1,5 +1,5 @@
-// Runs that have come to the same row over few rows and over many go on alike; those that have something else
-// behind or before them do not.
+// Runs that have come to the same row over few rows and over many continue alike; those with a different past
+// or another branch ahead do not.
 #include "higherpair/analysis/standing.hpp"
 
 #include "analysis/run_testing.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using testing::kDegree;
 
-// From `from` to `to` in so many equal rows, through the last of them.
+// Moves a run from `from` to `to` in equal rows; returns it at the last of them.
 Run moved(Run run, double from, double to, int rows) {
   for (int k = 1; k <= rows; ++k) {
     move_to(run, {{k == rows ? to : from + (to - from) * k / rows, 1, 0}});
@@ -48,8 +48,8 @@ TEST(StandingElsewhere, IsNotTheSame) {
   const auto start = start_run(mechanism, {0}).value();
   const auto run = moved(start, 0, 1, 3);
   EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 1e-13, 3)));             // another row
-  EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 2 * kPi, 3)));           // a turn on
-  const auto other = start_on_branch(run.model, {0}, 1 - branch_of(start));  // crossed
+  EXPECT_FALSE(go_on_alike(run, moved(start, 0, 1 + 2 * kPi, 3)));           // a whole turn on
+  const auto other = start_on_branch(run.model, {0}, 1 - branch_of(start));  // another branch
   ASSERT_TRUE(other);
   EXPECT_FALSE(go_on_alike(run, moved(*other, 0, 1, 3)));
 }
@@ -62,7 +62,7 @@ TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
   EXPECT_FALSE(go_on_alike(run, other));
 }
 
-// Past its limit a mechanism stands wherever it was lost; back from it, it does so no more.
+// Beyond its limit a mechanism is in the same state wherever it was lost; back from there it no longer is.
 TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
   const double from = 0;
   const double beyond = 150 * kDegree;

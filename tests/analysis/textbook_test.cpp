@@ -10,8 +10,8 @@ namespace {
 using namespace higherpair::testing;
 using nlohmann::json;
 
-// Bounds: the reference has 18 digits, angles are printed in degrees and the loops here are no worse
-// conditioned than 20: 1e-12 relative.
+// The reference has 18 digits, angles are printed in degrees, and the condition numbers of the loops are at
+// most 20: 1e-12 relative.
 constexpr double kTolerance = 1e-12;
 
 std::string pose(const std::string& body, Complex p, double angle) {
@@ -39,8 +39,8 @@ double rate_error(const RunTable& motion, std::size_t row, const std::string& co
   return relative_error(motion.radians(row, column), number(expected));
 }
 
-// A body that nothing but the driver turns: a dial about a pin, whose cross slide gives its angle to the body
-// `to` without holding its place. So a driver can set the angle of any body.
+// A dial: a body on a pin that only a driver turns. A cross slide transfers its angle to the body `to`
+// without constraining that body's position, so that a driver can set the angle of any body.
 std::string dial(const std::string& to, double angle) {
   return fmt::format(R"(
 [bodies.dial]
@@ -76,8 +76,8 @@ Settings four_bar_poses(double theta2, double theta3, double theta4) {
           pose("rocker", 1, theta4)};
 }
 
-// The printed table has 87 for A = 8 at 90 deg, and -143.85 deg for theta3 = -148.85 deg there; the right
-// values are computed from the loop.
+// At 90 deg the printed table has 87 for A = 8, and -143.85 deg for theta3 = -148.85 deg; the correct values
+// are computed from the loop.
 TEST(TextbookFourBar, HasThePositionsVelocitiesAndAccelerationsOfTheChapterInBothAssemblies) {
   const json table = textbook("fourbar_000_table");
   const json rates = textbook("fourbar_000_velocity_acceleration");
@@ -119,7 +119,7 @@ TEST(TextbookFourBar, PassesThroughTheChaptersPositionsInATurn) {
   EXPECT_NEAR(motion.value(360, "rocker.angle") - motion.value(0, "rocker.angle"), 360, 1e-11);
 }
 
-// Printed: a_E = (-475.76, -912.56), from a rounded alpha3.
+// The printed value a_E = (-475.76, -912.56) comes from a rounded alpha3.
 TEST(TextbookFourBar, HasTheMotionOfThePointE) {
   const json expected = textbook("fourbar_000_pointE");
   const RunTable motion = analyze(shipped("four_bar", {"driver.samples=1"}));
@@ -194,8 +194,8 @@ TEST(TextbookSliderCrank, HasTheNumbersOfEveryRowInBothAssemblies) {
 TEST(TextbookSliderCrank, GivesTheCrankBackWhenDrivenByItsPiston) {
   Worst worst;
   for (const SliderCrankRow& row : slider_crank_rows()) {
-    // Towards the ends of the stroke the crank is the less determined, the slower the piston is; the input
-    // has an error of its own of one rounding.
+    // Near the ends of the stroke the crank is determined less well, the slower the piston is; the input
+    // itself has an error of one rounding.
     const double condition = std::pow(6 / std::abs(row.r1_dot), 3);
     const RunTable motion = analyze(
         shipped("slider_crank", Settings{"driver.joint=slide"} +
@@ -227,8 +227,8 @@ TEST(TextbookSliderCrank, GivesTheCrankBackWhenDrivenByItsRodsAngle) {
   EXPECT_AT_MOST(worst.value(), kTolerance);
 }
 
-// The text exchanges omega and alpha of the crank (5 and 8); printed slider acceleration 0.961 m/s^2 at 0.5
-// s, right is 0.96544.
+// The text exchanges omega and alpha of the crank (5 and 8); its slider acceleration of 0.961 m/s^2 at 0.5 s
+// should be 0.96544.
 TEST(TextbookSixBarWithSlider, HasTheWholeTable) {
   const json table = textbook("sixbar_002")["table"];
   const RunTable motion = step(shipped("sixbar_slider"));
@@ -275,7 +275,8 @@ void compare_watt_row(const RunTable& motion, std::size_t i, const json& row, Wo
   }
 }
 
-// The printed mass-centre accelerations take every link as turning about A; here every link has its own.
+// The printed accelerations of mass centres treat every link as turning about A; here every link has its own
+// pivot.
 TEST(TextbookWattSixBar, HasTheMotionOfBothAssembliesOverTwoTurns) {
   const json branches = read_data("watt_sixbar.json")["branches"];
   for (const json& branch : branches) {
@@ -292,7 +293,8 @@ TEST(TextbookWattSixBar, HasTheMotionOfBothAssembliesOverTwoTurns) {
   }
 }
 
-// With C to the right of the line from B to E only a part of the turn can be assembled; the poses choose it.
+// With C to the right of the line from B to E only part of the turn can be assembled; the poses select this
+// assembly.
 TEST(TextbookWattSixBar, TakesEachOfTheFourAssembliesThatThePosesShow) {
   const json branches = read_data("watt_sixbar.json")["branches"];
   ASSERT_EQ(branches.size(), 4U);
@@ -333,7 +335,7 @@ TEST(TextbookDoubleRocker, TurnsItsCouplerFullyAndSwingsItsArmsInTheTextsRange) 
     high = std::max(high, there.radians(0, "left_arm.angle"));
   }
   EXPECT_EQ(ends, 4);  // two of each arm
-  // At the end of a stroke the angle does not depend on where the end was found, to first order.
+  // To first order the angle at the end of a stroke does not depend on an error of the position found.
   EXPECT_NEAR(low / kDegree, number(expected["arm_angle_range_deg"][0]), 1e-10);
   EXPECT_NEAR(high / kDegree, number(expected["arm_angle_range_deg"][1]), 1e-10);
 }

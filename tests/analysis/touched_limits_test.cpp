@@ -1,5 +1,5 @@
-// Limits that a motion begins at, ends next to, or just touches: found or passed in a few steps, whatever the
-// rows.
+// Motions that begin at a limit, end next to one, or just touch one: the limit is found or passed in a few
+// steps, whatever the rows.
 #include "run_testing.hpp"
 
 #include <algorithm>
@@ -15,8 +15,7 @@ namespace {
 using testing::RunTable;
 using testing::Settings;
 
-// A four-bar whose rocker is in line with its coupler where the crank stands at 30 degrees, to within 2e-14
-// rad.
+// A four-bar whose rocker and coupler are in line when the crank is at 30 degrees, to within 2e-14 rad.
 constexpr double kCrankLength = 211.74772024520621, kCouplerLength = 177.78306280704766,
                  kRockerLength = 312.54698989395007;
 constexpr double kFrameLength = 100;
@@ -44,8 +43,8 @@ int limits_in(const RunTable& motion) {
                     [](const RunEvent& event) { return event.type == EventType::kLimitPosition; }));
 }
 
-// The rocker of the pose is at 60 degrees, and both ways lead away from 51.8: one that comes nearer is taken,
-// before the limit, at it, and at every distance behind it.
+// The rocker's pose is at 60 degrees, and both branches lead away from 51.8: the run takes the one nearer to
+// the pose, before the limit, at it, and at any distance beyond it.
 TEST(TouchedLimits, AStartBesideALimitGoesOnTheBranchOfThePose) {
   for (const double beside :
        {-1e-12, -1e-13, 0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4}) {
@@ -55,7 +54,7 @@ TEST(TouchedLimits, AStartBesideALimitGoesOnTheBranchOfThePose) {
                                                             fmt::format("driver.samples={}", rows)});
       ASSERT_EQ(motion.size(), static_cast<std::size_t>(rows)) << motion.failure();
       EXPECT_EQ(motion.count(RowStatus::kNotAssemblable), 0U);
-      EXPECT_LE(limits_in(motion), 1);  // the start itself
+      EXPECT_LE(limits_in(motion), 1);  // possibly the start itself
       for (std::size_t row = 1; row < motion.size(); ++row) {
         EXPECT_EQ(motion.status(row), RowStatus::kOk) << row;
         EXPECT_NEAR(motion.radians(row, "rocker.angle"), rocker_angle(motion.radians(row, "driver"), 1),
@@ -66,7 +65,7 @@ TEST(TouchedLimits, AStartBesideALimitGoesOnTheBranchOfThePose) {
   }
 }
 
-// Angles go on at the turn of the pose, not where unbounded rates at the limit would have taken them.
+// The rocker's angle stays in the turn of the pose, although the rates are unbounded at the limit.
 TEST(TouchedLimits, AStartBesideALimitKeepsItsTurn) {
   const RunTable motion =
       four_bar_with(kRockerLength, {"bodies.rocker.pose.angle=-300", "bodies.coupler.pose.angle=760"});
@@ -75,7 +74,7 @@ TEST(TouchedLimits, AStartBesideALimitKeepsItsTurn) {
   EXPECT_NEAR(motion.value(0, "coupler.angle"), 51.778 + 720, 0.01);
 }
 
-// Nearer to the limit than a step can be judged by, from the side on which there is room.
+// Closer to the limit than a step can be judged, from the side that can be assembled.
 TEST(TouchedLimits, ARowJustBeforeALimitIsReached) {
   for (const double before : {1e-9, 1e-11, 1e-12, 5e-13, 2e-13, 1e-13, 0.0}) {
     SCOPED_TRACE(before);
@@ -88,8 +87,8 @@ TEST(TouchedLimits, ARowJustBeforeALimitIsReached) {
   }
 }
 
-// Where the rocker is as long as coupler and shortest diagonal together, the two limits of a gap fall
-// together at 0: a little longer there is a gap, a little shorter none.
+// Where the rocker is as long as the coupler and the shortest diagonal together, the two limits of a gap
+// merge at 0: a slightly longer rocker has a gap, a slightly shorter one none.
 TEST(TouchedLimits, TwoLimitsThatFallTogetherAreFoundOrPassedWhateverTheRows) {
   for (const double off : {0.0, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2}) {
     for (const double sign : {1.0, -1.0}) {

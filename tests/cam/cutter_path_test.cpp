@@ -38,7 +38,7 @@ TEST(CutterPath, RoundsConvexCorners) {
 }
 
 TEST(CutterPath, AHollowFlankTakesACutterThatIsRounder) {
-  // A ring: the hollow of an ellipse, whose least radius of curvature b²/a is at the ends of its long axis.
+  // A ring: a hollow ellipse, whose smallest radius of curvature b²/a is at the ends of its long axis.
   const double a = 0.031, b = 0.0231;
   const Boundary ring = boundary_of(*make_ellipse({0, 0}, {a, b}, 0.3, Side::kOutside), 1);
   const HollowestPlace place = hollowest_place(ring);
@@ -52,7 +52,8 @@ TEST(CutterPath, AHollowFlankTakesACutterThatIsRounder) {
   EXPECT_NEAR(std::abs(refused.error().at_B.dot(unit_vector(0.3))), a, 1e-9);
 }
 
-// The corners of a pocket, cut by a cutter that just fits in: its path has sharp corners.
+// A pocket whose corners are rounded with the cutter's own radius: the cutter just fits, and its path has
+// sharp corners.
 TEST(CutterPath, WaitsInTheCentreOfAHollowArcOfItsOwnRadius) {
   std::vector<Vector2d> corners = {
       {0, 0}, {0, 0.02}, {0.03, 0.02}, {0.03, 0}};  // clockwise: material outside
@@ -67,7 +68,7 @@ TEST(CutterPath, WaitsInTheCentreOfAHollowArcOfItsOwnRadius) {
   const auto larger = cutter_path(pocket, 0.0047 * (1 + 1e-6));
   ASSERT_FALSE(larger);
   EXPECT_NEAR(larger.error().largest, 0.0047, 1e-15);
-  // Of a hole there is nothing left.
+  // A round hole of the cutter's own radius leaves no path.
   EXPECT_FALSE(cutter_path(boundary_of(*make_circle({0, 0}, 0.01, Side::kOutside), 1), 0.01));
 }
 
@@ -79,7 +80,7 @@ TEST(CutterPath, NoCutterCutsANotch) {
 }
 
 TEST(CutterPath, AMouthIsAsWideAsTheCutterThatGetsIn) {
-  // Half of the mouth is 4 mm wide; the corners of the pocket behind it are rounded by a little more.
+  // Half of the mouth is 4 mm wide; the corners of the pocket behind it have a slightly larger radius.
   const std::vector<Vector2d> corners = {{-0.04, -0.03}, {0.04, -0.03},  {0.04, 0.03},   {0.004, 0.03},
                                          {0.004, 0.02},  {0.016, 0.02},  {0.016, -0.01}, {-0.016, -0.01},
                                          {-0.016, 0.02}, {-0.004, 0.02}, {-0.004, 0.03}, {-0.04, 0.03}};
@@ -90,7 +91,7 @@ TEST(CutterPath, AMouthIsAsWideAsTheCutterThatGetsIn) {
   EXPECT_EQ(refused.error().kind, Kind::kCrossing);
   EXPECT_NEAR(refused.error().largest, 0.004, 1e-10);
   EXPECT_NEAR(refused.error().at_B.x(), 0, 1e-3);
-  // Too large for the corners as well: what gets through the mouth is what helps.
+  // This cutter is too large for the corners as well; the reported radius is one that passes the mouth.
   const auto larger = cutter_path(pocket, 0.006);
   ASSERT_FALSE(larger);
   EXPECT_EQ(larger.error().kind, Kind::kHollow);

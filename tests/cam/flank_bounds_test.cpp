@@ -55,7 +55,7 @@ TEST(FlankBounds, HoldForEveryFollowerAndLaw) {
   }
 }
 
-// Between any two of its points the law, and with it the flank, may have a shape of its own.
+// The law, and with it the flank, may have a shape of its own between any two of its points.
 TEST(FlankBounds, HoldForALawThroughPoints) {
   LawDescription description;
   for (int i = 0; i <= 72; ++i) {

@@ -22,7 +22,7 @@ TEST(LinePressure, OfTwoSteelRollersIsThatOfHandbooks) {
   EXPECT_NEAR(pressure * 1e-6, 0.418 * std::sqrt(100 * 206e3 * 0.15), 1);
 }
 
-// What presses is the integral of the half ellipse of pressures: P = π b p0/2.
+// The load is the integral of the semi-elliptical pressure: P = π b p0/2.
 TEST(LinePressure, OverTheWidthOfTheStripIsTheLoad) {
   const double modulus = contact_modulus(kSteel, kBronze);
   const LinePressure pressure = line_pressure(73e3, 31.7, modulus);

@@ -22,7 +22,7 @@ inline MotionLaw law_of(std::vector<LawSegment> segments, bool repeats = false) 
   return law_of({.segments = std::move(segments), .repeats = repeats});
 }
 
-/// All laws that rise by themselves.
+/// All laws that rise without further parameters.
 inline constexpr LawType kRises[] = {
     LawType::kUniform,      LawType::kParabolic,         LawType::kHarmonic,      LawType::kCycloidal,
     LawType::kModifiedSine, LawType::kModifiedTrapezoid, LawType::kPolynomial345, LawType::kPolynomial4567};

@@ -27,7 +27,7 @@ using testing::law_of;
 constexpr double kOver = 1.37;
 constexpr double kRise = 2.9;
 
-// Largest |derivative| over kOver with kRise, as a factor of rise/over^k.
+// Largest |k-th derivative| of a rise of kRise over kOver, divided by rise/over^k.
 double factor(const MotionLaw& law, int k) {
   return std::abs(law.extremes(k).peak()) * std::pow(law.end() - law.begin(), k) / kRise;
 }
@@ -37,7 +37,7 @@ struct Peaks {
   double v, a, j;
 };
 
-// Closed forms: of the modified laws from the area of their acceleration.
+// Closed forms; those of the modified laws from the area under their acceleration.
 TEST(PeakFactors, AreThoseOfTheTextbooks) {
   const double trapezoid = 8 * kPi / (2 + kPi);
   const double sine = 4 * kPi * kPi / (4 + kPi);
@@ -59,7 +59,7 @@ TEST(PeakFactors, AreThoseOfTheTextbooks) {
   }
 }
 
-// As tables print them: Norton, Cam Design and Manufacturing Handbook; Rothbart, Cam Design Handbook.
+// As printed in Norton, Cam Design and Manufacturing Handbook, and Rothbart, Cam Design Handbook.
 TEST(PeakFactors, AgreeWithPublishedDecimals) {
   const Peaks table[] = {
       {LawType::kPolynomial345, 1.875, 5.7735, 60},      {LawType::kPolynomial4567, 2.1875, 7.5132, 52.5},
@@ -74,8 +74,8 @@ TEST(PeakFactors, AgreeWithPublishedDecimals) {
   }
 }
 
-// Sums of sines: acceleration 15/16 sin + 3/16 sin 3, or 27/28 and 3/28, whose peaks follow from sin 3x = 3s
-// - 4s³.
+// Sums of sines: acceleration 15/16 sin x + 3/16 sin 3x, or 27/28 and 3/28. Their peaks follow from sin 3x =
+// 3s - 4s³ with s = sin x.
 TEST(PeakFactors, OfHarmonicSumsAreThoseOfGutmanAndFreudenstein) {
   const auto sum = [](double first) {
     return law_of({{.type = LawType::kHarmonics,
@@ -93,7 +93,8 @@ TEST(PeakFactors, OfHarmonicSumsAreThoseOfGutmanAndFreudenstein) {
   EXPECT_NEAR(factor(freudenstein, 3), 4 * kPi * kPi * 9 / 7, 1e-12);
 }
 
-// The double harmonic, s = h/2 ((1 - cos πu) - (1 - cos 2πu)/4), is half of a sum over twice the segment.
+// The double harmonic, s = h/2 ((1 - cos πu) - (1 - cos 2πu)/4), is the first half of a sum over twice the
+// segment.
 TEST(PeakFactors, OfTheDoubleHarmonicAreThoseOfTheTextbooks) {
   const MotionLaw law = law_of({{.type = LawType::kHarmonics, .over = 2, .cosines = {-0.5, 0.125}}});
   EXPECT_NEAR(law(1.0), 1, 1e-15);
@@ -204,7 +205,7 @@ TEST(MotionLaw, FollowsTheFormulas) {
                                     : 4 + kPi * u - std::sin(4 * kPi * u) / 4;
     EXPECT_NEAR(s(LawType::kModifiedSine, u), sine / (4 + kPi), 4e-15);
   }
-  // Modified trapezoid at the ends of its parts.
+  // The modified trapezoid at the ends of its parts.
   const double per = 1 / (2 + kPi);
   EXPECT_NEAR(s(LawType::kModifiedTrapezoid, 0.125), per * (0.25 - 1 / (2 * kPi)), 1e-15);
   EXPECT_NEAR(s(LawType::kModifiedTrapezoid, 0.375), per * (0.25 - 1 / (2 * kPi) + 0.5 + kPi / 4), 1e-15);
@@ -213,7 +214,7 @@ TEST(MotionLaw, FollowsTheFormulas) {
 TEST(MotionLaw, VelocityIntegratesToTheRise) {
   for (const LawType type : kRises) {
     const MotionLaw law = law_of({{type, kOver, kRise}});
-    constexpr int kParts = 4000;  // a multiple of 8, so that no jump of the jerk lies within a part
+    constexpr int kParts = 4000;  // a multiple of 8, so that the jerk does not jump within a part
     const double h = kOver / kParts;
     double sum = 0;
     for (int i = 0; i < kParts; ++i) {
@@ -250,7 +251,7 @@ TEST(MotionLaw, DerivativesAreThoseOfDifferences) {
   for (int i = 0; i < 2000; ++i) {
     const double x = anywhere(random);
     const double h = 1e-3;
-    // Parts of laws begin at eighths of a segment.
+    // The parts of a law begin at multiples of an eighth of the segment.
     bool at_join = false;
     double begin = 0;
     for (const LawSegment& segment : segments) {
@@ -289,7 +290,7 @@ TEST(MotionLaw, ReproducesTheBoundaryConditionsOfAPolynomial) {
       for (std::size_t k = 0; k < q; ++k) {
         EXPECT_NEAR(law.derivative(static_cast<int>(k), 0.83, LawSide::kBefore), segment.end[k], 1e-14 * 5);
       }
-      // Both halves are one polynomial.
+      // Both halves are the same polynomial.
       const auto degree = static_cast<int>(p + q) - 1;
       for (int k = 0; k <= degree; ++k) {
         const double below = law.derivative(k, 0.415, LawSide::kBefore);
@@ -343,7 +344,7 @@ TEST(MotionLaw, TakesTheSideThatIsAskedForAtAJoin) {
   const MotionLaw law = law_of({{LawType::kUniform, 2, 3}, {LawType::kUniform, 2, -1}});
   EXPECT_EQ(law.derivative(1, 2, LawSide::kBefore), 1.5);
   EXPECT_EQ(law.derivative(1, 2, LawSide::kAfter), -0.5);
-  // Within rounding of the join it is there.
+  // A position within rounding of the join counts as the join.
   EXPECT_EQ(law.derivative(1, std::nextafter(2, 3), LawSide::kBefore), 1.5);
   EXPECT_EQ(law.derivative(1, std::nextafter(2, 0), LawSide::kAfter), -0.5);
   EXPECT_EQ(law.derivative(1, 2 + 1e-12, LawSide::kBefore), -0.5);

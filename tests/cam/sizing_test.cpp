@@ -1,5 +1,5 @@
-// The sizes of cams: worked examples that others have published, closed forms, and flanks made of the
-// sizes found, whose own angles and curvatures are at the limit.
+// The sizes of cams: published worked examples, closed forms, and flanks generated with the sizes found,
+// whose pressure angles and curvatures must be at the limit.
 #include "higherpair/cam/sizing.hpp"
 
 #include "cam/law_testing.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDeg = kPi / 180;
 
-// Dwell, rise by 1, dwell, return, over 90 degrees each.
+// Dwell, rise by 1, dwell and return, each over 90 degrees.
 MotionLaw four_quarters(LawType type) {
   const double quarter = kPi / 2;
   return testing::law_of(
@@ -36,7 +36,6 @@ OneFreedom sliding(double offset = 0) {
   return freedom;
 }
 
-// Made first: a half-made cam would have to be taken down again.
 FlankOrigin cam_of(const OneFreedom& follower, double sign, double rest, const MotionLaw& law,
                    const Curve& curve) {
   return {{turning(), 1, follower, sign, rest, law}, curve, false};
@@ -50,12 +49,12 @@ FlankOrigin flat_cam(const MotionLaw& law, double rest) {
   return cam_of(sliding(), 1, rest, law, make_line({0, 0}, {0, -1}).value());
 }
 
-// A roller at the end of an arm of 3 about a pivot that is 4 from the cam's.
+// A roller at the end of an arm of 3, whose pivot is 4 from the cam's.
 FlankOrigin swinging_cam(const MotionLaw& law, double rest, double radius) {
   return cam_of(turning({4, 0}), -1, rest, law, make_circle({-3, 0}, radius).value());
 }
 
-// Largest and smallest curvature of a flank, at places so dense that they miss it by some 1e-7.
+// Largest and smallest curvature of a flank, sampled so densely that they are off by about 1e-7.
 Bounds curvatures_of(const FlankOrigin& cam) {
   const auto spans = cam_flank(cam.motion, cam.curve, cam.outer);
   if (!spans) {
@@ -72,7 +71,7 @@ Bounds curvatures_of(const FlankOrigin& cam) {
   return bounds;
 }
 
-// Cam example of Norton, as worked in the package `mechanism` of gabemorris12.
+// Norton's cam example, as computed by the package `mechanism` of gabemorris12.
 TEST(CamSizing, GivesThePublishedPrimeCircleOfACycloidalCam) {
   const FlankOrigin cam = roller_cam(four_quarters(LawType::kCycloidal), 2, 0.5);
   const auto size = smallest_for_pressure(cam, {30 * kDeg, 30 * kDeg});
@@ -80,7 +79,7 @@ TEST(CamSizing, GivesThePublishedPrimeCircleOfACycloidalCam) {
   EXPECT_NEAR(size->radius, 1.750944530, 5e-10);
   EXPECT_NEAR(size->base_radius, 1.250944530, 5e-10);
   EXPECT_NEAR(size->at / kDeg - 90, 40.893, 5e-4);
-  // d = s′/tan α - s there, with s″ = s′/... : the derivative of d along the law is 0.
+  // The radius is the largest value of d = s′/tan α - s: there its derivative along the law is 0.
   const MotionLaw& law = cam.motion.law;
   EXPECT_NEAR(law.derivative(2, size->at) / std::tan(30 * kDeg), law.derivative(1, size->at), 1e-11);
   EXPECT_NEAR(law.derivative(1, size->at) / std::tan(30 * kDeg) - law(size->at), size->radius, 1e-14);
@@ -100,11 +99,11 @@ TEST(CamSizing, GivesThePublishedOffsetOfAFreeGuide) {
   EXPECT_NEAR(size->radius, 1.225614472, 5e-10);
   EXPECT_NEAR(size->offset, 0.329322519, 5e-10);
   EXPECT_NEAR(std::hypot(size->offset, size->rest), size->radius, 1e-15);
-  // A guide that stands there already asks for this height.
+  // With the guide already at this offset the same radius is needed.
   const auto there =
       smallest_for_pressure(roller_cam(cam.motion.law, 2, 0.5, size->offset), {30 * kDeg, 45 * kDeg});
   EXPECT_NEAR(there->radius, size->radius, 1e-12);
-  // A cam that turns the other way wants it on the other side, with rise and return exchanged.
+  // A cam that turns the other way needs the opposite offset, with the limits of rise and return exchanged.
   const auto other = smallest_with_offset(cam, {30 * kDeg, 45 * kDeg, -1});
   EXPECT_NEAR(other->offset, -size->offset, 1e-12);
   EXPECT_NEAR(other->radius, size->radius, 1e-12);
@@ -117,18 +116,18 @@ TEST(CamSizing, GivesThePublishedBaseCircleOfAFlatFace) {
   EXPECT_NEAR(size->rest, size->base_radius, 1e-15);
 }
 
-// s = h/2 (1 - cos 2x): ρ = r + s + s″ = r + h/2 + 3/2 h cos 2x, least r - h.
+// s = h/2 (1 - cos 2x): ρ = r + s + s″ = r + h/2 + 3/2 h cos 2x, which is at least r - h.
 TEST(CamSizing, OfAHarmonicLawUnderAFlatFaceIsTheClosedForm) {
   const auto size = smallest_for_radius(flat_cam(four_quarters(LawType::kHarmonic), 7), {0.31});
   EXPECT_NEAR(size->base_radius, 1.31, 1e-13);
 }
 
-// A harmonic rise over a half turn under a flat face: a circle about a point off the pivot.
+// A harmonic rise over half a turn under a flat face: the cam is a circle about a point beside the pivot.
 TEST(CamSizing, OfASimpleHarmonicLawGivesACircle) {
   const MotionLaw law =
       testing::law_of({{LawType::kHarmonic, kPi, 0.050}, {LawType::kHarmonic, kPi, -0.050}}, true);
   const auto size = smallest_for_radius(flat_cam(law, 1), {0.025});
-  // ρ = r + h/2 everywhere: with a least radius of 25 the base circle may vanish.
+  // ρ = r + h/2 everywhere: with a minimum radius of 25 the base circle may shrink to 0.
   EXPECT_NEAR(size->base_radius, 0, 1e-15);
   const auto spans = cam_flank(flat_cam(law, 0.025).motion, make_line({0, 0}, {0, -1}).value(), false);
   ASSERT_TRUE(spans);
@@ -162,7 +161,7 @@ TEST(CamSizing, WithoutUndercutGivesTheLastFlankThatCanBe) {
   const auto fault = cam_flank(cam.motion, cam.curve, false);
   ASSERT_FALSE(fault);
   EXPECT_EQ(fault.error().kind, FlankFault::Kind::kUndercut);
-  // Where the flank begins to run back the pitch curve is as curved as the roller.
+  // Where the flank begins to run backwards the pitch curve has the roller's own curvature.
   EXPECT_NEAR(fault.error().coordinate, smallest_for_radius(cam, {})->at, 0.1);
 }
 
@@ -239,12 +238,12 @@ TEST(CamSizing, IsNoneForOtherFollowersAndCamsThatSlide) {
   EXPECT_FALSE(smallest_for_pressure(slide, {0.5, 0.5}));
   EXPECT_FALSE(smallest_with_offset(slide, {0.5, 0.5}));
   EXPECT_FALSE(smallest_with_offset(swinging_cam(law, 1, 0.3), {0.5, 0.5}));
-  // tan of the angle is s′ where nothing turns.
+  // With a sliding cam the tangent of the pressure angle is s′.
   EXPECT_NEAR(std::tan(largest_center_pressure(slide)->value), 4 / kPi, 1e-12);
 }
 
 TEST(CamSizing, IsNoneWhereNoSizeKeepsTheLimit) {
-  // An arm of 3 that swings by 0.9 rad within 0.9 rad.
+  // An arm of 3 that swings by 0.9 rad while the cam turns by 0.9 rad.
   const MotionLaw law =
       testing::law_of({{LawType::kCycloidal, 0.9, 0.9}, {LawType::kCycloidal, 2 * kPi - 0.9, -0.9}}, true);
   EXPECT_FALSE(smallest_for_pressure(swinging_cam(law, 0.6, 0.3), {5 * kDeg, 5 * kDeg}));

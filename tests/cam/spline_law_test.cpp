@@ -33,7 +33,7 @@ LawDescription turn(const std::function<double(double)>& s, int intervals, int d
   return description;
 }
 
-// h(θ) = √(4 sin² + cos²) of an ellipse 2 × 1 with a flat follower, and its derivatives.
+// h(θ) = √(4 sin² + cos²), the lift of a flat follower by an ellipse 2 × 1, and its derivatives.
 double ellipse(double x, int k) {
   PowerSeries<double, 4> t(x);
   t.c[1] = 1;
@@ -54,8 +54,7 @@ std::array<double, 4> largest_errors(const MotionLaw& law, const std::function<d
   return largest;
 }
 
-// The same errors as another program's splines (SciPy 1.10) have: 9e-9, 1.7e-6, 1e-3, 0.34 and 3e-12,
-// 6e-10, 2.3e-7, 7.7e-5.
+// SciPy 1.10's splines have the same errors: 9e-9, 1.7e-6, 1e-3, 0.34 and 3e-12, 6e-10, 2.3e-7, 7.7e-5.
 TEST(SplineLaw, IsAsCloseToATrueLiftAsSplinesAre) {
   const auto cubic = largest_errors(law_of(turn([](double x) { return ellipse(x, 0); }, 360, 3)), ellipse);
   const auto quintic = largest_errors(law_of(turn([](double x) { return ellipse(x, 0); }, 360, 5)), ellipse);
@@ -129,9 +128,9 @@ TEST(SplineLaw, GoesOnHigherWhereItsLastPointIsHigher) {
   }
 }
 
-// A lift of 10 mm by 3-4-5, 90° each of dwell, rise, dwell, fall, in steps of 1°, rounded to 1 µm: what the
-// rounding does to acceleration (peak 23.4 mm/rad²) where the spline goes through the points, and where it
-// may leave them by half a unit of the last decimal.
+// A 3-4-5 lift of 10 mm with 90° each of dwell, rise, dwell and fall, tabulated in steps of 1° and rounded to
+// 1 µm. Compares the effect of the rounding on acceleration (peak 23.4 mm/rad²) for a spline through the
+// points and for one that may deviate from them by half a unit of the last decimal.
 TEST(SplineLaw, SmoothingTakesTheRoundingOfATableOutOfAcceleration) {
   const double quarter = kPi / 2;
   const MotionLaw truth = law_of({{LawType::kDwell, quarter},
@@ -153,8 +152,8 @@ TEST(SplineLaw, SmoothingTakesTheRoundingOfATableOutOfAcceleration) {
   }
 }
 
-// A table of many points is smoothed with a heavy weight, which squares a condition number: the law, and its
-// jerk above all, is that of the points and the tolerance only if the digits are kept.
+// A table of many points is smoothed with a large weight, which squares a condition number: only without loss
+// of digits do points and tolerance alone determine the law, and its jerk above all.
 TEST(SplineLaw, SmoothingIsTheSameInOtherUnits) {
   LawDescription degrees;
   LawDescription radians;

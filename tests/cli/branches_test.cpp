@@ -16,7 +16,7 @@ namespace {
 
 using higherpair::testing::shipped_profile;
 
-// Standard output of the program.
+// Standard output of `branches`.
 std::string output_of(const std::string& arguments) {
   const std::string command = std::string(HIGHERPAIR_PROGRAM) + " branches " + arguments;
   std::FILE* pipe = popen(command.c_str(), "r");
@@ -29,7 +29,8 @@ std::string output_of(const std::string& arguments) {
 }
 
 TEST(Branches, ListsEveryContactInTheUnitsOfTheProfile) {
-  // Centre (8, 0), radius 20: the flat face, normal along the slide, stands at ±20 whatever the cam does.
+  // Centre (8, 0), radius 20: the flat face, whose normal is along the slide, is at ±20 whatever the cam
+  // does.
   const auto json =
       nlohmann::json::parse(output_of(shipped_profile("flat_faced_translating.toml") + " --json -"));
   EXPECT_EQ(json.at("driver"), 0.0);
@@ -70,7 +71,7 @@ TEST(Branches, AtADeadPointAreOneAssembly) {
 
 TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
   if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
-  // Disc of radius 30 about (10, 0), the edge above the origin: at ±sqrt(30² - 10²).
+  // Disc of radius 30 about (10, 0) and a knife edge above the origin: at ±sqrt(30² - 10²).
   const auto json =
       nlohmann::json::parse(output_of(shipped_profile("knife_edge.toml") + " --certify --quiet --json -"));
   ASSERT_EQ(json.at("contacts").size(), 2U);
@@ -141,7 +142,7 @@ TEST(Branches, OfCurvesInPartsAreProven) {
 
 using OpenBranches = higherpair::testing::ProgramTest;
 
-// A square of 40 mm whose side lies flat on the face.
+// A square of 40 mm with one side flat on the face.
 TEST_F(OpenBranches, SayWhereNothingIsProven) {
   std::ofstream(folder_ / "square.toml") << R"(
 [bodies.ground]

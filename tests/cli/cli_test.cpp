@@ -43,7 +43,7 @@ TEST_F(Program, RunsEveryShippedProfile) {
 }
 
 TEST_F(Program, IsNotContentWithRowsWhereTheirPathIsNot) {
-  // Both rows can be assembled; the follower locks up between them.
+  // Both rows can be assembled, but the follower locks between them.
   const Outcome outcome = run("analyze " + profile("lock_up.toml") + " --set 'driver.positions=[0,359]'");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
@@ -79,7 +79,7 @@ TEST_F(Program, ReportsTheLimitPositionsToTheLastDigits) {
   EXPECT_EQ(json.at("rows").size(), 361U);
 }
 
-// The driver starts with 60 deg/s and speeds up with 20 deg/s²: t = (√(3600 + 40 θ) - 60)/20, θ in degrees.
+// The driver starts at 60 deg/s and accelerates with 20 deg/s²: t = (√(3600 + 40 θ) - 60)/20, θ in degrees.
 TEST_F(Program, TellsTheTimeOfEventsBetweenTheRowsOfAStep) {
   const Outcome outcome = run("step " + profile("lock_up.toml") +
                               " --set driver.velocity=60 --set driver.acceleration=20 --set driver.duration=4"
@@ -96,7 +96,7 @@ TEST_F(Program, TellsTheTimeOfEventsBetweenTheRowsOfAStep) {
   EXPECT_THAT(outcome.err, HasSubstr(", time = "));
 }
 
-// Two rows at 50 degrees; between them the driver goes to 70 and back, past the limit and past it again.
+// Two rows at 50 degrees; between them the driver goes to 70 and back, passing the limit twice.
 TEST_F(Program, SeesWhatADriverPassesAndPassesBackBetweenTwoRows) {
   const Outcome outcome = run("step " + profile("lock_up.toml") +
                               " --set driver.start=50 --set driver.velocity=40 --set driver.acceleration=-40"
@@ -120,7 +120,8 @@ TEST_F(Program, SummarisesARunWithJerk) {
   EXPECT_THAT(outcome.out, HasSubstr("\n  jerk "));
 }
 
-// Greatest and least angle of the demo's follower: where the cranks are in line, at 47.92 and 211.10 degrees.
+// Largest and smallest angle of the demo's follower: where crank and coupler are in line, at 47.92 and 211.10
+// degrees.
 TEST_F(Program, SummarisesWhatChangesAndWhereItIsExtreme) {
   const Outcome outcome =
       run("analyze " + profile("eccentric_disc_oscillating_roller.toml") + " --summary --quiet");
@@ -263,7 +264,7 @@ TEST_F(Program, CanBeInterruptedWhileNobodyReads) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
-// A row of a thousand million degrees takes minutes.
+// A single row a thousand million degrees away takes minutes.
 TEST_F(Program, CanBeInterruptedWithinALongRow) {
   const fs::path folder = folder_ / "long";
   fs::create_directories(folder);
@@ -418,7 +419,7 @@ TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
   }
 }
 
-// The contact opens at 57 degrees, strokes end at 90 and 270; backwards it opens at 123.
+// The contact opens at 57 degrees and strokes end at 90 and 270; backwards it opens at 123.
 TEST_F(Program, ListsEventsBetweenTwoRowsInTheOrderOfTheMotion) {
   const auto events = [&](const std::string& way) {
     const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
@@ -459,7 +460,7 @@ TEST_F(Program, GivesCurvaturesInTheUnitsOfTheProfile) {
               HasSubstr("the curvature of cam jumps from 0.0263158 to 0.125 1/mm; for a unit rate"));
 }
 
-// A slide within its own origin: there is nothing to compare its way with but 1 m.
+// A mechanism without any extent: its travel can only be compared with 1 m.
 TEST_F(Program, SaysHowFarADriverCanSlide) {
   const fs::path file = folder_ / "slide.toml";
   std::ofstream(file) << R"(units.length = "m"
@@ -490,7 +491,7 @@ TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
                            " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
   EXPECT_EQ(fast.code, 2);
   EXPECT_THAT(fast.err, HasSubstr("driver goes 3.1831e+08 turns from its first position"));
-  // From where it starts, however far that is.
+  // Counted from the start of the path, however far away that is.
   EXPECT_EQ(run(analyze + " --samples 2 --set driver.start=1e10 --set driver.end=10000000360").code, 0);
 }
 
@@ -537,7 +538,7 @@ TEST_F(Program, WritesJerkBesideThatOfTheFrozenLinkage) {
   const std::size_t last = columns.size() - 1;
   EXPECT_THAT(columns[last].at("name").get<std::string>(), HasSubstr(".jerk_linkage"));
   EXPECT_EQ(columns[last].at("unit"), "mm/s^3");
-  // A disc keeps its radius of curvature.
+  // The radius of curvature of a disc is constant.
   for (const nlohmann::json& row : json.at("rows")) {
     ASSERT_EQ(row.size(), columns.size());
     EXPECT_NEAR(row[last - 1].get<double>(), row[last].get<double>(), 1e-6);

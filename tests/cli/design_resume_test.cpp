@@ -1,4 +1,4 @@
-// Designs that are killed, interrupted or run out of disk, and gone on with.
+// Designs that are killed, are interrupted or run out of disk space, and are resumed.
 #include "cli/program_testing.hpp"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ protected:
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program("design " + arguments); }
 
-  /// Options for all that a design writes.
+  /// Options for all files that a design writes.
   static std::string files(const std::string& name) {
     return fmt::format(" -o {0}.toml --json {0}.json --report {0}.html", name);
   }
@@ -40,7 +40,7 @@ protected:
     EXPECT_FALSE(fs::exists(folder_ / (name + ".toml.searches")));
   }
 
-  /// Some searches are done when the program is ended by this signal.
+  /// Ends the program by a signal when some searches are complete.
   [[nodiscard]] Outcome run_until(const std::string& signal, const std::string& name) const {
     return run_script(
         fmt::format("{0} design {1} -o {2}.toml & program=$!\n"
@@ -51,7 +51,7 @@ protected:
   }
 };
 
-// At any moment, ten times, on any number of threads.
+// Killed ten times at random moments, with any number of threads.
 TEST_F(ResumedDesign, GoesOnAfterItIsKilled) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> seconds(0.02, 0.15);
@@ -62,7 +62,7 @@ TEST_F(ResumedDesign, GoesOnAfterItIsKilled) {
                                "sleep {4:.3f}; kill -KILL $program 2>&1; wait $program\n",
                                HIGHERPAIR_PROGRAM, kTask, files("killed"), 1 + i % 3, seconds(random)));
     killed += outcome.code == 137 ? 1 : 0;
-    if (outcome.code == 0) break;  // a fast machine has come to the end
+    if (outcome.code == 0) break;  // a fast machine has finished
   }
   EXPECT_GT(killed, 0);
   const Outcome last = run(kTask + files("killed") + " --resume");
@@ -72,7 +72,7 @@ TEST_F(ResumedDesign, GoesOnAfterItIsKilled) {
 
 TEST_F(ResumedDesign, DoesNotMakeASearchTwice) {
   EXPECT_EQ(run_until("KILL", "killed").code, 137);
-  // No time is left: what is found is what was found before.
+  // No time is left: the result is what was found before.
   EXPECT_EQ(
       run_script(fmt::format("cp killed.toml.searches kept; {} design {} -o killed.toml --json killed.json "
                              "--resume --time 1e-9",
@@ -166,7 +166,7 @@ TEST_F(InterruptedDesign, IsNotGoneOnWithByAnother) {
   expect_the_rest();
 }
 
-// How many searches there are to be makes no difference to any of them.
+// The total number of searches has no influence on any of them.
 TEST_F(InterruptedDesign, GoesOnToMoreSearches) {
   const std::string more = "design_eighteen_points.toml --starts 64 --best 3 --quiet";
   EXPECT_EQ(run(more + files("out") + " --resume").code, 0);
@@ -195,7 +195,7 @@ TEST_F(ResumedDesign, LeavesNothingWhereItDoesNotBegin) {
   EXPECT_THAT(folder.err, HasSubstr("none/b.toml: there is no folder none; make it first"));
 }
 
-// A journal without a search is of no use to anybody.
+// A journal without a completed search is useless.
 TEST_F(ResumedDesign, BeginsAnewWhereNothingWasDone) {
   EXPECT_EQ(run_until("KILL", "out").code, 137);
   const std::string journal = file("out.toml.searches");

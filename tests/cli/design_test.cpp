@@ -68,7 +68,7 @@ TEST_F(DesignCommand, WritesAProfileThatIsAnalysedAsItSays) {
   EXPECT_EQ(json.at("variables").size(), 6U);
   EXPECT_THAT(read(file("b.toml")), HasSubstr("# The point E of the coupler is to pass five places"));
   EXPECT_EQ(run("analyze " + file("b.toml") + " --csv -").code, 0);
-  // Once more from there nothing changes but rounding, and the same seed gives the same file.
+  // Starting again from the result changes nothing but rounding, and the same seed gives the same file.
   EXPECT_EQ(run("design " + five_ + " -o " + file("c.toml") + " --starts 12 --threads 1").code, 0);
   EXPECT_EQ(read(file("b.toml")), read(file("c.toml")));
 }

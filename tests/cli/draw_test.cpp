@@ -1,4 +1,4 @@
-// The command draw on the command line.
+// The command `draw` on the command line.
 #include "program_testing.hpp"
 
 #include <filesystem>
@@ -52,7 +52,7 @@ TEST_F(Draw, SaysWhichOfSeveralPositionsAreLeftOut) {
   EXPECT_TRUE(fs::exists(folder_ / "l.svg"));
 }
 
-// At 359 degrees the bodies touch again, but no motion leads there.
+// At 359 degrees the bodies could touch again, but no motion leads there.
 TEST_F(Draw, SaysWhichLimitsLieOnTheWay) {
   for (const std::string where : {"--at 359", "--every 359"}) {
     const Outcome outcome = run("lock_up.toml -o l.svg " + where);

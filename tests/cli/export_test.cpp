@@ -1,4 +1,4 @@
-// The command export on the command line.
+// The command `export` on the command line.
 #include "program_testing.hpp"
 
 #include <algorithm>

@@ -73,7 +73,7 @@ TEST_F(FitCommand, WhatIsNotDeterminedIsExitCode4AndWritten) {
   write("t.toml", read("sixbar_measured.toml") +
                       "\n[design.variables.height]\npath = \"bodies.ground.points.rail.0\"\n");
   const Outcome outcome = run_program("fit t.toml sixbar_measured.csv -o f.toml");
-  EXPECT_EQ(outcome.code, 2);  // a rail does not care for where along itself its point is
+  EXPECT_EQ(outcome.code, 2);  // the position of a rail's point along the rail has no effect
   std::string text = read("sixbar_measured.toml");
   text = text.substr(0, text.find("[design.variables]")) +
          "[design.variables]\nframe = { path = \"bodies.ground.points.F.0\" }\n"
@@ -127,7 +127,7 @@ TEST_F(FitCommand, FitsACircleToPoints) {
   EXPECT_NEAR(json.at("numbers")[2].at("value").get<double>(), 2, 1e-9);
   EXPECT_THAT(read("c.toml"), HasSubstr("curves.fitted = { type = \"circle\", center = ["));
   EXPECT_THAT(read("d.csv"), HasSubstr("line[1],x[in],y[in],distance[in]"));
-  // What it writes is a curve of a profile.
+  // The curve that it writes can be read in a profile.
   write(
       "p.toml",
       "[units]\nlength = \"in\"\n[bodies.ground]\npoints.O = [0, 0]\n[bodies.cam]\npoints.O = [0, 0]\n" +

@@ -1,4 +1,4 @@
-// analyze, step and forces over many rows: the same files on any number of threads, and as HDF5.
+// analyze, step and forces over many rows: the same files with any number of threads, and as HDF5.
 #include "cli/program_testing.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ protected:
                    "start_stop_crank", "gear_teeth"});
   }
 
-  /// The exit code of the program where a signal ends it after some seconds; what it says goes to `err`.
+  /// The exit code of the program when a signal ends it after some seconds; its error messages go to `err`.
   [[nodiscard]] int code_after(double seconds, const std::string& signal, const std::string& command) const {
     const int status =
         std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} {} {} {} 2>err",
@@ -33,7 +33,7 @@ protected:
     return WEXITSTATUS(status);
   }
 
-  /// What h5dump prints of a file; empty where there is no h5dump, or no HDF5 in the program.
+  /// The output of h5dump for a file; empty where h5dump is missing or the program has no HDF5.
   [[nodiscard]] std::string dumped(const std::string& arguments) const {
     const std::string to = (folder_ / "dump").string();
     const std::string command =
@@ -141,14 +141,15 @@ TEST_F(LongRun, SaysThatADiskIsFull) {
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
 }
 
-// With 10 million rows it would take minutes.
+// This many rows would take minutes.
 TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
   EXPECT_EQ(code_after(0.5, "INT", "analyze four_bar.toml --samples 100000000 --csv t.csv"), 130);
   EXPECT_THAT(file("err"), IsEmpty());
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
 }
 
-// Teeth that are too large for the wheels' distance: no start is found anywhere, which takes long.
+// The teeth are too large for the wheels' distance, so that no start exists, and the search for one takes
+// long.
 TEST_F(LongRun, EndsAtOnceWhileItLooksForAStart) {
   EXPECT_EQ(
       code_after(2, "INT",
@@ -157,7 +158,7 @@ TEST_F(LongRun, EndsAtOnceWhileItLooksForAStart) {
   EXPECT_THAT(file("err"), IsEmpty());
 }
 
-// The reader of its pipe takes nothing for longer than the program is allowed.
+// The reader of the pipe reads nothing until after the program should have ended.
 TEST_F(LongRun, OfAMapEndsWithoutAWordWhereItsWriteIsInterrupted) {
   copy_profiles({"lock_up"});
   const int status = std::system(
@@ -170,7 +171,7 @@ TEST_F(LongRun, OfAMapEndsWithoutAWordWhereItsWriteIsInterrupted) {
   EXPECT_THAT(file("err"), IsEmpty());
 }
 
-// Of conics, of curves of many parts, and of a page that holds a map: each would take long.
+// Maps of conics, of curves of many parts, and a page that holds a map: each would take long.
 TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
   copy_profiles({"lock_up", "four_arc_cam", "gear_teeth"});
   const std::string gears =
@@ -191,7 +192,7 @@ TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
   }
 }
 
-// Of many turns between two rows; draw goes all the way to its position.
+// Many turns between two rows; draw follows the motion all the way to its position.
 TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
   const std::string profile = "ellipse_cam_roller.toml --set driver.end=1e9 -o t.svg ";
   for (const std::string signal : {"INT", "TERM"}) {
@@ -206,7 +207,7 @@ TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
   }
 }
 
-// What reads a pipe that nobody writes, or writes one that nobody reads, waits until it is ended.
+// A program that reads a pipe without a writer, or writes one without a reader, waits until it is ended.
 TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
   copy_profiles({"ellipse_cam_roller"});
   ASSERT_EQ(run_script("mkfifo pipe pipe.svg").code, 0);

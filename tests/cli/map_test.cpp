@@ -52,7 +52,7 @@ TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
   EXPECT_EQ(own.at("driver"), 0.0);
 }
 
-// A disc about its own pivot does not move its follower: what it seems to move is rounding.
+// A disc about its own pivot does not move its follower; any apparent motion is rounding.
 TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
   const auto json =
       json_of(shipped_profile("flat_faced_translating.toml") + " --set bodies.cam.curves.disc.center=[0,0]");
@@ -61,7 +61,7 @@ TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
   }
 }
 
-// A fold has one coordinate, whichever turn the poses put the follower in.
+// A fold has a single coordinate, whichever turn the follower's pose is in.
 TEST(Map, GivesAFoldTheCoordinateOfItsBranches) {
   for (const char* turns : {"-325", "35", "395"}) {
     const auto json = json_of(shipped_profile("lock_up.toml") + " --set bodies.follower.pose.angle=" + turns);
@@ -125,7 +125,7 @@ TEST(Map, OfAChainHasEveryContactOverItsOwnKnownBody) {
   ASSERT_EQ(json.at("contacts").size(), 2U);
   EXPECT_EQ(json.at("contacts").at(0).at("driver").at("joint"), "cam_pivot");
   EXPECT_EQ(json.at("contacts").at(1).at("driver").at("joint"), "arm_pivot");
-  // The second contact's driver stands where the first has put it.
+  // The second contact's driver is at the position to which the first contact has moved it.
   EXPECT_EQ(json.at("contacts").at(1).at("own").at("driver"),
             json.at("contacts").at(0).at("own").at("position"));
 }
@@ -140,8 +140,8 @@ TEST(Map, MarksTheSecondContactsOfAnOvalInARing) {
   EXPECT_NEAR(marks.at(1).at("driver").get<double>(), 99.39339667515178, 1e-11);
 }
 
-// The lift of the law is the position on the mechanism's own branch, and the follower turns where the law
-// does.
+// On the mechanism's own branch the position is the lift of the law, and the follower's turning points are
+// the law's.
 TEST(Map, OfACamOfAMotionLawFollowsTheLaw) {
   const auto json = json_of(shipped_profile("four_arc_cam.toml") + " --samples 9");
   const nlohmann::json& contact = json.at("contacts").at(0);
@@ -160,7 +160,7 @@ TEST(Map, OfACamOfAMotionLawFollowsTheLaw) {
   EXPECT_NEAR(row->at(3).get<double>(), 38 - 18 * std::sqrt(0.5), 1e-12);
 }
 
-// A pin is in its slot from 180 - 360/8 to 180 + 360/8 degrees, and leaves it where the slot ends.
+// The pin is in a slot from 180 - 360/8 to 180 + 360/8 degrees, and leaves it where the slot ends.
 TEST(Map, OfAGenevaWheelEndsWhereThePinLeavesItsSlots) {
   const auto json = json_of(shipped_profile("geneva_four_slots.toml") + " --samples 9");
   const nlohmann::json& branches = json.at("contacts").at(0).at("branches");

@@ -132,7 +132,7 @@ TEST_F(MobilityCommand, GivesTheInstantCentresOfAFourBar) {
   const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n", "--json -");
   ASSERT_EQ(outcome.code, 0);
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
-  // Crank and rocker stand upright: the coupler translates, and line AB meets the ground line at x = -3.
+  // Crank and rocker are parallel: the coupler translates, and line AB meets the ground line at x = -3.
   int found = 0;
   for (const nlohmann::json& center : json.at("instant_centers")) {
     if (center.at("bodies") == nlohmann::json({"ground", "coupler"})) {
@@ -147,7 +147,7 @@ TEST_F(MobilityCommand, GivesTheInstantCentresOfAFourBar) {
   }
   EXPECT_EQ(found, 2);
   const nlohmann::json& loop = json.at("four_bars").at(0);
-  // s + l = 1 + sqrt(10) < 2 + 3, the crank is shortest.
+  // s + l = 1 + sqrt(10) < 2 + 3, and the crank is the shortest link.
   EXPECT_EQ(loop.at("grashof"), "crank-rocker");
   EXPECT_NEAR(loop.at("margin").get<double>(), 4 - std::sqrt(10.0), 1e-12);
   EXPECT_EQ(loop.at("limits").at("crank").size(), 0U);
@@ -180,7 +180,7 @@ TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
               1e-12);
 }
 
-// The lever's limits in the table are a slow and a fast stroke apart; 2 asin(4/9) is its swing.
+// The table shows the lever's limits, which lie a slow and a fast stroke apart; the swing is 2 asin(4/9).
 TEST_F(MobilityCommand, NamesThePartsOfAShaperAndItsTimeRatio) {
   const std::string profile = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/quick_return.toml";
   const Outcome outcome = run(read_file(profile), "--json -");

@@ -1,4 +1,4 @@
-// higherpair-sweep-mpi on 2 to 8 ranks: the table of an ordinary sweep, whatever happens on the way.
+// higherpair-sweep-mpi on 2 to 8 ranks: the same table as an ordinary sweep, whatever happens in between.
 #include "cli/program_testing.hpp"
 
 #include <fstream>
@@ -16,8 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// More ranks than cores, in containers too. Under the address sanitizer OpenMPI is known to keep what it
-// allocates.
+// More ranks than cores, also in containers. OpenMPI is known to leak memory under the address sanitizer.
 constexpr const char* kRun =
     "ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe --bind-to none";
 
@@ -41,7 +40,7 @@ fast = { column = "rocker.omega", of = "max", where = true }
     ASSERT_EQ(run_program("sweep four_bar.toml --samples 181 --quiet -o whole.csv").code, 0);
   }
 
-  // What a signal is to find at work: ten times the variants.
+  // Ten times as many variants, so that a signal arrives while the program is working.
   static constexpr const char* kLong = " --set sweep.count=240000";
   [[nodiscard]] std::string long_table() {
     const std::string arguments = "sweep four_bar.toml --samples 181 --quiet -o long.csv";
@@ -66,7 +65,8 @@ TEST_F(MpiSweep, WritesTheTableOfOneMachine) {
   EXPECT_TRUE(threads.out == file("whole.csv")) << threads.err;
 }
 
-// The whole job at random moments, as batch systems do; each time it goes on where it was, also alone.
+// Kills the whole job at random moments, as batch systems do; each time it resumes where it was, also on a
+// single process.
 TEST_F(MpiSweep, GoesOnAfterItIsKilled) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> seconds(0.2, 0.9);
@@ -78,7 +78,7 @@ TEST_F(MpiSweep, GoesOnAfterItIsKilled) {
                                "wait $job\n",
                                command(3, "-o killed.csv --resume") + kLong, seconds(random)));
     killed += outcome.code == 137 ? 1 : 0;
-    if (outcome.code == 0) break;  // a fast machine has come to the end
+    if (outcome.code == 0) break;  // a fast machine has finished
   }
   EXPECT_GT(killed, 0);
   const Outcome last =
@@ -87,7 +87,7 @@ TEST_F(MpiSweep, GoesOnAfterItIsKilled) {
   EXPECT_TRUE(file("killed.csv") == long_table());
 }
 
-// One rank stands still: the table is finished without it.
+// One rank is stopped: the table is completed without it.
 TEST_F(MpiSweep, DoesNotWaitForASlowRank) {
   const Outcome outcome = run_script(command(3, "-o slow.csv") +
                                      " & job=$!\n"

@@ -27,7 +27,7 @@ protected:
 
   [[nodiscard]] Outcome run(const std::string& arguments) const { return run_program(arguments); }
 
-  // What is said about arguments that are wrong; nothing is written.
+  // The message about wrong arguments; nothing may be written.
   [[nodiscard]] std::string refusal(const std::string& arguments) const {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
@@ -87,7 +87,7 @@ TEST_F(PictureFiles, RefuseFilesThatCannotBe) {
   EXPECT_THAT(file("profile.svg"), HasSubstr("[driver]"));
 }
 
-// Without librsvg and cairo the program says so.
+// Without librsvg and cairo the program reports that it cannot write them.
 TEST_F(PictureFiles, ArePdfAndPngWhereThatCanBe) {
   const Outcome pdf = run("polygon sixbar_slider.toml -o p.pdf --at 45");
   if (pdf.code == 2) {

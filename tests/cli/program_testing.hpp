@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-// The program as a user runs it, in a folder of its own.
+// Runs the program as a user does, in a folder of its own.
 
 namespace higherpair::testing {
 
@@ -27,7 +27,7 @@ inline std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// The path of a profile of the folder profiles/, "four_bar.toml".
+/// The path of a shipped profile, such as "four_bar.toml".
 inline std::string shipped_profile(const std::string& name) {
   return HIGHERPAIR_SOURCE_DIR "/profiles/" + name;
 }
@@ -37,7 +37,7 @@ protected:
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Runs the program in the folder; arguments as a shell reads them.
+  /// Runs the program in the folder; the arguments are read as by a shell.
   [[nodiscard]] Outcome run_program(const std::string& arguments) const {
     const auto quoted = [&](const char* name) { return "'" + (folder_ / name).string() + "'"; };
     const std::string command = "cd '" + folder_.string() + "' && " + HIGHERPAIR_PROGRAM + " " + arguments +
@@ -47,7 +47,7 @@ protected:
             read_file(folder_ / "err")};
   }
 
-  /// What a shell makes of these lines in the folder.
+  /// Runs these lines as a shell script in the folder.
   [[nodiscard]] Outcome run_script(const std::string& script) const {
     std::ofstream(folder_ / "script.sh") << script;
     const int status = std::system(("cd '" + folder_.string() + "' && sh script.sh >out 2>err").c_str());

@@ -1,4 +1,4 @@
-// `report` as a program: what it writes, what it refuses, and how it ends.
+// The command `report`: what it writes, what it refuses, and how it ends.
 #include "program_testing.hpp"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The pictures of the documentation are what the program draws today.
+// The pictures of the documentation are the same as what the program draws.
 #include "program_testing.hpp"
 
 #include <cctype>
@@ -17,7 +17,7 @@ using higherpair::testing::read_file;
 
 namespace fs = std::filesystem;
 
-// Equal but for the last digits of numbers, which another compiler may round otherwise.
+// Equal except for the last digits of numbers, which other compilers may round differently.
 bool is_alike(const std::string& a, const std::string& b) {
   std::size_t i = 0, k = 0;
   while (i < a.size() && k < b.size()) {

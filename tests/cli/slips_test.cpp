@@ -1,4 +1,4 @@
-// What the program says to slips on its command line and in profiles that can be run.
+// The program's answers to mistakes on its command line and in otherwise valid profiles.
 #include "program_testing.hpp"
 
 #include <cstdlib>
@@ -65,7 +65,7 @@ TEST_F(Slips, AnEmptyNameIsNoFile) {
   }
 }
 
-// A search would be over before its result could not be written.
+// Otherwise a search would be finished before its result turns out to be unwritable.
 TEST_F(Slips, AFolderThatIsMissingIsSaidBeforeTheWork) {
   for (const std::string arguments :
        {"sensitivity p.toml --csv none/t", "sensitivity p.toml --rows none/t", "fit p.toml m.csv -o none/t",
@@ -109,7 +109,7 @@ TEST_F(Slips, AnInputOfVerifyIsNotWrittenTo) {
   EXPECT_EQ(read_file(profile_), text_);
 }
 
-// By whatever name: pictures and pages have to be named for what they are.
+// Also through links, whose extensions are those that the outputs have to have.
 TEST_F(Slips, AnOutputThatTheProfileReadsIsRefusedByEveryCommand) {
   copy_profiles({"spline_cam"});
   fs::copy_file(shipped_profile("spline_cam.csv"), folder_ / "spline_cam.csv");

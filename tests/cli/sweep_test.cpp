@@ -1,4 +1,4 @@
-// The command sweep on the command line: its table, and that nothing is lost whatever ends it.
+// The command `sweep` on the command line: its table, and that nothing is lost however it ends.
 #include "cli/program_testing.hpp"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ TEST_F(SweepProgram, OfItsPartsMakesTheWhole) {
   EXPECT_EQ(parts.out, file("whole.csv"));
 }
 
-// Killed at any moment, twenty times, and gone on with: the table is what it would have been.
+// Killed twenty times at random moments and resumed: the table is the same as without interruption.
 TEST_F(SweepProgram, GoesOnAfterItIsKilled) {
   const std::string options = "four_bar.toml --quiet --samples 181 --set sweep.count=24000";
   EXPECT_EQ(run(options + " -o whole.csv").code, 0);
@@ -97,7 +97,7 @@ TEST_F(SweepProgram, GoesOnAfterItIsKilled) {
                                "sleep {2:.3f}; kill -KILL $program 2>&1; wait $program\n",
                                HIGHERPAIR_PROGRAM, options, seconds(random)));
     killed += outcome.code == 137 ? 1 : 0;
-    if (outcome.code == 0) break;  // a fast machine has come to the end
+    if (outcome.code == 0) break;  // a fast machine has finished
   }
   EXPECT_GT(killed, 0);
   const Outcome last = run(options + " -o killed.csv --resume");
@@ -108,7 +108,7 @@ TEST_F(SweepProgram, GoesOnAfterItIsKilled) {
 
 class InterruptedSweep : public SweepProgram {
 protected:
-  // A journal of some blocks: the program may write no more than this into a file.
+  // The size of a journal of a few blocks: the largest file that the program may write.
   void SetUp() override {
     SweepProgram::SetUp();
     EXPECT_EQ(run("four_bar.toml -o whole.csv --quiet --samples 37").code, 0);

@@ -34,7 +34,7 @@ std::string reference(const std::string& name) {
   return std::string(HIGHERPAIR_SOURCE_DIR) + "/tools/cli/verify/" + name;
 }
 
-// A shipped table with one piece of text replaced, in a file that goes with the object.
+// A shipped table with one piece of text replaced, in a file that is removed with the object.
 class ChangedTable {
 public:
   ChangedTable(const std::string& name, const std::string& from, const std::string& to)
@@ -85,7 +85,7 @@ TEST(Verify, PrintsValueErrorAndTime) {
 }
 
 TEST(Verify, FailsWhereOneDigitOfATableIsWrong) {
-  // The rocker turns exactly as fast as the coupler, 20 rad/s, at the first position.
+  // At the first position the rocker turns exactly as fast as the coupler, at 20 rad/s.
   const ChangedTable table("four_bar_plus.csv", ",20.0,", ",20.00000001,");
   const Verdict outcome = verify(reference("four_bar_plus.toml") + " " + table.path());
   EXPECT_EQ(outcome.code, 4);
@@ -103,7 +103,7 @@ TEST(Verify, FailsWhereTheRunHasNoSuchColumnOrRow) {
               HasSubstr("there is no column"));
 }
 
-// Every column of a run that locks up in part of its turn: words, empty fields, columns of rounding alone.
+// Every column of a run that locks in part of its turn: words, empty fields, and columns of rounding only.
 TEST(Verify, ReadsTheProgramsOwnTables) {
   const std::string profile = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/lock_up.toml";
   const fs::path table =

@@ -1,4 +1,4 @@
-// The table of docs/accuracy.md, measured again: no error may be larger than what is printed.
+// Measures the table of docs/accuracy.md again: no error may exceed the printed one.
 #include "contact/contact_laws.hpp"
 #include "contact/oracle_case.hpp"
 #include "contact/pair_follower.hpp"
@@ -30,7 +30,7 @@ std::string name_of_pair(const ContactPair& pair) {
   return std::string(kKinds[static_cast<std::size_t>(a)]) + ", " + kKinds[static_cast<std::size_t>(b)];
 }
 
-// A row of the table: bounds by kColumns, negative where there is no such case.
+// A row of the table: bounds in the order of kColumns, negative where there is no such case.
 struct TableRow {
   std::string pair;
   std::array<double, 5> bounds{};
@@ -73,8 +73,8 @@ void raise(double& worst, double error) {
   }
 }
 
-// q, dq and d²q against the reference, of max(1, the value). Rows where one rounding of the driver's position
-// alone moves an answer by more than 1e-14 say nothing about us.
+// Errors of q, dq and d²q, relative to max(1, |reference value|). Rows in which a rounding of the driver's
+// position alone changes a value by more than 1e-14 do not measure the program and are skipped.
 void measure_references(const std::string& name, Errors& worst) {
   for (const OracleCase& reference : testing::oracle_cases()) {
     if (name_of_pair(reference.pair) != name) {
@@ -102,8 +102,8 @@ void measure_references(const std::string& name, Errors& worst) {
   }
 }
 
-// Distance of the contact points from each other and from their curves, of the lengths that the contact
-// carries; difference of the normal speeds, of the speeds.
+// Distance of the contact points from each other and from their curves, relative to the lengths that enter
+// the contact; difference of the normal speeds, relative to the speeds.
 void measure_laws(const ContactPair& pair, const ContactPosition& at, Errors& worst) {
   const testing::Standing one(pair.curve1, pair.motion1, at.u);
   const testing::Standing two(pair.curve2, pair.motion2, at.q);

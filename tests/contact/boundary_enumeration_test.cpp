@@ -19,7 +19,7 @@ using testing::RandomBoundaries;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// A span like another one; without bounds.
+// Forwards to another span, but has no bounds.
 class SpanLike : public Span {
 public:
   explicit SpanLike(SpanPtr span) : span_(std::move(span)) {}
@@ -61,7 +61,7 @@ private:
   double factor_;
 };
 
-// With each span as a `Like` made of it and a number.
+// The boundary with each span wrapped in a `Like`, made from the span and a number.
 template <class Like, class Number>
 Boundary boundary_like(const Boundary& boundary, Number number, double size) {
   std::vector<SpanPtr> spans;
@@ -178,8 +178,9 @@ TEST(BoundaryEnumeration, OfAMirroredCopyIsTheMirroredList) {
   }
 }
 
-// A roller that slides by almost as far as it can touch a disc: the contacts are 2 sqrt((R + r)² - e²) apart,
-// for half of all directions on one and the same part between samples.
+// A roller that slides at almost the largest offset at which it can touch a disc: the contacts are 2 sqrt((R
+// + r)² - e²) apart, so that for half of all directions both lie on the same part of the disc between
+// samples.
 TEST(BoundaryEnumeration, TellsContactsApartThatAreFarNearerThanTheSamples) {
   const Boundary cam = disc(0.03);
   const Boundary roller = disc(0.011);
@@ -195,7 +196,7 @@ TEST(BoundaryEnumeration, TellsContactsApartThatAreFarNearerThanTheSamples) {
       const BoundaryContacts all = enumerate_boundary_contacts(pair, u);
       EXPECT_TRUE(all.undecided.empty()) << apart;
       ASSERT_EQ(all.contacts.size(), 2U) << apart;
-      // What rounding does to e² is divided by q.
+      // The rounding of e² is divided by q.
       EXPECT_NEAR(all.contacts[0].q, -q, 1e-9 * q + 4e-15 * reach * reach / q) << apart;
       EXPECT_NEAR(all.contacts[1].q, q, 1e-9 * q + 4e-15 * reach * reach / q) << apart;
       missed_by_samples += find_boundary_contacts(pair, u, {-kFar, kFar}).size() < 2 ? 1 : 0;
@@ -218,7 +219,8 @@ TEST(BoundaryEnumeration, LeavesOpenWhereContactsMerge) {
   }
 }
 
-// Base circle, tangent, nose: the roller stands on a joint where the curvature jumps; and on a corner's end.
+// Base circle, tangent, nose: the roller touches at a joint where the curvature jumps, and at the end of a
+// corner.
 TEST(BoundaryEnumeration, CountsAContactOnAJointOnce) {
   const double base = 0.02, nose = 0.008, distance = 0.025;
   const double t = std::acos((base - nose) / distance);
@@ -264,8 +266,8 @@ TEST(BoundaryEnumeration, LeavesOpenWhereFlatsLieOnEachOther) {
   EXPECT_NEAR(tilted.contacts[0].q, a * (std::cos(0.1) + std::sin(0.1)), 1e-15);
 }
 
-// Two faces that a drawing's digits have turned against each other by less than a corner: convex, where the
-// roller stands on the joint and no face has its normal; and hollow, where it stands on both.
+// Two faces that the digits of a drawing have turned against each other by less than a corner: convex, where
+// the roller touches at the joint and neither face has its normal; and concave, where it touches both.
 TEST(BoundaryEnumeration, DoesNotOverlookAContactInTheGapOfAJoint) {
   for (const double kink : {3e-8, -3e-8, 3e-10, -3e-10, 3e-14, -3e-14}) {
     const double a = 0.03;
@@ -291,7 +293,7 @@ TEST(BoundaryEnumeration, DoesNotOverlookAContactInTheGapOfAJoint) {
   }
 }
 
-// A disc in a hollow of its own radius touches all along it.
+// A disc in a hollow of its own radius touches along the whole hollow.
 TEST(BoundaryEnumeration, LeavesOpenWhereArcsLieOnEachOther) {
   const double r = 0.01, a = 0.03;
   std::vector<SpanPtr> spans = {face_span({a, 0}, {r, 0}),

@@ -16,7 +16,7 @@ using testing::follower_difference;
 using testing::mapped_pair;
 using testing::RandomPair;
 
-constexpr double kReach = 200;  // of lines and open conics, beyond all that is compared
+constexpr double kReach = 200;  // length of lines and open conics, beyond everything compared
 constexpr double kLimit = 50;   // contacts farther from their curve's vertex are left out
 
 MapRange range_of(const ContactPair& pair, double u) {
@@ -75,7 +75,7 @@ TEST(BoundaryMap, OfConicsHoldsEveryContactThatTheAlgebraFinds) {
     const Boundaries boundaries(random.pair);
     const ContactMap map = map_contacts(boundaries.both, range_of(random.pair, random.u), {true, true});
     ASSERT_EQ(map.status, MapStatus::kOk);
-    // Far out on two open curves a branch may be lost; then the map says so.
+    // Far out on two open curves a branch may be missed; then the map reports that it is incomplete.
     if (!map.complete) {
       EXPECT_TRUE(is_open(random.pair.curve1) || is_open(random.pair.curve2));
       continue;
@@ -143,7 +143,7 @@ Boundary four_arcs() {
                  arc({0, 18}, 38, 270, 360 - kNose)});
 }
 
-// The support of the arc that has the normal at `angle` degrees, in (-90, 270].
+// The support of the arc whose normal is at `angle` degrees, in (-90, 270].
 double four_arcs_support(double angle) {
   const double x = std::abs(angle > 180 ? angle - 360 : angle);
   const double c = std::cos(x * testing::kDegree), s = std::sin(x * testing::kDegree);
@@ -167,7 +167,7 @@ TEST(BoundaryMap, OfAFourArcCamUnderAFlatFaceIsTheSupportOfItsArcs) {
     EXPECT_NEAR(point.q, four_arcs_support(90 - point.u / testing::kDegree), 1e-13 * 38);
     EXPECT_TRUE(point.free);
   }
-  // Highest with the nose on top; it begins to rise again where the base circle ends.
+  // Highest with the nose at the top; it begins to rise again where the base circle ends.
   ASSERT_EQ(own->extremes.size(), 2U);
   EXPECT_NEAR(own->extremes[0].u, 0, 1e-12);
   EXPECT_NEAR(own->extremes[1].u, kPi / 2, 1e-13);
@@ -204,9 +204,9 @@ TEST(BoundaryMap, OfAFourArcCamUnderARollerIsThatOfCirclesWithinTheirAngles) {
   EXPECT_EQ(checked, 97);
 }
 
-// The lever's roller reaches the disc only next to where the disc's centre is nearest to the lever's pivot:
-// up to the angle at which the three centres are in line. So near to where a branch vanishes it may stay open
-// whether there is another one.
+// The lever's roller reaches the disc only near the position in which the disc's centre is nearest to the
+// lever's pivot: up to the angle at which the three centres are in line. So close to where a branch vanishes,
+// the map may leave it undecided whether there is another branch.
 TEST(BoundaryMap, HasTheSmallestBranches) {
   std::mt19937 random(3);
   const auto uniform = [&](double low, double high) {
@@ -259,7 +259,7 @@ TEST(BoundaryMap, EndsWhereACurveEnds) {
   }
 }
 
-// A hollow of radius 5 between two arcs of radius 10, whose centres are 24 apart and the hollow's 12 from
+// Two arcs of radius 10, whose centres are 15 apart, joined by a hollow of radius 5, whose centre is 15 from
 // both.
 TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
   const double half = 60;  // the arcs meet at 60° from the line of centres: cos = 7.5/15
@@ -282,7 +282,8 @@ TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
     std::copy_if(
         map.events.begin(), map.events.end(), std::back_inserter(conforming),
         [](const MapEvent& event) { return event.at.opposed && event.at.type == CriticalType::kConforming; });
-    // A roller of radius 4 goes through the hollow; one of 8 rides over both joints at the offset of 10 + 8.
+    // A roller of radius 4 passes through the hollow; one of 8 rides over both joints at the offset of 10 +
+    // 8.
     ASSERT_EQ(conforming.size(), r < 5 ? 0U : 2U);
     if (r < 5) {
       continue;
@@ -292,7 +293,7 @@ TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
     EXPECT_NEAR(conforming[1].at.u, std::abs(centre.x()), 1e-12);
     EXPECT_NEAR(conforming[0].at.q, centre.y(), 1e-12);
     EXPECT_EQ(conforming[0].branches.size(), 2U);
-    // Where both flanks are touched at once the roller stands over the middle.
+    // Where both flanks are touched at once the roller is above the middle.
     const bool meets = std::any_of(map.branches.begin(), map.branches.end(), [](const MapBranch& branch) {
       return std::any_of(branch.free_changes.begin(), branch.free_changes.end(),
                          [](const MapPoint& at) { return std::abs(at.u) < 1e-9; });
@@ -302,7 +303,7 @@ TEST(BoundaryMap, IsConformingWhereTheSumOfCurvaturesJumpsOverZero) {
 }
 
 TEST(BoundaryMap, GoesOnOverCornersAndFaces) {
-  // A square with half sides 10 under a flat face: the support of its corners.
+  // A square with half sides 10 under a flat face: the position is the support of its corners.
   const Boundary square = closed({face_span({10, -10}, {10, 10}), face_span({10, 10}, {-10, 10}),
                                   face_span({-10, 10}, {-10, -10}), face_span({-10, -10}, {10, -10})});
   const Boundary face = face_downwards();

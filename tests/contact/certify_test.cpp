@@ -35,7 +35,7 @@ TEST_P(CertifyOracle, AgreesWithTheListAndHoldsEachContactInAnInterval) {
 }
 
 TEST_P(CertifyOracle, HoldsTheAnswerForTheDecimalsOfTheFileInAnInterval) {
-  // The reference is solved with the decimals as they are written; the pair holds the doubles next to them.
+  // The reference is solved with the decimals as written; the pair holds the nearest doubles.
   const OracleCase& reference = GetParam();
   const nlohmann::json& start_deg = reference.data.at("th1_start_deg");
   const double u = start_deg.get<double>() * kPi / 180;
@@ -114,7 +114,7 @@ TEST(Certify, AgreesWithTheListOnPairsOfWholeNumbers) {
   std::array<int, 4> seen = {};
   std::vector<unsigned> numbers(720);
   std::iota(numbers.begin(), numbers.end(), 0);
-  // Contacts at the origin of everything, at infinity but for a rounding, and a fourfold one.
+  // Contacts at the common origin, contacts at infinity to within a rounding, and a fourfold contact.
   numbers.insert(numbers.end(), {925, 2145, 4018, 5747, 5991});
   for (const unsigned number : numbers) {
     const testing::RandomPair random = testing::grid_pair(number);
@@ -130,13 +130,13 @@ TEST(Certify, AgreesWithTheListOnPairsOfWholeNumbers) {
       EXPECT_EQ(certificate.intervals[i].has_value(), !fragile);
     }
   }
-  // Of every answer there are some.
+  // Every answer occurs often enough.
   EXPECT_GT(seen[0], 300);
   EXPECT_GT(seen[1], 10);
   EXPECT_GT(seen[2], 5);
 }
 
-// The list and the certificate of a pair with the driver at 0.
+// The list of contacts and the certificate of a pair with the driver at 0.
 struct Both {
   CurveContacts list;
   Certificate certificate;
@@ -162,8 +162,8 @@ TEST(Certify, SaysAtALimitWhereADoubleRootDependsOnRounding) {
   }
 }
 
-// A disc of any radius has a line of each sense of the normal on either side; as it shrinks the two become
-// one.
+// A disc of any radius has one tangent line for each sense of the normal on either side; as the disc shrinks,
+// the two merge.
 TEST(Certify, AgreesWithTheListOnDiscsThatAreAlmostPoints) {
   for (const double radius : {1e-20, 1e-30, 1e-45, 1e-60, 1e-120, 1e-250}) {
     for (const bool first : {true, false}) {
@@ -188,7 +188,8 @@ TEST(Certify, AgreesWithTheListOnDiscsThatAreAlmostPoints) {
 }
 
 TEST(Certify, DecidesHalfATurnByAnotherChart) {
-  // A point on a circle about the pivot crosses the ellipse x²/4 + y² = 1 at q = π exactly, and once more.
+  // A point on a circle about the pivot crosses the ellipse x²/4 + y² = 1 exactly at q = π, and at one other
+  // position.
   ContactPair pair;
   pair.curve1 = make_ellipse({0, 0}, {2, 1}, 0).value();
   pair.curve2 = make_point({2.5, 0}).value();
@@ -203,7 +204,7 @@ TEST(Certify, DecidesHalfATurnByAnotherChart) {
 }
 
 TEST(Certify, CountsTwoContactsAtOnePosition) {
-  // The disc's numbers and the parabola's are exact in binary: a double root that is no limit.
+  // The numbers of the disc and the parabola are exact in binary: a double root that is not a limit.
   ContactPair pair;
   pair.curve1 = make_parabola({0, 0}, 0.25, kPi / 2, Side::kOutside).value();
   pair.curve1.axis_B = {0, 1};
@@ -256,8 +257,8 @@ TEST(Certify, DoesNotDecideWhereThereIsNoList) {
 }
 
 TEST(Certify, DecidesAtQuarterTurnsOfTheDriverExactly) {
-  // At 90 degrees the ellipse stands upright and the disc above it touches its end, a limit for no follower
-  // that slides upwards: the position is 2 + 0.25.
+  // At 90 degrees the ellipse is upright and the disc above it touches its end. This is not a limit for a
+  // follower that slides upwards; its position is 2 + 0.25.
   ContactPair pair;
   pair.curve1 = make_ellipse({0, 0}, {2, 1}, 0).value();
   pair.curve2 = make_circle({0, 0}, 0.25).value();

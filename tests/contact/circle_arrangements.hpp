@@ -19,7 +19,7 @@ struct RoundOrFlat {
   Vector2d a_B = Vector2d::Zero();   ///< centre, or a point of the face, from the body's point at its joint
   Vector2d m_B = Vector2d::UnitX();  ///< outward normal of the face
 
-  /// Centre (or face point) where the coordinate is q.
+  /// Centre (or point of the face) at the coordinate q.
   [[nodiscard]] Vector2d place(double q) const {
     return freedom.turns ? Vector2d(freedom.p_WO + Rotation<double>::from_angle(q) * a_B)
                          : Vector2d(freedom.p_WO + q * freedom.direction_W + freedom.R_WB * a_B);
@@ -47,12 +47,12 @@ struct Exact {
 
 using MaybeExact = std::optional<Exact>;
 
-/// A distance of a turning body's slot from its pivot: the face moved by the other body's radius.
+/// Distance of a turning body's slot from its pivot: that of the face, offset by the other body's radius.
 inline double slot_offset(const RoundOrFlat& face, double rho) {
   return face.a_B.dot(face.m_B) + rho;
 }
 
-// The slot of a face runs along the face's normal turned by -90°, so that its offset counts along the normal.
+// The slot runs along the face's normal turned by -90°, so that its offset is positive along the normal.
 inline double slot_angle(const RoundOrFlat& face) {
   return angle_of(face.m_B) - kPi / 2;
 }
@@ -117,7 +117,7 @@ inline MaybeExact turn_slide(const RoundOrFlat& one, const RoundOrFlat& two, dou
   return Exact{motion.r1 - d.dot(from_pivot), motion.rates->r1_dot, motion.rates->r1_ddot};
 }
 
-// (c1 - O2)·m(q) = k: the Rapson slide driven by its slider.
+// (c1 - O2)·m(q) = k: the Rapson slide driven by its sliding body.
 inline MaybeExact inverse_rapson(const RoundOrFlat& one, const RoundOrFlat& two, double u,
                                  AssemblyMode mode) {
   const Vector2d b = one.place(u) - two.freedom.p_WO;

@@ -43,7 +43,7 @@ OneFreedom joint(bool turns, const Vector2d& p_WO, const Vector2d& p_BO, double 
   return freedom;
 }
 
-// Arms 0.13 and 0.37 on pivots 0.63 apart, links 0.48: a crank and a rocker.
+// Arms 0.13 and 0.37 on pivots 0.63 apart with a coupler of 0.48: a crank-rocker.
 std::pair<RoundOrFlat, RoundOrFlat> bodies(const Shapes& shapes, bool turns1, bool turns2) {
   RoundOrFlat one{shapes.flat1, shapes.rho1, joint(turns1, {0.31, -0.17}, {0.02, -0.013}, 0.4, 0.23),
                   0.13 * unit_vector(0.7), unit_vector(0.3)};
@@ -60,8 +60,8 @@ Vector2d common_normal(const RoundOrFlat& one, const RoundOrFlat& two, double u,
   return (two.place(q) - one.place(u)) / (one.rho + two.rho);
 }
 
-// How far the closed form is from its limit: below 0.15 the comparison would measure the loss of digits
-// there.
+// Distance of the closed form from its limit: below 0.15 the comparison would measure the loss of digits near
+// the limit.
 double share_of_lever(const RoundOrFlat& one, const RoundOrFlat& two, double u, double q) {
   const Vector2d n = common_normal(one, two, u, q);
   const Vector2d p = one.flat ? Vector2d(two.place(q) - two.rho * n) : Vector2d(one.place(u) + one.rho * n);
@@ -98,7 +98,7 @@ TEST_P(CirclesAndFlats, MoveAsTheirEquivalentLinkageOverWholeTurns) {
       ASSERT_EQ(follow_to(*track, u).status, TrackStatus::kOk) << "at " << u;
     }
     const ContactPosition& at = track->at;
-    // A tenth of a rounding for each digit that the lever costs: 1e-13 at a healthy transmission.
+    // A tolerance of 1e-13 for good transmission, larger as the lever becomes smaller.
     const double tolerance = 1e-13 / std::abs(share);
     ASSERT_LE(std::abs(at.q - expected_q(pair, *exact, at.q)), tolerance * std::max(1.0, std::abs(at.q)))
         << u;

@@ -9,8 +9,8 @@
 namespace higherpair {
 namespace {
 
-// Of two circles the common normal is the line of centres. Along an axis of ground one component of it is
-// nearly 0 and has no rounding of its own.
+// The common normal of two circles is the line of centres. Along an axis of ground one component of it is
+// nearly 0 and has no relative accuracy of its own.
 TEST(CommonNormal, OfCirclesLiesOnTheLineOfCentersInAnyDirection) {
   const Curve disc = make_circle(Vector2d::Zero(), 0.02).value();
   const Curve ring = make_circle(Vector2d::Zero(), 0.06, Side::kOutside).value();

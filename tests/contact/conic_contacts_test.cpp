@@ -41,7 +41,7 @@ TEST_P(ContactsOracle, FindsEveryListedContact) {
 INSTANTIATE_TEST_SUITE_P(Conics, ContactsOracle, ::testing::ValuesIn(testing::oracle_cases()),
                          [](const auto& test) { return test.param.id; });
 
-// What must hold at a contact, by the boundary points of given normals.
+// The properties of a contact, by the boundary points with given normals.
 void expect_contact(const ContactPair& pair, double u, const CurveContact& c) {
   const Pose<double> X1 = pose_at(pair.motion1, u);
   const Pose<double> X2 = pose_at(pair.motion2, c.q);
@@ -134,9 +134,9 @@ TEST_P(RandomContacts, FollowAChangeOfScale) {
   }
 }
 
-// What two circles, one turning about the origin, touch at: the distance of their centres is r1 + r2
-// (opposed) or |r1 - r2|. With the follower's centre on an arm e and the driver's at the distance L of the
-// pivot, cos(angle between) = (L² + e² - distance²)/(2 L e).
+// Contacts of two circles, one of which turns about the origin: the distance of their centres is r1 + r2
+// (opposed normals) or |r1 - r2|. With the follower's centre on an arm e and the driver's at the distance L
+// from the pivot, cos(angle between) = (L² + e² - distance²)/(2 L e).
 class TwoCircles : public ::testing::TestWithParam<double> {};
 
 TEST_P(TwoCircles, TouchAtTheAnglesOfTheirTriangles) {
@@ -150,7 +150,7 @@ TEST_P(TwoCircles, TouchAtTheAnglesOfTheirTriangles) {
   pair.motion2.p_WO = {L, 0};
   const CurveContacts found = find_curve_contacts(pair, 0.3);
   ASSERT_EQ(found.contacts.size(), 2U);
-  // The pivot sees the driver in the direction π. 1 - cos without cancellation: ((r1+r2)² - (L-e)²)/(2 L e).
+  // The driver lies in direction π from the pivot. 1 - cos without cancellation: ((r1+r2)² - (L-e)²)/(2 L e).
   const double sum = r1 + r2;
   const double one_minus_cos = (sum - 0.6) * (sum + 0.6) / (2 * L * lever);
   const double angle = 2 * std::asin(std::sqrt(one_minus_cos / 2));
@@ -195,7 +195,7 @@ TEST(Contacts, OfAFaceTurningOverACircleAreItsTangentsThroughThePivot) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(found.contacts[i].q, expected[i], 1e-15);
   }
-  // Turned by -angle the face's upper side passes below the disc's... its normal points to the disc or away.
+  // The normals are opposed where the face's normal points to the disc.
   for (const CurveContact& c : found.contacts) {
     const Vector2d n_face(-std::sin(c.q), std::cos(c.q));
     const double centre_from_face = -Vector2d(5, 0).dot(n_face);
@@ -205,8 +205,8 @@ TEST(Contacts, OfAFaceTurningOverACircleAreItsTangentsThroughThePivot) {
 }
 
 TEST(Contacts, OfAFaceThroughItsPivotAreFourAlsoWhereTwoShareAPoint) {
-  // The face lies along the tangent at (1, 0) or (3, -2), pointing to the disc or away from it: positions
-  // half a turn apart have the same point.
+  // The face lies along the tangent at (1, 0) or (3, -2), and its normal points to the disc or away from it:
+  // positions half a turn apart share a contact point.
   ContactPair pair;
   pair.curve1 = make_circle({1, -2}, 2).value();
   pair.curve2 = make_line({0, 0}, {0, 1}).value();
@@ -248,7 +248,8 @@ TEST(Contacts, HalfATurnFromTheFrameAreFoundLikeAnyOther) {
 }
 
 TEST(Contacts, AtALimitAreOneEntryWhateverRoundingMakesOfTheDoubleRoot) {
-  // Outstretched: arm, radii and eccentricity in one line, all along a direction that doubles do not hold.
+  // Outstretched: arm, radii and eccentricity in line, along a direction that doubles cannot represent
+  // exactly.
   for (int i = 0; i < 24; ++i) {
     const double direction = 0.1 + i * 0.2601;
     ContactPair pair;
@@ -259,20 +260,20 @@ TEST(Contacts, AtALimitAreOneEntryWhateverRoundingMakesOfTheDoubleRoot) {
     ASSERT_EQ(found.contacts.size(), 1U) << direction;
     EXPECT_TRUE(found.contacts[0].at_limit);
     EXPECT_EQ(found.contacts[0].branch, 0);
-    // A double root: the square root of what rounding does to the data.
+    // A double root is accurate to the square root of the data's rounding.
     EXPECT_NEAR(std::remainder(found.contacts[0].q - direction - kPi, 2 * kPi), 0, 1e-7);
   }
 }
 
 TEST(Contacts, TwoAtOnePositionAreTwo) {
-  // A disc goes down into the middle of a parabola and touches both its arms.
+  // A disc is lowered into the middle of a parabola and touches both its arms.
   ContactPair pair;
   pair.curve1 = make_parabola({0, 0}, 0.25, kPi / 2, Side::kOutside).value();
   pair.curve2 = make_circle({0, 0}, 1.3).value();
   pair.motion2.turns = false;
   pair.motion2.direction_W = {0, 1};
   const CurveContacts found = find_curve_contacts(pair, 0);
-  // Distance of (0, h) from y = x²: sqrt(h - 1/4) = r at the two arms.
+  // Distance of (0, h) from y = x²: sqrt(h - 1/4) = r, at one point on each arm.
   const double h = 1.3 * 1.3 + 0.25;
   std::vector<CurveContact> free;
   for (const CurveContact& c : found.contacts) {
@@ -336,7 +337,7 @@ TEST(Contacts, OfEqualParabolasSlidingBesideEachOtherFollowFromTheirOwnEquation)
 }
 
 TEST(Contacts, OfTheWrongBranchOfAHyperbolaAreLeftOut) {
-  // A disc slides across both branches of x² - y² = 1; only the right one is there.
+  // A disc slides across both branches of x² - y² = 1; only the right one is part of the curve.
   ContactPair pair;
   pair.curve1 = make_hyperbola({0, 0}, {1, 1}, 0).value();
   pair.curve2 = make_circle({0, 0}, 0.25).value();

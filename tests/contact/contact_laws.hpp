@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// The laws that a contact has to obey, written down again in extended precision from the equation of the
-// curves y² = 2 ℓ x - q x² and from rigid motion alone: nothing here is code that finds or moves contacts.
+// The laws of a contact, written independently in extended precision from the curves' equation y² = 2 ℓ x - q
+// x² and from rigid motion alone: no code that finds or follows contacts is used.
 
 namespace higherpair::testing {
 
@@ -35,7 +35,7 @@ struct Standing {
   [[nodiscard]] Vec axis() const { return R * wide(curve.axis_B); }
   [[nodiscard]] double side() const { return curve.side == Side::kInside ? 1 : -1; }
 
-  // x, y of the curve's own frame.
+  // x, y in the curve's own frame.
   [[nodiscard]] Vec local(const Vec& p) const {
     const Vec d = p - vertex();
     return {d.dot(axis()), cross(axis(), d)};
@@ -46,7 +46,7 @@ struct Standing {
     Vec n{0, 0};        // outward; zero for a point
     Real kappa = 0;
     bool on_branch = true;
-    Real arm = 1;  // rounding of p, in shares of this length, is that of n and κ
+    Real arm = 1;  // lever of rounding: an error of p divided by this length is that of n and κ
   };
 
   [[nodiscard]] Shape shape_at(const Vec& p) const {
@@ -58,8 +58,8 @@ struct Standing {
     const Real length = grad.norm();
     const Real f = (l.y() * l.y() + q * l.x() * l.x()) / 2 - curve.semi_latus * l.x();
     const Vec n = (grad.x() * axis() + grad.y() * perp(axis())) / length;
-    // (f_xx f_y² + f_yy f_x²)/|∇f|³; its numerator is q f + ℓ², and f = 0 would cancel far out on a
-    // hyperbola.
+    // (f_xx f_y² + f_yy f_x²)/|∇f|³. Its numerator equals q f + ℓ²; f = 0 is left out, because it would
+    // cancel badly far out on a hyperbola.
     const Real kappa = Real(curve.semi_latus) * Real(curve.semi_latus) / (length * length * length);
     return {side() * f / length, side() * n, side() * kappa, q >= 0 || q * l.x() < curve.semi_latus, length};
   }
@@ -73,7 +73,7 @@ struct Standing {
   [[nodiscard]] Real omega() const { return freedom.turns ? 1 : 0; }
 };
 
-/// A length that the numbers of a contact carry.
+/// The sum of all lengths that enter the numbers of a contact: its rounding is relative to this.
 inline double length_scale(const ContactPair& pair, const ContactPosition& at) {
   const Vector2d p = (at.p1_W + at.p2_W) / 2;
   return (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() + pair.motion1.p_BO.norm() +
@@ -81,8 +81,8 @@ inline double length_scale(const ContactPair& pair, const ContactPosition& at) {
          (pair.motion1.turns ? 0 : std::abs(at.u)) + (pair.motion2.turns ? 0 : std::abs(at.q));
 }
 
-/// The laws of the equivalent link, held in position, velocity and acceleration; each entry is a law that is
-/// broken by more than rounding.
+/// The laws of the equivalent link, checked in position, velocity and acceleration; `broken` lists each law
+/// that is violated by more than rounding.
 class ContactLaws {
 public:
   ContactLaws(const ContactPair& pair, const ContactPosition& at)
@@ -120,8 +120,8 @@ private:
     return body.curve.kind != CurveKind::kPoint && body.curve.kind != CurveKind::kLine;
   }
 
-  // Of a curve not larger than the rounding of its place, the place does not tell the curvature; there the
-  // radius given does: κ = ℓ²/arm³.
+  // Where a curve is no larger than the rounding of its position, the contact point does not determine the
+  // curvature, but the given radius does: κ = ℓ²/arm³.
   static Real sharpest(const Standing& body, const Standing::Shape& shape, Real rho) {
     return is_curved(body) ? std::max(std::abs(shape.kappa), 1 / std::abs(rho)) : std::abs(shape.kappa);
   }
@@ -131,7 +131,8 @@ private:
   }
 
   void position() {
-    // What one rounding of the normal moves along a nearly flat curve is not seen across it.
+    // On a nearly flat curve a rounding error of the normal moves the point along the curve, not away from
+    // it.
     const double tiny = 1e-13 * length_;
     const auto s1 = one_.shape_at(wide(at_.p1_W));
     const auto s2 = two_.shape_at(wide(at_.p2_W));
@@ -156,14 +157,14 @@ private:
     conforming_ = curved ? (s1.kappa + s2.kappa) / (std::abs(s1.kappa) + std::abs(s2.kappa)) : 1;
   }
 
-  // What is left of an equation, and the size of its terms.
+  // Residual of an equation, and the size of its terms.
   struct Balance {
     Real rest = 0;
     Real terms = 0;
   };
 
-  // What an equation that uses measured radii owes to their uncertainty: a radius is that of a place known to
-  // a rounding of length_.
+  // Error of an equation that comes from the uncertainty of the radii: they are evaluated at a point that is
+  // known to a rounding of length_.
   template <class Equation>
   [[nodiscard]] Real owed_to_radii(const Equation& equation) const {
     const Real rest = equation(rho1_, rho2_).rest;
@@ -171,19 +172,19 @@ private:
            std::abs(equation(rho1_, rho2_ + doubt2_).rest - rest);
   }
 
-  // The speeds that go into those of the centres: next to a pivot a point has less, but its distance from the
-  // pivot has the rounding of their places.
+  // Size of the terms that make up the speeds of the centres. Next to a pivot the speed of a point is
+  // smaller, but its distance from the pivot still carries the rounding of both positions.
   [[nodiscard]] Real carried() const {
     const Real speed1 = one_.velocity(p_).norm() + one_.omega() * (std::abs(rho1_) + Real(length_));
     const Real speed2 = two_.velocity(p_).norm() + two_.omega() * (std::abs(rho2_) + Real(length_));
     return speed1 + std::abs(at_.dq) * speed2;
   }
 
-  // Of the terms of an equation. Exactly at a crossing of branches the rates are interpolated from places
-  // beside it, whose own are as uncertain as 1e-16 over their distance to it.
+  // Tolerance relative to the terms of an equation. Exactly at a change point the rates are interpolated from
+  // positions beside it, where they are uncertain by 1e-16 over the distance.
   [[nodiscard]] Real share() const { return at_.gap_q == 0 ? 1e-9L : 1e-11L; }
 
-  // What is carried of accelerations, of places alone.
+  // The same for the terms of accelerations, from the rounding of positions alone.
   [[nodiscard]] Real carried_acceleration() const {
     const Real turning2 = (at_.dq * at_.dq + std::abs(at_.d2q)) * two_.omega();
     return (one_.omega() + turning2) * Real(length_);
@@ -199,13 +200,13 @@ private:
     expect_small(n_.dot(v2 - v1), 1e-12L * speed + 1e-15L * carried(), "velocity of the link");
     const auto balance = [&](Real rho1, Real rho2) { return acceleration_of_link(rho1, rho2); };
     const Balance whole = balance(rho1_, rho2_);
-    // Where n·v2 nearly vanishes, its rounding is magnified; a centre is as good as the normal times its
-    // radius.
+    // Where n·v2 nearly vanishes, its rounding is magnified; a centre is only as accurate as the normal times
+    // its radius.
     const Real lever = std::abs(at_.d2q) * (two_.velocity(p_).norm() + two_.velocity(c2).norm()) +
                        one_.acceleration(c1).norm() + at_.dq * at_.dq * two_.acceleration(c2).norm() +
                        (std::abs(rho1_) + std::abs(rho2_)) * (one_.omega() + at_.dq * at_.dq * two_.omega());
-    // Where both bodies move nearly alike, v2 - v1 is what rounding of the two leaves of it; where the curves
-    // nearly conform, ρ1 + ρ2 magnifies it.
+    // Where both bodies move nearly alike, v2 - v1 is mere rounding of the two; where the curves nearly
+    // conform, the division by ρ1 + ρ2 magnifies it.
     const Real squared = 4e-16L * carried() * carried() / std::abs(rho1_ + rho2_);
     expect_small(whole.rest,
                  share() * whole.terms + 3e-14L * lever + 1e-15L * carried_acceleration() + squared +
@@ -224,7 +225,7 @@ private:
     return {n_.dot(a2 - a1) + relative, std::abs(relative) + std::abs(n_.dot(a1)) + std::abs(n_.dot(a2))};
   }
 
-  // The centre of the curved body moves along the face as a pin in a slot.
+  // The centre of the curved body moves along the face like a pin in a slot.
   void slot() {
     const auto balance = [&](Real rho1, Real rho2) { return acceleration_in_slot(flat2() ? rho1 : -rho2); };
     const Vec c = p_ - (flat2() ? rho1_ : -rho2_) * n_;
@@ -257,7 +258,7 @@ private:
             face.omega() * face_rate};
   }
 
-  // \param radius  from the centre to the contact point, along n
+  // \param radius  distance from the centre to the contact point, along n
   [[nodiscard]] Balance acceleration_in_slot(Real radius) const {
     const SlotRates r = slot_rates(Vec(p_ - radius * n_));
     const Real coriolis = 2 * r.omega * n_.dot(perp(Vec(r.v_pin - r.v_face)));
@@ -280,8 +281,8 @@ public:
   Real conforming_ = 1;  ///< (κ1 + κ2)/(|κ1| + |κ2|): > 0 where the bodies do not cut each other at p
 };
 
-/// The deepest that a sampled boundary point of either body lies within the other [m]; <= 0 for disjoint
-/// bodies.
+/// Largest depth [m] by which a sampled boundary point of either body lies within the other; <= 0 for
+/// disjoint bodies.
 inline double deepest_overlap(const ContactPair& pair, const ContactPosition& at, double size) {
   const Standing one(pair.curve1, pair.motion1, at.u);
   const Standing two(pair.curve2, pair.motion2, at.q);
@@ -294,7 +295,7 @@ inline double deepest_overlap(const ContactPair& pair, const ContactPosition& at
       if (a.curve.kind == CurveKind::kLine) {
         l = Vec(0, slope * Real(size));
       } else if (a.curve.kind != CurveKind::kPoint) {
-        // The second point of the curve on a line of this slope through the vertex.
+        // The second intersection of the curve with a line of this slope through the vertex.
         const Real x = 2 * Real(a.curve.semi_latus) / (slope * slope + Real(a.curve.q));
         if (!(x > 0)) continue;
         l = Vec(x, slope * x);

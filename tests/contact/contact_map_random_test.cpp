@@ -159,7 +159,7 @@ TEST(RandomMap, CountsTwoContactsMoreOnOneSideOfEveryFold) {
           std::any_of(map.events.begin(), map.events.end(), crowded)) {
         continue;
       }
-      // Near a cusp the two are only the power 3/2 of the distance apart.
+      // Near a cusp the two are separated only by the power 3/2 of the distance.
       const double beside = event.at.type == CriticalType::kConforming ? 1e-4 : 1e-6;
       EXPECT_EQ(std::abs(count(event.at.u + beside) - count(event.at.u - beside)), 2) << event.at.u;
     }

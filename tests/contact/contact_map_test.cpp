@@ -23,7 +23,7 @@ OneFreedom slide(double x, double y, double angle) {
   return freedom;
 }
 
-// Discs on two cranks: e and r the cranks, L between the pivots.
+// Discs on two cranks of lengths e and r, whose pivots are L apart.
 struct Discs {
   double e = 0.05, r = 0.04, L = 0.08, rho1 = 0.02, rho2 = 0.015;
 
@@ -64,10 +64,10 @@ TEST(ContactMap, OfTwoDiscsFoldsWhereTheFourBarIsStretchedOrFolded) {
   const ContactMap map = map_contacts(discs.pair(), range(0));
   ASSERT_EQ(map.status, MapStatus::kOk);
   EXPECT_TRUE(map.complete);
-  // Opposed: the coupler is ρ1 + ρ2 long; r + ρ1 + ρ2 = 75 mm and r - ρ1 - ρ2 = 5 mm, which is never reached.
+  // Opposed normals: the coupler is ρ1 + ρ2 long. r + ρ1 + ρ2 = 75 mm is reached, r - ρ1 - ρ2 = 5 mm never.
   const double opposed = discs.angle_at(0.075);
   expect_near(positions(map, true), {opposed, 2 * kPi - opposed}, 1e-14);
-  // Not opposed: r ± (ρ1 - ρ2).
+  // Normals not opposed: r ± (ρ1 - ρ2).
   const double low = discs.angle_at(0.035), high = discs.angle_at(0.045);
   expect_near(positions(map, false), {low, high, 2 * kPi - high, 2 * kPi - low}, 1e-14);
 }
@@ -119,7 +119,7 @@ TEST(ContactMap, SaysHowFarTheOtherBranchIs) {
   const Discs discs;
   const ContactMap map = map_contacts(discs.pair(), range(0));
   for (const double u : {0.0, 0.4, -1.1}) {
-    // The two positions of the follower mirror each other about the line from O2 to the disc's centre.
+    // The two positions of the follower are mirror images about the line from O2 to the disc's centre.
     const double d = std::sqrt(discs.e * discs.e + discs.L * discs.L - 2 * discs.e * discs.L * std::cos(u));
     const double coupler = discs.rho1 + discs.rho2;
     const double half = std::acos((discs.r * discs.r + d * d - coupler * coupler) / (2 * discs.r * d));
@@ -154,7 +154,8 @@ TEST(ContactMap, OfASlidingFollowerFoldsWhereTheCrankIsAtTheReachOfTheCoupler) {
 }
 
 TEST(ContactMap, OfASlidingDriverCoversItsRange) {
-  // A disc slides along y = 0; the follower's disc turns about the origin: centres ρ1 + ρ2 apart.
+  // A disc slides along y = 0, and the follower's disc turns about the origin; their centres are ρ1 + ρ2
+  // apart.
   const double r = 0.04, rho1 = 0.01, rho2 = 0.012;
   const ContactPair pair{make_circle({0, 0}, rho1).value(), slide(0, 0, 0), make_circle({r, 0}, rho2).value(),
                          pivot(0, 0)};
@@ -167,7 +168,7 @@ TEST(ContactMap, OfASlidingDriverCoversItsRange) {
   const ContactMap cut = map_contacts(pair, wanted);
   EXPECT_EQ(std::count_if(cut.branches.begin(), cut.branches.end(),
                           [](const MapBranch& branch) { return branch.end.type == MapEndType::kRange; }),
-            2);  // those that are not opposed live between 38 and 42 mm
+            2);  // those that are not opposed exist between 38 and 42 mm
 }
 
 TEST(ContactMap, OfAnEllipseUnderAFlatFaceIsItsSupport) {
@@ -185,7 +186,7 @@ TEST(ContactMap, OfAnEllipseUnderAFlatFaceIsItsSupport) {
       const double support = std::hypot(a * std::sin(point.u), b * std::cos(point.u));
       EXPECT_NEAR(point.q, 0.004 * std::sin(point.u) + (branch.opposed ? support : -support), 1e-16);
     }
-    // The follower's highest and lowest positions are where its rate changes its sign.
+    // The follower's highest and lowest positions are where its rate changes sign.
     EXPECT_GE(branch.extremes.size(), 2U);
   }
 }
@@ -197,7 +198,7 @@ TEST(ContactMap, FindsAnIslandBetweenTwoSamples) {
   ASSERT_LT(u, 2e-4);
   const ContactMap map = map_contacts(discs.pair(), range(1, 37));
   ASSERT_EQ(positions(map, true).size(), 2U);
-  // The rounding of the lengths, some 1e-17, divided by the slope e u.
+  // The rounding of the lengths, about 1e-17, divided by the slope e u.
   EXPECT_NEAR(nearest_turn(positions(map, true)[0], 0), -u, 1e-11);
   EXPECT_NEAR(nearest_turn(positions(map, true)[1], 0), u, 1e-11);
   const auto islands = std::count_if(map.branches.begin(), map.branches.end(),
@@ -302,7 +303,7 @@ TEST(ContactMap, SaysWhyThereIsNone) {
   EXPECT_EQ(map_contacts({face, pivot(0, 0), face, pivot(1, 0)}, range(0)).status, MapStatus::kNoPair);
   EXPECT_EQ(map_contacts({disc, pivot(0, 0), about_pivot, pivot(0.5, 0)}, range(0)).status,
             MapStatus::kTouchesNowhere);
-  // A disc about its own pivot holds the follower at a limit position for ever: 20 mm + 10 mm + 30 mm.
+  // A disc about its own pivot holds the follower at a limit position permanently: 20 mm + 10 mm + 30 mm.
   const Curve still = make_circle({0, 0}, 0.02).value();
   const Curve roller = make_circle({0.03, 0}, 0.01).value();
   EXPECT_EQ(map_contacts({still, pivot(0, 0), roller, pivot(0.06, 0)}, range(0)).status,

@@ -13,8 +13,8 @@ using testing::OracleCase;
 
 class ContactOracle : public ::testing::TestWithParam<OracleCase> {};
 
-// The answers' own sensitivity to one rounding of the inputs is added to every tolerance.
-// The normal 1e-3 rad and the follower 1e-3 away from the answer: the solver has to find back.
+// The sensitivity of the answers to one rounding of the inputs is added to every tolerance. The guess is 1e-3
+// rad off in the normal and 1e-3 in the follower's coordinate.
 TEST_P(ContactOracle, IsFoundFromAGuessNearby) {
   const OracleCase& reference = GetParam();
   for (const auto& row : reference.data.at("rows")) {

@@ -18,10 +18,11 @@ struct ScannedContact {
   bool opposed = false;
 };
 
-/// Every tangency of a pair without algebra. A point of a curve and its normal n have two numbers that
-/// turning about the follower's pivot does not change, the coordinates of the point along n and across it
-/// (r·n, r·t); sliding along d leaves the direction of n and the coordinate across d. Two curves are tangent
-/// where these numbers agree: the crossings of two plane curves, which are found on polygons and refined.
+/// Finds every tangency of a pair without algebra. A point of a curve and its normal n have two invariants
+/// under the follower's motion: turning about the pivot keeps the point's coordinates along n and across it
+/// (r·n, r·t); sliding along d keeps the direction of n and the coordinate across d. The two curves are
+/// tangent where these invariants agree, that is, where two plane curves cross. The crossings are found on
+/// polygons and refined.
 class ContactScan {
 public:
   ContactScan(const ContactPair& pair, double u, int segments = 1200)
@@ -45,7 +46,7 @@ private:
     double phi;  ///< angle of the outward normal
   };
 
-  // Points of the curve by a parameter in [-1, 1], in the body's frame.
+  // Point of the curve at a parameter in [-1, 1], in the body's frame.
   static Element element(const Curve& curve, double s) {
     const Vector2d x_axis = curve.axis_B;
     const Vector2d y_axis = perp(x_axis);
@@ -88,7 +89,7 @@ private:
     return {R * r, e.phi + std::atan2(R.sin, R.cos)};
   }
 
-  // The two invariants; `flip`: for the opposite normal.
+  // The two invariants; `flip` takes the opposite normal.
   [[nodiscard]] Vector2d invariants(const Element& e, bool flip) const {
     if (pair_.motion2.turns) {
       const Vector2d n = (flip ? -1 : 1) * unit_vector(e.phi);
@@ -116,10 +117,11 @@ private:
     return vertices;
   }
 
-  // Holds an edge of a polygon, or several; edges that come nearer than a tenth of both may cross as curves.
+  // Bounding box of one or several edges of a polygon. Boxes nearer to each other than a tenth of their
+  // longest edges count as meeting, because the curves themselves may cross there.
   struct Box {
-    Vector2d low, high, longest;  // of the edges
-    std::size_t begin, end;       // vertices
+    Vector2d low, high, longest;  // componentwise, of the edges
+    std::size_t begin, end;       // indices of the vertices
 
     [[nodiscard]] bool meets(const Box& other, double shift) const {
       for (int k = 0; k < 2; ++k) {
@@ -131,7 +133,7 @@ private:
     }
   };
 
-  // Of so many edges at a time.
+  // Boxes of `count` edges each.
   static std::vector<Box> boxes(const std::vector<Vertex>& polygon, std::size_t count) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {

@@ -5,14 +5,14 @@
 
 namespace higherpair::testing {
 
-/// What central differences of half-widths h, h/2 and h/4 give, extrapolated twice, with how far the two
-/// extrapolations of first order are apart: more than its error wherever the series in h² converges.
+/// Central differences of half-widths h, h/2 and h/4, extrapolated twice. `error` is the difference of the
+/// two first extrapolations; it exceeds the true error wherever the series in h² converges.
 struct Difference {
   double value = INFINITY;
   double error = INFINITY;
 };
 
-/// Of `at(offset)`, a std::optional<double>; infinite where that is empty.
+/// The derivative of `at(offset)`, which returns std::optional<double>; infinite where that is empty.
 template <class At>
 Difference difference(double h, const At& at) {
   double slopes[3];

@@ -38,9 +38,9 @@ TEST(Events, TheStrokeEndsWhereCrankAndCouplerAreInLine) {
       const double length = end->q > std::hypot(r3, 0.013) ? r3 + r2 : r3 - r2;
       const double q = std::sqrt(length * length - 0.013 * 0.013);
       EXPECT_LE(std::abs(end->q - q), 1e-16);
-      // Roundings of the lengths, and these over the second derivative.
+      // Rounding of the lengths, and the same divided by the second derivative.
       EXPECT_LE(std::abs(end->dq), 5e-16);
-      // The crank points along the line of pivots and slider, or against it.
+      // The crank points along the line from its pivot to the slider, or against it.
       const double angle = std::atan2(q, 0.013) + (length > r3 ? 0 : kPi);
       EXPECT_LE(std::abs(end->u - nearest_turn(angle, end->u)), 3e-14);
     }
@@ -102,7 +102,7 @@ TEST(Events, ADiscConformsToAnEllipticRingWhereItsCentreMeetsTheEvolute) {
   EXPECT_LE(std::abs(conforming->rho1 + conforming->rho2), 1e-14);
   EXPECT_LE((conforming->p2_W - conforming->p1_W).norm(), 1e-15);
 
-  // Two contacts merge there: from either side of the ring's point the track ends at the same place.
+  // Two contacts merge there: a track from either side ends at the same position.
   for (const double aside : {-0.2, 0.2}) {
     const Vector2d n = Rotation<double>::from_angle(aside) * conforming->n_W;
     const int branch = conforming->gap_q > 0 ? 1 : -1;

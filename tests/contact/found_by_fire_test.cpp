@@ -1,4 +1,4 @@
-// Cases in which random trials broke a law, made small; each tells what went wrong.
+// Cases in which random trials violated a law, reduced in size; each comment tells what went wrong.
 #include "contact/pair_follower.hpp"
 #include "contact_laws.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
@@ -37,8 +37,9 @@ Curve hyperbola(const Vector2d& vertex, const std::array<double, 2>& semi_axes, 
   return curve;
 }
 
-// The branches touch a million times farther out than the smaller one is large. There the normal leaves the
-// place on it open by metres, the last step was dropped whole, and the two points stayed that far apart.
+// The branches touch a million times farther out than the smaller curve is large. There the normal determines
+// the point on it only to within metres; the last step was rejected as a whole, and the two points stayed
+// that far apart.
 TEST(FoundByFire, BranchesThatTouchFarOutDoMeet) {
   const ContactPair pair = {
       hyperbola({-3.3203, -1.6089}, {3.6869, 3.0762}, -2.6931),
@@ -61,8 +62,8 @@ TEST(FoundByFire, BranchesThatTouchFarOutDoMeet) {
   EXPECT_EQ(far, 1);
 }
 
-// Two parabolas that are equal but for 5e-9: where their axes are parallel they touch at infinity, and
-// rounding made contacts at 1e55 m of it, which the follower was put to.
+// Two parabolas that are equal to within 5e-9: where their axes are parallel they touch at infinity. Rounding
+// turned this into contacts at 1e55 m, and the follower was placed there.
 TEST(FoundByFire, NearlyEqualParabolasDoNotTouchAtInfinity) {
   const double rotation = 1.8035532772115683;
   const ContactPair pair = {
@@ -79,8 +80,8 @@ TEST(FoundByFire, NearlyEqualParabolasDoNotTouchAtInfinity) {
 }
 
 // A small ellipse in a large ring, just before a limit: the contact of the other branch is two thousandths of
-// the mechanism away. The place between the two was given as a crossing of the branches, though nothing
-// touches there.
+// the mechanism's size away. The position between the two was reported as a crossing of branches, although
+// nothing touches there.
 TEST(FoundByFire, TwoContactsNextToALimitAreNotACrossing) {
   const ContactPair pair = {
       make_ellipse({0.013681, -0.01822}, {0.002, 0.000462}, -1.416).value(),
@@ -107,8 +108,8 @@ TEST(FoundByFire, TwoContactsNextToALimitAreNotACrossing) {
   }
 }
 
-// A face and a slide are linear, so that one step leads to the contact from anywhere; but it brought the
-// rounding of the place where it began, here 10⁻⁷ of the curve.
+// For a face and a slide the conditions are linear, so that one step leads to the contact from anywhere. But
+// the step carried along the rounding of the position where it began, here 10⁻⁷ of the curve.
 TEST(FoundByFire, AStepFromFarAwayDoesNotBringItsRoundingAlong) {
   const ContactPair pair = {
       make_line({0, 0}, unit_vector(1.30777)).value(),
@@ -128,8 +129,8 @@ TEST(FoundByFire, AStepFromFarAwayDoesNotBringItsRoundingAlong) {
 }
 
 // The ellipse turns about its centre, so that the ring hardly moves while the normal runs round the ellipse;
-// on its flat side the two conform and the contact jumps. Steps were held against the prediction of the
-// ring's motion only, and a long one went past the jump unseen.
+// on the ellipse's flat side the two conform, and the contact jumps. Steps were compared with the prediction
+// of the ring's motion only, and a long one missed the jump.
 TEST(FoundByFire, AJumpOfTheNormalAloneIsALimit) {
   const ContactPair pair = {
       make_ellipse({0, 0}, {0.00257, 0.000325}, 0.6986).value(),
@@ -152,9 +153,9 @@ TEST(FoundByFire, AJumpOfTheNormalAloneIsALimit) {
   }
 }
 
-// Far from the contact the second order of the last step may just undo the first; the step was small then,
-// and taken for the end. A disc (radius 1.3, centre 2 from its pivot) comes down on a face: gap = 2 sin q -
-// 1; the step is 0 where gap · 2 sin q = 2 (2 cos q)².
+// Far from the contact the second-order part of a Newton step may just cancel the first; the step was small
+// then and taken for the last one. A disc (radius 1.3, centre 2 from its pivot) comes down on a face: gap = 2
+// sin q - 1; the step is 0 where gap · 2 sin q = 2 (2 cos q)².
 TEST(FoundByFire, AStepThatItsSecondOrderUndoesIsNotTheLast) {
   const ContactPair pair = {make_line({0, 0}, {0, 1}).value(), slide({0, 0}, {0, 0}, 0, 0),
                             make_circle({2, 0}, 1.3).value(), pivot({0, 0.3}, {0, 0})};
@@ -167,8 +168,8 @@ TEST(FoundByFire, AStepThatItsSecondOrderUndoesIsNotTheLast) {
 }
 
 // A point slides along y = r - e across a disc of radius r whose centre turns on a circle of radius e. When
-// the disc is lowest, v = 0, it touches the line only, and the branches cross smoothly: x = e sin v ± √(2e)
-// sin(v/2) √(2r - 2e sin²(v/2)). The rates there were the means of those beside.
+// the disc is lowest, v = 0, it just touches the line, and the branches cross smoothly: x = e sin v ± √(2e)
+// sin(v/2) √(2r - 2e sin²(v/2)). The rates there were means of those on both sides.
 TEST(FoundByFire, RatesAtACrossingAreThoseOfTheSmoothMotion) {
   const double e = 0.3;
   const double r = 0.45;
@@ -188,13 +189,13 @@ TEST(FoundByFire, RatesAtACrossingAreThoseOfTheSmoothMotion) {
     EXPECT_NEAR(track.at.q, 0, 1e-13);
     EXPECT_NEAR(track.at.dq, rate, 1e-10);
     EXPECT_NEAR(track.at.d2q, 0, 1e-6);
-    // Of the point against the disc's material there, which moves by ω × p.
+    // Speed of the point relative to the disc's material there, which moves by ω × p.
     const double sliding = -(rate + (r - e));
     EXPECT_NEAR(track.at.sliding, sliding, 1e-10);
   }
 }
 
-// A search for an event met a place that cannot be assembled, and asked for one that is not a number next.
+// A search for an event met a position that cannot be assembled, and then asked for one that is NaN.
 TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
                             make_circle({-0.6, 0.1}, 0.25).value(), pivot({0.8, 0}, {0, 0})};
@@ -207,7 +208,7 @@ TEST(FoundByFire, NoNumberIsNoPlaceToGo) {
   }
 }
 
-// Where a step of the driver is lost in the rounding of its position, steps lead nowhere.
+// Where a step of the driver is lost in the rounding of its position, steps make no progress.
 TEST(FoundByFire, StepsThatLeadNowhereEnd) {
   const ContactPair pair = {make_circle({0.1, 0.02}, 0.3).value(), pivot({0, 0}, {0, 0}),
                             make_circle({-0.6, 0.1}, 0.25).value(), pivot({0.8, 0}, {0, 0})};

@@ -4,7 +4,7 @@
 
 namespace higherpair::testing {
 
-/// Of a body that turns about a point of the ground, which is its own origin.
+/// A body that turns about a point of the ground, which is the body's own origin.
 inline OneFreedom pivot(double x, double y) {
   OneFreedom freedom;
   freedom.p_WO = Vector2d(x, y);

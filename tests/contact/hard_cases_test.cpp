@@ -22,8 +22,8 @@ Curve ring(double x, double y, double radius) {
   return make_circle(Vector2d(x, y), radius, Side::kOutside).value();
 }
 
-// Distance of P from a huge circle through the origin of a body that is turned by q about O, centre along its
-// +y axis: (|P|² - 2 R y)/(|P - C| + R) does not cancel.
+// Distance of P from a huge circle through the origin of a body that is turned by q about O, with the centre
+// on its +y axis: (|P|² - 2 R y)/(|P - C| + R) avoids cancellation.
 long double distance_from_huge(const Vector2d& p, const Vector2d& O, long double q, long double R) {
   const long double dx = static_cast<long double>(p.x()) - O.x();
   const long double dy = static_cast<long double>(p.y()) - O.y();
@@ -32,7 +32,7 @@ long double distance_from_huge(const Vector2d& p, const Vector2d& O, long double
   return (x * x + y * y - 2 * R * y) / (std::hypot(x, y - R) + R);
 }
 
-// A follower whose face is an arc of a radius up to 10⁹ times the mechanism, convex or hollow.
+// A follower whose face is an arc with a radius of up to 10⁹ times the mechanism's size, convex or concave.
 TEST(HardContacts, NearlyFlatFacesLoseNoDigits) {
   for (const double R : {1e3, 1e6, 1e9}) {
     const Curve arc{CurveKind::kCircle, Side::kInside, Vector2d::Zero(), Vector2d::UnitY(), R, 1};
@@ -45,7 +45,7 @@ TEST(HardContacts, NearlyFlatFacesLoseNoDigits) {
       ASSERT_EQ(follow_to(track, u).status, TrackStatus::kOk) << u;
       const testing::ContactLaws laws(pair, track.at);
       EXPECT_TRUE(laws.broken.empty()) << R << " at " << u << ": " << laws.broken.front();
-      // One step of Newton's method in extended precision from the answer.
+      // One Newton step in extended precision from the answer.
       const Vector2d c = Rotation<double>::from_angle(u) * Vector2d(0.2, 0.05);
       const auto gap = [&](long double q) {
         return distance_from_huge(c, pair.motion2.p_WO, q, R) - static_cast<long double>(0.3);
@@ -57,7 +57,7 @@ TEST(HardContacts, NearlyFlatFacesLoseNoDigits) {
   }
 }
 
-// A disc in a ring of nearly its radius: the link ρ1 + ρ2 is as short as the play.
+// A disc in a ring of nearly its own radius: the link ρ1 + ρ2 is as short as the clearance.
 TEST(HardContacts, ADiscInARingWithLittlePlayTurnsAsItsDragLink) {
   for (const double play : {1e-2, 1e-4, 1e-6, 1e-8}) {
     const double arm2 = 0.3 + 0.2 * play;
@@ -86,7 +86,7 @@ TEST(HardContacts, ADiscInARingWithLittlePlayTurnsAsItsDragLink) {
   }
 }
 
-// Links 0.5, 0.3, 0.45, 0.4 with a limit of the crank at the angle where 3 and 4 are in line.
+// Links 0.5, 0.3, 0.45, 0.4; the crank has a limit where links 3 and 4 are in line.
 TEST(HardContacts, AStartAtTheLimitGoesInwardAndNotBeyond) {
   const ContactPair pair = {disc(0.3, 0, 0.2), pivot(0, 0), disc(-0.25, 0, 0.1), pivot(0.75, 0)};
   const FourBar linkage{0.75, 0.3, 0.3, 0.25, 0};
@@ -100,7 +100,7 @@ TEST(HardContacts, AStartAtTheLimitGoesInwardAndNotBeyond) {
     const double q = exact.theta4 - kPi;
     const FindResult found = find_nearest_contact(pair, u, q);
     if (found.status != FindStatus::kFound) {
-      EXPECT_LE(before, 1e-9);  // grazing
+      EXPECT_LE(before, 1e-9);  // a grazing contact may be missed
       continue;
     }
     const testing::ContactLaws laws(pair, found.at);
@@ -112,7 +112,7 @@ TEST(HardContacts, AStartAtTheLimitGoesInwardAndNotBeyond) {
     FollowedContact inward = start_track(pair, found.at, found.branch);
     const TrackResult held = follow_to(inward, limit - 0.2);
     if (held.status != TrackStatus::kOk) {
-      EXPECT_LE(before, 1e-9);  // the branch itself is a matter of rounding here
+      EXPECT_LE(before, 1e-9);  // rounding decides which branch this is
       continue;
     }
     const double q_inward = inward.at.q;
@@ -124,7 +124,7 @@ TEST(HardContacts, AStartAtTheLimitGoesInwardAndNotBeyond) {
   }
 }
 
-// A parallelogram goes through its aligned positions as a parallelogram, also where a row stands on one.
+// A parallelogram passes through its aligned positions as a parallelogram, also where a row falls on one.
 TEST(HardContacts, AParallelogramStaysOneThroughItsAlignedPositions) {
   const ContactPair pair = {disc(0.2, 0, 0.3), pivot(0, 0), disc(0.2, 0, 0.25), pivot(0.55, 0)};
   for (const double first : {0.5, kPi / 6}) {
@@ -142,8 +142,8 @@ TEST(HardContacts, AParallelogramStaysOneThroughItsAlignedPositions) {
   }
 }
 
-// The follower's disc turns about its own centre: whatever it does, the gap stays. Nothing may be called a
-// contact with a motion.
+// The follower's disc turns about its own centre, so that the gap is constant. No contact with a motion may
+// be reported.
 TEST(HardContacts, ADiscAboutItsOwnCentreIsNoFollower) {
   for (const double distance : {0.49, 0.5, 0.51}) {
     const ContactPair pair = {disc(0.1, 0, 0.2), pivot(0, 0), disc(0, 0, 0.2), pivot(distance, 0)};

@@ -14,7 +14,7 @@ namespace {
 using testing::RandomCase;
 using testing::RandomPairs;
 
-// A change of the plane: mirrored in the x axis if wanted, turned, scaled, moved.
+// A transformation of the plane: optionally mirrored in the x axis, then rotated, scaled and shifted.
 struct Change {
   double scale = 1;
   double turn = 0;
@@ -28,7 +28,7 @@ struct Change {
   [[nodiscard]] Vector2d point(const Vector2d& p) const { return scale * direction(p) + move; }
   [[nodiscard]] double angle_sign() const { return mirror ? -1 : 1; }
 
-  // Body frames are mirrored and scaled, not turned: a turning body's coordinate grows by `turn` instead.
+  // Body frames are mirrored and scaled but not rotated; instead a turning body's coordinate grows by `turn`.
   [[nodiscard]] Vector2d in_body(const Vector2d& v) const { return mirror ? Vector2d(v.x(), -v.y()) : v; }
   [[nodiscard]] Curve curve(const Curve& c) const {
     Curve changed = c;
@@ -55,7 +55,7 @@ struct Change {
   [[nodiscard]] double rate_factor(const OneFreedom& f) const { return f.turns ? angle_sign() : scale; }
 };
 
-// Pairs that move well over the whole range: their answers differ by rounding only.
+// Pairs that move well over the whole range, so that their answers differ by rounding only.
 struct Case {
   RandomCase one;
   FollowedContact start;
@@ -67,7 +67,7 @@ double degree_of(const RandomCase& one) {
   return (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 180;
 }
 
-// How far the track is from limits and conforming contact over the range.
+// Whether the track stays far from limits and conforming contacts over the range.
 bool is_healthy(FollowedContact track, const RandomCase& one) {
   for (int k = 0; k <= kRows; ++k) {
     if (follow_to(track, one.u + k * degree_of(one)).status != TrackStatus::kOk) return false;
@@ -128,8 +128,8 @@ void expect_changed(const Case& c, const Change& change, double tolerance) {
   }
 }
 
-// Contacts on which the tolerances rest: shares of a lever down to 1/10 and rounding of coordinates up to 50
-// sizes away.
+// Allows for levers down to 1/10 of their full length and for the rounding of coordinates up to 50 sizes
+// away.
 constexpr double kRounding = 2e-12;
 
 TEST(Invariance, ScaledPairsMoveTheSameFromAMillionthToAMillion) {
@@ -155,7 +155,7 @@ TEST(Invariance, MirroredPairsMoveMirrored) {
   }
 }
 
-// Driving by the follower is the inverse function: du/dq = 1/q', d²u/dq² = -q''/q'³.
+// Driving by the follower gives the inverse function: du/dq = 1/q', d²u/dq² = -q''/q'³.
 TEST(Invariance, ExchangedBodiesGiveTheInverseMotion) {
   int compared = 0;
   for (const Case& c : healthy_cases(104, 200)) {

@@ -26,8 +26,8 @@ double third_derivative_of_root(double m, double m1, double m2, double m3) {
   return (m3 - 6 * s1 * s2) / (2 * s);
 }
 
-// A flat face on an ellipse 2 x 1 about its centre rides at s² = a² sin²u + b² cos²u. The frozen linkage is a
-// Scotch yoke: its pin is s' beside the pivot, so that its third derivative is -s'.
+// A flat face on an ellipse 2 x 1 about its centre: s² = a² sin²u + b² cos²u. The frozen linkage is a Scotch
+// yoke whose pin is s' beside the pivot, so that its third derivative is -s'.
 TEST(Jerk, OfAFlatFaceOnAnEllipseIsThatOfItsSupport) {
   OneFreedom slide;
   slide.turns = false;
@@ -48,7 +48,7 @@ TEST(Jerk, OfAFlatFaceOnAnEllipseIsThatOfItsSupport) {
   }
 }
 
-// The mode in which link 4 stands at θ4.
+// The assembly mode in which link 4 is at θ4.
 AssemblyMode mode_at(const FourBar& linkage, double theta2, double theta4) {
   const auto distance = [&](AssemblyMode mode) {
     return std::abs(nearest_turn(four_bar_by_crank(linkage, {theta2, 1, 0}, mode).theta4 - theta4, 0));
@@ -62,7 +62,8 @@ struct Difference {
   double error = INFINITY;
 };
 
-// d³θ4/dθ2³ of the four-bar between pivots and centres of curvature, by differences of θ4'' of two widths.
+// d³θ4/dθ2³ of the four-bar between pivots and centres of curvature, from differences of θ4'' with two
+// widths.
 Difference four_bar_jerk(const ContactPair& pair, const ContactPosition& at) {
   const Vector2d O1 = pair.motion1.p_WO;
   const Vector2d O2 = pair.motion2.p_WO;
@@ -100,7 +101,7 @@ TEST(Jerk, OfEllipsesRollingAboutTheirFociIsThatOfTheRatioOfRadii) {
     const double third = p * (-2 * e * std::cos(u) / (D * D) - 2 * D1 * D1 / (D * D * D));
     const PairJerk jerk = rolling_jerk(pair, track.at);
     EXPECT_LE(std::abs(jerk.d3q - third), 1e-12) << degrees;
-    // Where the apsides meet, the linkage lies in line.
+    // Where the apsides meet, all links of the linkage are in line.
     const bool in_line = std::abs(std::sin(u)) < 1e-9;
     EXPECT_EQ(jerk.linkage_d3q.has_value(), !in_line) << degrees;
     if (jerk.linkage_d3q) {
@@ -139,7 +140,7 @@ std::optional<Found> next_healthy(RandomPairs& random) {
   return healthy ? std::optional(Found{one, start_track(one.pair, at, found.branch)}) : std::nullopt;
 }
 
-// d/du of d²q/du² over the five points u - 2h … u + 2h, of which two widths are combined.
+// d/du of d²q/du² over the five points u - 2h … u + 2h, combined from two widths.
 Difference jerk_by_difference(const Found& found, double h) {
   double slopes[2];
   for (int i = 0; i < 2; ++i, h /= 2) {
@@ -171,7 +172,7 @@ TEST(Jerk, OfRandomPairsIsTheDifferenceOfTheirAccelerations) {
     const Difference difference = jerk_by_difference(*found, 2e-3 * u_unit);
     const auto jerk = slipping_jerk(found->one.pair, found->track.at);
     ASSERT_TRUE(jerk) << i;
-    // Rounding of d²q, some 1e-13 of it and of 1, over h.
+    // The rounding of d²q, about 1e-13 of it and of 1, divided by h.
     const double unit = q_unit / (u_unit * u_unit * u_unit);
     const double rounding = 1e-9 * (unit + std::abs(found->track.at.d2q) / u_unit);
     if (!(difference.error < 1e-5 * (std::abs(difference.value) + unit))) {
@@ -203,7 +204,7 @@ TEST(Jerk, OfTheFrozenLinkageIsThatOfItsFourBar) {
     const auto jerk = slipping_jerk(pair, at);
     ASSERT_TRUE(jerk && jerk->linkage_d3q);
     const Difference difference = four_bar_jerk(pair, at);
-    // Near a limit of the linkage differences say nothing.
+    // Near a limit of the linkage differences are useless.
     if (!(difference.error < 1e-6 * (1 + std::abs(difference.value)))) {
       continue;
     }

@@ -8,7 +8,7 @@
 namespace higherpair {
 namespace {
 
-// Two parabolas, back to back: neither is bounded, the follower turns.
+// Two parabolas, back to back: both are unbounded, and the follower turns.
 ContactPair parabolas() {
   ContactPair pair;
   pair.curve1 = make_parabola({0.4, 0}, 0.3, kPi).value();
@@ -39,13 +39,13 @@ TEST(ListedContact, OfTwoParabolasNearestToAPoseIsTheNearerOfTheTwo) {
   const double down = find_contact(pair, 0, 0, -1, false).at.q;
   EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3).at.q, up, 1e-12);
   EXPECT_NEAR(find_nearest_contact(pair, 0, down + 1e-3).at.q, down, 1e-12);
-  // From within the overlap as well, and a turn away.
+  // Also from a position within the overlap, and from a turn away.
   EXPECT_NEAR(find_nearest_contact(pair, 0, up + 1e-3).at.q, up, 1e-12);
   EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3 + 2 * kPi).at.q, up + 2 * kPi, 1e-12);
 }
 
-// Wherever the axes are parallel they are tangent at infinity, which is no contact; their vertices may touch
-// there.
+// Wherever the axes are parallel the curves are tangent at infinity, which does not count as a contact; but
+// their vertices may touch there.
 TEST(ListedContact, OfTwoParabolasVertexOnVertexIsListed) {
   for (const double turn : {0.0, 0.7, -2.5}) {
     ContactPair pair;

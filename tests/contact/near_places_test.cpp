@@ -16,7 +16,7 @@
 namespace higherpair {
 namespace {
 
-// A closed curve with hollows, r = 0.031 (1 + 0.13 cos 5 t), by a spline.
+// A closed curve with concave parts, r = 0.031 (1 + 0.13 cos 5 t), as a spline.
 Boundary wavy_cam() {
   std::vector<Vector2d> points;
   for (int i = 0; i < 120; ++i) {
@@ -28,8 +28,8 @@ Boundary wavy_cam() {
   return *Boundary::make({*spline_span(points, options)}, true, 1e-9);
 }
 
-// The least values of f over a closed boundary, between neighbours on a fine grid that are larger, where the
-// boundary faces what f is about.
+// The local minima of f over a closed boundary, on a fine grid, at points where the boundary faces the object
+// that f is about.
 template <class F, class Faces>
 std::vector<double> least_values(const Boundary& boundary, const F& f, const Faces& faces) {
   constexpr int kCount = 20000;
@@ -45,7 +45,7 @@ std::vector<double> least_values(const Boundary& boundary, const F& f, const Fac
     const double before = values[(i + kCount - 1) % kCount];
     const double after = values[(i + 1) % kCount];
     if (values[i] <= before && values[i] < after && faces(points[i])) {
-      const double bend = before - 2 * values[i] + after;  // the parabola through the three
+      const double bend = before - 2 * values[i] + after;  // by the parabola through the three values
       least.push_back(values[i] - (after - before) * (after - before) / (8 * bend));
     }
   }
@@ -62,7 +62,8 @@ std::vector<double> gaps_of(const std::vector<NearPlace>& places) {
   return gaps;
 }
 
-// Those within reach; a value next to the reach may count to either side.
+// Compares the values within reach. A value too close to the reach could count to either side and fails the
+// test.
 void expect_same(const std::vector<double>& found, const std::vector<double>& expected, double reach) {
   std::vector<double> near;
   for (const double value : expected) {
@@ -138,7 +139,8 @@ TEST(NearPlaces, AnEndOfAFaceStandsOverTheOtherBody) {
       *Boundary::make({face_span(Vector2d(0.013, 0.029), Vector2d(0.002, 0.029))}, false, 0);
   const Boundary disc = boundary_of(*make_circle(Vector2d::Zero(), 0.031), 1);
   const auto places = near_places(face, {}, disc, {}, 0.004);
-  // A part of a chord, one of its ends outside; the side of the disc that it faces is not over it.
+  // The face is part of a chord, with one end outside the disc; the side of the disc that it faces is not
+  // opposite to it.
   ASSERT_EQ(places.size(), 2U);
   for (const NearPlace& place : places) {
     EXPECT_EQ(place.end, 1);
@@ -151,8 +153,8 @@ TEST(NearPlaces, AnEndOfAFaceStandsOverTheOtherBody) {
   EXPECT_EQ(exchanged[0].end, 2);
 }
 
-// Two gears of module 2 mm whose teeth are thinner by these backlashes, a tooth of the first in the middle of
-// a space of the second.
+// Two gears of module 2 mm whose teeth are thinner by these backlashes, with a tooth of the first in the
+// middle of a space of the second.
 struct Mesh {
   static constexpr int kTeeth1 = 20, kTeeth2 = 40;
   static constexpr double kModule = 0.002, kPressureAngle = 20 * kPi / 180;
@@ -173,9 +175,9 @@ struct Mesh {
   }
 };
 
-// Along both lines of action the flanks are apart by half of both backlashes, as the base circles see them.
-// On the mean they are as many on either side as the contact ratio, 1.635185964, and by the gap more: so much
-// longer is the way between the tips along the line of action.
+// Along both lines of action the flanks are half of both backlashes apart, measured at the base circles. The
+// average number of flank pairs on either side is the contact ratio, 1.635185964, plus the gap divided by the
+// base pitch: the length between the tips along the line of action is longer by the gap.
 TEST(NearPlaces, OfTwoGearsAreTheFlanksOnTheirLinesOfAction) {
   const Mesh mesh;
   const double gap = (Mesh::kBacklash1 + Mesh::kBacklash2) / 2 * std::cos(Mesh::kPressureAngle);
@@ -198,7 +200,7 @@ TEST(NearPlaces, OfTwoGearsAreTheFlanksOnTheirLinesOfAction) {
   EXPECT_NEAR(seen / (2.0 * kCount), 1.635185964 + gap / base_pitch, 1.0 / kCount);
 }
 
-// However the outline is numbered round, the same places are found.
+// The same places are found wherever the numbering of the outline begins.
 TEST(NearPlaces, OfTwoGearsDoNotDependOnWhichTeethMesh) {
   const Mesh mesh;
   const double pitch = 2 * kPi / Mesh::kTeeth1;
@@ -216,8 +218,8 @@ TEST(NearPlaces, OfTwoGearsDoNotDependOnWhichTeethMesh) {
   }
 }
 
-// Turned into each other, every pair of flanks that meets on the line of action is as deep: by the base
-// circle's way less the gap. Turned the other way by less than the gap they are free.
+// When the gears are turned into each other, every pair of flanks that meets on the line of action has the
+// same depth: the arc of the base circle less the gap. Turned by less than the gap they are free.
 TEST(DeepestPenetration, OfTwoGearsIsAlongTheirLineOfAction) {
   const Mesh mesh;
   const double gap = (Mesh::kBacklash1 + Mesh::kBacklash2) / 2 * std::cos(Mesh::kPressureAngle);
@@ -258,8 +260,8 @@ TEST(NearestPlaces, AreTheSamplesThatFaceEachOtherBest) {
 }
 
 TEST(NearPlaces, AnEdgeIsTouchedAtACommonNormalWhereItsNormalsFaceTheOtherBody) {
-  // It faces downwards and ends at (0.013, 0.029); the normals of the edge there turn on until they face
-  // along x.
+  // The face points downwards and ends at (0.013, 0.029); the normals of the edge there turn on until they
+  // point along x.
   const Boundary face =
       with_edges(*Boundary::make({face_span(Vector2d(0.002, 0.029), Vector2d(0.013, 0.029))}, false, 0));
   const auto place_over = [&](const Vector2d& to_center) {
@@ -276,7 +278,7 @@ TEST(NearPlaces, AnEdgeIsTouchedAtACommonNormalWhereItsNormalsFaceTheOtherBody) 
   EXPECT_EQ(place_over({0.004, 0.003}).end, 1);
 }
 
-// Of a long face only the ends are samples, which are corners.
+// A long face has samples at its ends only, which are corners.
 TEST(Penetration, OfADiscOverTheMiddleOfALongFaceIsWhatItIsInIt) {
   const Boundary block =
       *Boundary::make({face_span({0.04, 0}, {-0.04, 0}), face_span({-0.04, 0}, {-0.04, -0.05}),
@@ -299,7 +301,7 @@ TEST(Penetration, OfADiscOverTheMiddleOfALongFaceIsWhatItIsInIt) {
   }
 }
 
-// Whichever of its faces and corners is nearest: of a hollow body samples farther on may be nearer, and a
+// Any face or corner may be the nearest. On a body with hollows samples farther along may be nearer, and a
 // disc beyond a thin part is behind the face on the far side.
 TEST(Penetration, OfADiscInAHollowPolygonIsNoneWhereItIsAsFarFromItAsItsRadius) {
   std::mt19937 random(11);
@@ -346,8 +348,8 @@ Boundary polygon_of(const std::vector<Vector2d>& corners) {
   return *Boundary::make(spans, true, 1e-12);
 }
 
-// How much two convex polygons share: the area left of the one when it is cut along every side of the other
-// (I. E. Sutherland and G. W. Hodgman, Reentrant Polygon Clipping, CACM 17, 1974).
+// Area that two convex polygons share: that of the first after clipping along every side of the other (I. E.
+// Sutherland and G. W. Hodgman, Reentrant Polygon Clipping, CACM 17, 1974).
 double shared_area(std::vector<Vector2d> left, const std::vector<Vector2d>& other) {
   for (std::size_t i = 0; i < other.size(); ++i) {
     const Vector2d& a = other[i];
@@ -413,7 +415,7 @@ TEST(Penetration, OfConvexPolygonsIsSeenWhereverTheyShareAnArea) {
     const double area = shared_area(corners_W[0], corners_W[1]);
     const double depth =
         deepest_penetration(polygon_of(corners[0]), X_WB[0], polygon_of(corners[1]), X_WB[1], 1e-9).depth;
-    // A shared sliver of less depth than the tolerance is none.
+    // A shared sliver that is thinner than the tolerance does not count.
     EXPECT_EQ(depth > 0, area > 1e-10) << trial << ' ' << area << ' ' << depth;
     const auto is_in = [&](std::size_t body, const Vector2d& p) {
       for (std::size_t i = 0; i < corners_W[body].size(); ++i) {

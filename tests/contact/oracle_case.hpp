@@ -19,12 +19,12 @@ struct OracleCase {
   friend void PrintTo(const OracleCase& reference, std::ostream* out) { *out << reference.id; }
 };
 
-/// What the rounding of a row's numbers may make of a value: of the reference where it is known.
+/// How much the rounding of a row's inputs may change a value, as given by the reference where it is known.
 [[nodiscard]] double noise(const nlohmann::json& row, std::size_t i);
 
 [[nodiscard]] Vector2d vector_of(const nlohmann::json& xy);
 
-/// Those of tests/data/contact, read once.
+/// The cases of tests/data/contact, read once.
 [[nodiscard]] const std::vector<OracleCase>& oracle_cases();
 
 }  // namespace higherpair::testing

@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-// Curves that are given by nothing but their support go through everything that follows a contact.
+// Curves that are given by nothing but their support function pass through everything that follows a contact.
 
 namespace higherpair {
 namespace {
@@ -34,7 +34,7 @@ OneFreedom slide(double x, double y) {
 const Vector2d kCamCenter(0.008, 0.003);
 const Vector2d kShoeCenter(-0.065, 0.002);
 
-// The same pair four times: its curves as conics, or by their supports.
+// The same pair in four forms: each of its curves as a conic or by its support.
 struct Ovals {
   EllipseBySupport cam{kCamCenter, 0.030, 0.020, 0.26};
   EllipseBySupport shoe{kShoeCenter, 0.015, 0.010, 0.52};
@@ -47,7 +47,7 @@ struct Ovals {
   }
 };
 
-// All that a contact says, to `tolerance` in its own units.
+// Compares all quantities of a contact, to `tolerance` in their own units.
 void expect_same(const ContactPosition& a, const ContactPosition& b, double tolerance) {
   const auto near = [&](double x, double y, double unit) {
     return std::abs(x - y) <= tolerance * (unit + std::abs(y));
@@ -86,7 +86,7 @@ TEST(CurvesByTheirSupport, AreFoundFollowedAndDifferentiatedAsTheConicsThatTheyA
       expect_same(track.at, reference.at, 1e-13);
       EXPECT_NEAR(slipping_jerk(pair, track.at)->d3q, slipping_jerk(conics, reference.at)->d3q,
                   1e-11 * (1 + std::abs(slipping_jerk(conics, reference.at)->d3q)));
-      // Arcs are counted from another point, and go on over turns.
+      // Arcs are measured from another point, and continue over turns.
       EXPECT_NEAR(details_of(pair, track.at, track.phi).side1.arc,
                   details_of(conics, reference.at, reference.phi).side1.arc + arc0, 1e-14);
     }
@@ -133,7 +133,7 @@ TEST(CurvesByTheirSupport, HaveTheirContactsListedBySubdivision) {
 }
 
 TEST(CurvesByTheirSupport, SayWhereTheirListIsNotDecided) {
-  // A disc about the follower's pivot touches wherever it turns to.
+  // A disc about the follower's pivot touches at any angle of the follower.
   const EllipseBySupport disc(Vector2d::Zero(), 0.03, 0.03, 0);
   const ContactPair pair = {make_circle(Vector2d::Zero(), 0.05).value(), pivot(0, 0), make_curve(disc),
                             pivot(0.08, 0)};
@@ -164,8 +164,9 @@ TEST(CurvesByTheirSupport, RollAsTheEqualEllipsesThatTheyAre) {
   }
 }
 
-// Two-lobe ovals about their centres, 2a apart: r1(φ1) + r2(φ2) = 2a where r2 shows its waist to r1's lobe,
-// and dφ2/dφ1 = -r1/r2 integrates to tan φ2 = -(1 + e)/(1 - e) tan φ1, from a quarter turn on.
+// Two-lobed ovals about their centres, 2a apart: r1(φ1) + r2(φ2) = 2a where the waist of one meets the lobe
+// of the other, and dφ2/dφ1 = -r1/r2 integrates to tan φ2 = -(1 + e)/(1 - e) tan φ1, measured from a quarter
+// turn.
 TEST(TwoLobedOvals, RollOnEachOtherAboutTheirCentres) {
   for (const double e : {0.2, 0.3}) {
     const double a = 0.05;
@@ -217,7 +218,7 @@ TEST(ALobedCamUnderAFlatFace, LiftsItByItsSupport) {
   EXPECT_NEAR(end->u, kPi / 6, 1e-13);
 }
 
-// The pitch curve of a roller is the parallel curve: the roller's centre is on it.
+// The roller's centre lies on the pitch curve, the cam's parallel curve.
 TEST(ALobedCamWithARoller, KeepsTheRollerTangent) {
   const double a = 0.031, b = 0.002, r = 0.006;
   const LobedCurve cam(a, b);
@@ -236,7 +237,7 @@ TEST(ALobedCamWithARoller, KeepsTheRollerTangent) {
   }
 }
 
-// The normals of a piece end: beyond them it has no points.
+// An open piece has a limited range of normals, and no points beyond it.
 TEST(AnOpenPiece, HasPointsForItsOwnNormalsOnly) {
   const testing::InvoluteBySupport involute(0.02, {0.5, 2});
   const PlacedCurve<double> placed =

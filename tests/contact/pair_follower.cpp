@@ -11,21 +11,21 @@
 namespace higherpair {
 namespace {
 
-constexpr double kMayBeCrossing = 0.1;    // of ∂gap/∂q: what is left of it where it may be a crossing
-constexpr double kShortOfCrossing = 0.6;  // of a step that would end at a crossing
-constexpr double kSameContact = 1e-2;     // of the follower's unit: a contact as near as this is the same
-constexpr int kHalvingsToLimit = 4;       // halvings before a limit position is looked for
-constexpr int kAttempts = 2000;           // inner steps that may fail
-constexpr double kMostSteps = 2e5;        // of kLargestTurn that a path may be long; so many more inner steps
+constexpr double kMayBeCrossing = 0.1;    // fraction of ∂gap/∂q left where a step may end at a crossing
+constexpr double kShortOfCrossing = 0.6;  // fraction taken of a step that would end at a crossing
+constexpr double kSameContact = 1e-2;     // relative to the follower's unit: nearer contacts are the same
+constexpr int kHalvingsToLimit = 4;       // failed inner steps before a limit is looked for
+constexpr int kAttempts = 2000;           // failed inner steps allowed
+constexpr double kMostSteps = 2e5;        // inner steps allowed, besides 4 per kLargestTurn of the path
 
 enum class Outcome { kTaken, kArrived, kRefused, kOntoCrossing };
 
-// One inner step; where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
-// \param may_stop_at_crossing  if not, a step that ends where branches cross (nearly) is not taken: the
-//                              position has lost its rank there, and its rates are noise
+// One inner step. Where ∂gap/∂q is predicted to change sign while the motion stays smooth, branches cross.
+// \param may_stop_at_crossing  if false, a step that ends (nearly) at a crossing is not taken: the conditions
+//                              lose rank there, and the rates are noise
 Outcome step_by(FollowedContact& track, double h, double predicted_gap_q, bool may_stop_at_crossing) {
-  // With a change of sign a limit may lie within the step instead, with the branch there again beyond it:
-  // shorter steps will decide.
+  // A change of sign may also mean that a limit lies within the step and that the branch exists again beyond
+  // it; shorter steps will decide.
   const bool crosses = predicted_gap_q * track.at.gap_q < 0;
   const int branch = crosses ? -track.branch : track.branch;
   const Step step = try_step(track, h, branch);
@@ -40,8 +40,8 @@ Outcome step_by(FollowedContact& track, double h, double predicted_gap_q, bool m
   return Outcome::kTaken;
 }
 
-// The limit lies ahead, not further than the step that failed and the few before it, and the motion leads to
-// it: near a limit q changes with the root of the distance, so that twice the present rate leads there.
+// Whether the motion leads to the limit: it has to lie ahead, within reach of the last few failed steps. Near
+// a limit q changes with the square root of the distance, so that twice the present rate leads there.
 bool is_ahead(const FollowedContact& track, const LimitPosition& limit, double h) {
   const ContactPosition& at = track.at;
   const double unit1 = unit_of(track.pair.motion1, track);
@@ -52,8 +52,8 @@ bool is_ahead(const FollowedContact& track, const LimitPosition& limit, double h
          std::abs(limit.q - at.q - way) <= std::abs(way) / 2 + 1e-6 * unit2;
 }
 
-// What prevents a step towards u that failed: the limit if it can be located, the present place
-// if the steps have become too small.
+// What prevents a step towards u that failed: the limit if it can be located, or the present position if the
+// steps have become too small.
 std::optional<LimitPosition> obstacle(const FollowedContact& track, double u, double h, bool look_for_limit) {
   const ContactPosition& at = track.at;
   if (look_for_limit) {
@@ -69,8 +69,8 @@ std::optional<LimitPosition> obstacle(const FollowedContact& track, double u, do
   return std::nullopt;
 }
 
-// A step towards u, but not at once to a place that may be a crossing: at a crossing itself a position is
-// noise, or not found at all.
+// A step towards u. If u may be a crossing, the step stops short of it: at a crossing itself a position is
+// noise, or is not found at all.
 Stride aim_at(const FollowedContact& track, double u, const StepLength& length, double near) {
   const double rest = u - track.at.u;
   const Stride aim = length.next(rest);
@@ -81,7 +81,7 @@ Stride aim_at(const FollowedContact& track, double u, const StepLength& length, 
   return aim;
 }
 
-// Steps as aimed, or shorter (then `aim` is changed); a last step may end at a crossing.
+// Takes the step as aimed, or a shorter one (then `aim` is changed); a last step may end at a crossing.
 Outcome step_towards(FollowedContact& track, double u, Stride& aim, double near) {
   const double gap_q = track.at.gap_q;
   const double rate = track.at.dgap_q;
@@ -104,7 +104,8 @@ Outcome step_towards(FollowedContact& track, double u, Stride& aim, double near)
   return outcome;
 }
 
-// Follows the contact towards u; false if it is lost on the way. `limit` says where, also where u is a limit.
+// Follows the contact towards u; false if it is lost on the way. `limit` is set to where, also where u itself
+// is a limit.
 bool follow(FollowedContact& track, double u, std::optional<LimitPosition>& limit) {
   const double unit = unit_of(track.pair.motion1, track);
   const double largest = kLargestTurn * unit;
@@ -150,8 +151,8 @@ bool resume(FollowedContact& track, double u, std::optional<LimitPosition>& limi
   }
   FollowedContact next = start_track(track.pair, found.at, track.branch);
   next.phi = nearest_turn(next.phi, track.phi);
-  // Where this stretch begins: the limit on the way back. Without one it is another branch, that the follower
-  // cannot have come to, or there has been no limit.
+  // The stretch begins at the limit found on the way back. If there is none, this is another branch, which
+  // the follower cannot have reached, or there was no limit at all.
   FollowedContact back = next;
   if (follow(back, track.at.u, limit)) {
     limit.reset();
@@ -160,7 +161,7 @@ bool resume(FollowedContact& track, double u, std::optional<LimitPosition>& limi
       return false;
     }
   }
-  // Over the stretch without contact the angles go the short way.
+  // Over the stretch without contact the angles take the short way round.
   next.phi += nearest_turn(back.phi, track.phi) - back.phi;
   if (track.pair.motion2.turns) {
     next.at.q += nearest_turn(back.at.q, track.at.q) - back.at.q;
@@ -179,7 +180,7 @@ TrackResult follow_to(FollowedContact& track, double u) {
   bool held = false;
   if (track.assembled) {
     held = follow(track, u, result.limit);
-    // The branch may be there again past a stretch in which it is not.
+    // The branch may exist again beyond a stretch in which it does not.
     track.assembled = held && !result.limit;
   } else {
     held = resume(track, u, result.limit);

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-// Follows one contact by itself, over crossings of branches and up to limits: other conditions and another
-// way than those by which mechanisms are followed, to hold them against.
+// Follows a single contact over crossings of branches and up to limits. Its conditions and method differ from
+// those by which whole mechanisms are followed, so that the two can be compared.
 
 namespace higherpair {
 
@@ -15,7 +15,7 @@ struct FollowedContact : ContactTrack {
   FollowedContact() = default;
   FollowedContact(const ContactTrack& track) : ContactTrack(track) {}
 
-  bool interpolated = false;  ///< `at` is next to a crossing of branches, and not solved for
+  bool interpolated = false;  ///< `at` is interpolated next to a crossing, not solved for
   bool assembled = true;      ///< false: lost at a limit; `at` is the last position before it
 };
 
@@ -26,15 +26,14 @@ enum class TrackStatus {
 
 struct TrackResult {
   TrackStatus status = TrackStatus::kNotAssemblable;
-  /// Passed on the way, if any. Where u itself is one, the track is there with ∂gap/∂q = 0, and its
-  /// rates, which are not defined, are 0.
+  /// A limit that was passed on the way, if any. Where u itself is a limit, the track ends there with ∂gap/∂q
+  /// = 0; its rates are undefined and set to 0.
   std::optional<LimitPosition> limit;
 };
 
-/// Moves the track along the straight path of the driver to u, in as many inner steps as it takes: each is
-/// predicted to third order and accepted only if the solution agrees with the prediction. At a limit
-/// position the driver position is located by Newton's method on the extended system; beyond it later calls
-/// look for the branch again.
+/// Moves the track along the straight path of the driver to u in as many inner steps as needed: each is
+/// predicted to third order and accepted only if the solution agrees with the prediction. A limit is located
+/// by Newton's method on the extended system; after a limit, later calls look for the branch again.
 [[nodiscard]] TrackResult follow_to(FollowedContact& track, double u);
 
 }  // namespace higherpair

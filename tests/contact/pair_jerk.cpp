@@ -10,12 +10,13 @@ namespace {
 
 // Both bodies of a pair for du/dt = 1, d²u/dt² = d³u/dt³ = 0, and the follower's d³q/dt³ taken as 0.
 struct PairState {
-  Vector2d per_q_W;           // velocity of the follower's point at the contact per dq/dt
+  Vector2d per_q_W;           // velocity of the follower's contact point per dq/dt
   Vector2d known_relative_W;  // j2 - j1 at the contact
   ContactJerk contact;
 };
 
-// The body's point at the contact with d³q/dt³ = 0: about a pivot, -3 q̇ q̈ r - q̇³ ẑ×r; none on a slide.
+// Jerk of the body's point at the contact for d³q/dt³ = 0: about a pivot -3 q̇ q̈ r - q̇³ ẑ×r; zero on a
+// slide.
 Vector2d jerk_at_rest(const OneFreedom& freedom, double q_dot, double q_ddot, const Vector2d& p_W) {
   if (!freedom.turns) {
     return Vector2d::Zero();
@@ -33,7 +34,7 @@ PairState pair_state(const ContactPair& pair, const ContactPosition& at) {
           contact_jerk(pair.curve1, pair.curve2, at, body1, body2)};
 }
 
-// By the normal condition.
+// From the condition along the normal.
 std::optional<double> linkage_jerk(const PairState& state, const Vector2d& n_W) {
   const double per_q = state.per_q_W.dot(n_W);
   if (!(std::abs(per_q) > kGapQIsZero * state.per_q_W.norm())) {

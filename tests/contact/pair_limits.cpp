@@ -17,7 +17,7 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
   constexpr int kMaxSteps = 40;
   ContactPosition at = start;
   const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
-  // Of φ, q, u: so that the three unknowns are of one size.
+  // Units of φ, q, u that make the three unknowns comparable.
   const Eigen::Vector3d unit(1, pair.motion2.turns ? 1 : length, pair.motion1.turns ? 1 : length);
   double last = INFINITY;
   for (int i = 0; i < kMaxSteps; ++i) {
@@ -43,7 +43,7 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
     const Eigen::FullPivLU<Eigen::Matrix3d> lu(J);
     const Eigen::Vector3d step = lu.solve(-r);
     const double size = step.cwiseAbs().sum();
-    // Where ∂gap/∂q cannot change (a slide against a face) no step is left, and no limit.
+    // Where ∂gap/∂q cannot change (a slide against a face) no step solves the system, and there is no limit.
     if (!((J * step + r).norm() <= 1e-6 * r.norm())) {
       return std::nullopt;
     }

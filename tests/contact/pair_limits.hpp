@@ -4,12 +4,12 @@
 
 #include <optional>
 
-// Where the motion of one pair ends, by Newton's method on its own conditions.
+// Where the motion of a single pair ends, by Newton's method on the pair's own conditions.
 
 namespace higherpair {
 
-/// A position beyond which the driver cannot go on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0, or a conforming
-/// contact, or where the contact runs off to infinity along an open curve.
+/// A position beyond which the driver cannot move on this branch: gap = ∂gap/∂φ = ∂gap/∂q = 0, a conforming
+/// contact, or a contact that runs off to infinity along an open curve.
 struct LimitPosition {
   double u = 0;
   double q = 0;
@@ -17,16 +17,16 @@ struct LimitPosition {
 
 /// The limit position near a contact, by Newton's method on g = g_φ = g_q = 0; none where it does not
 /// converge.
-/// \param length  what counts as one unit of a displacement [m]
+/// \param length  unit of a displacement [m]
 [[nodiscard]] std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& at,
                                                       double length);
 
 /// The conforming contact near a position: κ1 + κ2 = 0 where a convex and a concave curve of equal radius
-/// touch, gap = ∂gap/∂φ = ∂²gap/∂φ² = 0. There two contacts of the pair merge, and the motion has no
-/// acceleration. By Newton's method on these three in (φ, q, u) with ∂²gap/∂φ² = -(ρ1 + ρ2), dρ/dφ from the
-/// conics. Rates are left 0. None where a body is a line or a point, both are circles, or the iteration does
-/// not converge; the solution may lie far from `at`: its distance is for the caller to judge.
-/// \param length  what counts as one unit of a displacement [m]
+/// touch, gap = ∂gap/∂φ = ∂²gap/∂φ² = 0. Two contacts of the pair merge there, and the acceleration is
+/// infinite. Solves these three conditions for (φ, q, u) by Newton's method with ∂²gap/∂φ² = -(ρ1 + ρ2) and
+/// dρ/dφ from the conics. Rates are left 0. None where a body is a line or a point, both are circles, or the
+/// iteration does not converge. The solution may lie far from `at`; the caller has to judge the distance.
+/// \param length  unit of a displacement [m]
 [[nodiscard]] std::optional<ContactPosition> conforming_near(const ContactPair& pair,
                                                              const ContactPosition& at, double length);
 

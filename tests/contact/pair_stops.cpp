@@ -11,16 +11,16 @@
 namespace higherpair {
 namespace {
 
-constexpr double kIsCrossing = 1e-12;       // of its scale: a ∂gap/∂q that is 0 to within rounding
-constexpr double kBackFromCrossing = 4e-3;  // of the driver's scale: a regular place
-constexpr double kSmooth = 1e-7;            // of dq/du: what two ways to interpolate it may differ by
-constexpr double kRounding = 1e-14;         // of q
-constexpr double kNearLimit = 1e-7;         // of its scale: a ∂gap/∂q that may be that of a limit
-constexpr double kAtLimit = 1e-14;          // of the driver's scale: a limit that is at the driver's position
-constexpr double kClosed = 1e-13;           // of the lengths: gap that an interpolated crossing may leave
+constexpr double kIsCrossing = 1e-12;       // relative to its scale: ∂gap/∂q counts as 0
+constexpr double kBackFromCrossing = 4e-3;  // relative to the driver's unit: distance of a regular position
+constexpr double kSmooth = 1e-7;            // relative to dq/du: largest difference of its two interpolations
+constexpr double kRounding = 1e-14;         // relative to q
+constexpr double kNearLimit = 1e-7;         // relative to its scale: ∂gap/∂q near a limit
+constexpr double kAtLimit = 1e-14;          // relative to the driver's scale: the limit is at its position
+constexpr double kClosed = 1e-13;           // relative to the lengths: gap left by an interpolated crossing
 
-// Sets the points, the normal, nearly n_W, and ∂gap/∂q for bodies that are next to where branches cross;
-// false where they do not touch.
+// For bodies next to a crossing of branches: sets the contact points, the normal (close to n_W) and ∂gap/∂q.
+// False where the bodies do not touch.
 bool close_at(const FollowedContact& track, const Vector2d& n_W, ContactPosition& at) {
   const auto& [curve1, motion1, curve2, motion2] = track.pair;
   const auto touch = find_common_normal(curve1, pose_at(motion1, at.u), curve2, pose_at(motion2, at.q), n_W);
@@ -35,14 +35,14 @@ bool close_at(const FollowedContact& track, const Vector2d& n_W, ContactPosition
   return true;
 }
 
-// Takes a position at, or next to, a crossing that is not solved for but known from the smooth motion. At the
-// crossing itself it counts as beyond.
+// Takes over a position at, or next to, a crossing that is interpolated from the smooth motion instead of
+// solved for. A position exactly at the crossing counts as beyond it.
 void accept_interpolated(FollowedContact& track, const ContactPosition& at) {
   accept(track, at, at.gap_q * track.branch > 0 ? track.branch : -track.branch);
   track.interpolated = true;
 }
 
-// Goes to a regular place at some distance from u, which is next to a crossing, along the smooth motion.
+// Moves along the smooth motion to a regular position at some distance from u, which is next to a crossing.
 void step_back(FollowedContact& track, double u) {
   const double distance = kBackFromCrossing * unit_of(track.pair.motion1, track);
   const double rest = u - track.at.u;
@@ -58,8 +58,8 @@ void step_back(FollowedContact& track, double u) {
   }
 }
 
-// Halfway between two places h apart, whose rates are those of a smooth motion: Hermite interpolation, h⁴ is
-// left out of d²q and dφ, h⁶ of q. Nothing where the motion is not that smooth.
+// Hermite interpolation halfway between two positions h apart, with the rates of a smooth motion. Its error
+// is of order h⁴ in d²q and dφ, and of order h⁶ in q. Nothing where the motion is not that smooth.
 std::optional<ContactPosition> halfway(const FollowedContact& track, const ContactPosition& b, double h) {
   const ContactPosition& a = track.at;
   const double fast = std::abs(a.dq) + std::abs(b.dq);
@@ -94,7 +94,7 @@ bool stop_at_crossing(FollowedContact& track, double u) {
     return false;
   }
   auto at = halfway(before, beyond.result.at, h);
-  // Between two contacts of different branches there may also be a limit of each, and no contact at all.
+  // Between two contacts on different branches there may also be two limits with no contact in between.
   if (!at || !close_at(before, at->n_W, *at)) {
     return false;
   }
@@ -124,7 +124,7 @@ bool stop_at_limit(FollowedContact& track, double u, const LimitPosition& limit)
   at.u = u;
   at.q = limit.q;
   at.dq = at.d2q = at.dphi = at.dgap_q = 0;
-  // A contact that runs off along an open curve comes to no last position.
+  // A contact that runs off along an open curve has no last position.
   if (!close_at(track, at.n_W, at) ||
       !((at.p2_W - at.p1_W).norm() <= kClosed * (length + manhattan(vertex1_W)))) {
     return false;

@@ -12,10 +12,10 @@
 
 namespace higherpair::testing {
 
-/// Boundaries of all kinds, and joints to ground.
+/// Random boundaries of all kinds, and ground joints.
 class RandomBoundaries {
 public:
-  /// \param scale  about their sizes and distances
+  /// \param scale  approximate size of the boundaries and their distances
   RandomBoundaries(unsigned seed, double scale) : engine_(seed), scale_(scale) {}
 
   double between(double low, double high) {
@@ -31,7 +31,7 @@ public:
       case 1:
         return spline(size, 0.03);
       case 2:
-        return spline(size, 0.1);  // with hollows
+        return spline(size, 0.1);  // has concave parts
       case 3:
         return sharp_polygon(size);
       case 4:
@@ -75,7 +75,7 @@ private:
     return *Boundary::make(std::move(spans), true, 1e-9 * size);
   }
 
-  // With its middle within: convex.
+  // Convex, with the middle inside.
   Boundary rounded_polygon(double size) {
     const double radius = size * between(0.02, 0.3);
     const std::vector<Vector2d> c = corners(size, 0.9);

@@ -14,7 +14,7 @@ struct RandomPair {
   std::string text;
 };
 
-/// A curve of the given kind (0 … 5 in the order of CurveKind) of a size near 1, some 2 from the origin.
+/// A curve of the given kind (0 … 5 in the order of CurveKind), of a size near 1 and about 2 from the origin.
 inline Curve random_curve(int kind, std::mt19937& random) {
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -38,8 +38,9 @@ inline Curve random_curve(int kind, std::mt19937& random) {
   }
 }
 
-/// Kinds go round with the number, so that 36 neighbouring numbers hold every mix (two lines and two points
-/// are replaced by two ellipses); in a third of them, of all mixes, the follower slides.
+/// The kinds cycle with the number, so that any 36 consecutive numbers contain every combination (two lines
+/// and two points are replaced by two ellipses). In a third of the pairs, over all combinations, the follower
+/// slides.
 inline RandomPair random_pair(unsigned number) {
   std::mt19937 random(1000 + number);
   const auto between = [&](double low, double high) {
@@ -69,8 +70,8 @@ inline RandomPair random_pair(unsigned number) {
   return result;
 }
 
-/// As random_pair, with small whole numbers and quarter turns: full of contacts at one position, tangents at
-/// infinity, coincidences and limits.
+/// As random_pair, but with small whole numbers and quarter turns, which give many coinciding contacts,
+/// tangents at infinity, coincidences and limits.
 inline RandomPair grid_pair(unsigned number) {
   RandomPair result = random_pair(number);
   std::mt19937 random(50000 + number);
@@ -118,7 +119,7 @@ inline RandomPair mapped_pair(unsigned number) {
   return random;
 }
 
-/// Of two positions of the follower: whole turns aside, or relative to 1 + |b|.
+/// Difference of two positions of the follower: up to whole turns, or relative to 1 + |b|.
 inline double follower_difference(const ContactPair& pair, double a, double b) {
   return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / (1 + std::abs(b)));
 }

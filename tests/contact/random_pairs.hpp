@@ -15,8 +15,8 @@ struct RandomCase {
   double q = 0;
 };
 
-/// Pairs over all kinds of curves, sides and joints; the same on every machine and in every run: the
-/// standard's generator is fixed, its distributions are not.
+/// Pairs over all kinds of curves, sides and joints. They are the same on every machine and in every run:
+/// only the standard's generator is used, because its distributions differ between implementations.
 class RandomPairs {
 public:
   explicit RandomPairs(unsigned seed) : engine_(seed) {}
@@ -45,7 +45,7 @@ public:
   Vector2d vector(double size) { return {between(-size, size), between(-size, size)}; }
 
 private:
-  // Mostly of the mechanism's size, a ring larger, and some very small or very large.
+  // Mostly of about the mechanism's size (rings are larger), some very small or very large.
   Curve curve(int kind, bool ring, double size) {
     const Side side = ring ? Side::kOutside : Side::kInside;
     const double decades = pick(4) == 0 ? between(-3, 3) : between(-0.7, 0.3);

@@ -22,7 +22,7 @@ struct Counts {
   int found = 0;
   int rows = 0;
   int flagged = 0;
-  int compared = 0;  // with central differences
+  int compared = 0;  // compared with central differences
 };
 
 std::string describe(const RandomCase& one) {
@@ -37,7 +37,7 @@ double step_of(const RandomCase& one) {
   return (one.pair.motion1.turns ? 1.0 : one.size) * kPi / 90;
 }
 
-// A quantity of the track at some distance from where it stands.
+// A quantity of the track at some distance from its present position.
 template <class Of>
 auto beside(const FollowedContact& track, const Of& of) {
   return [&track, of](double offset) -> std::optional<double> {
@@ -52,7 +52,7 @@ void expect_rates_are_differences(const RandomCase& one, const FollowedContact& 
   const auto dq = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.q; }));
   const auto d2q = testing::difference(h, beside(track, [](const ContactPosition& at) { return at.dq; }));
   if (!(dq.error < 1e-2 * std::abs(dq.value)) || !(d2q.error < 1e-2 * std::abs(d2q.value))) {
-    return;  // near a limit: the difference says nothing
+    return;  // near a limit the difference is useless
   }
   ++counts.compared;
   const double q_unit = one.pair.motion2.turns ? 1 : one.size;
@@ -118,7 +118,7 @@ TEST_P(RandomSeeds, GiveContactsThatObeyTheLawsOrAreFlagged) {
   EXPECT_GT(counts.compared, counts.found);
 }
 
-// However few the rows: the same contact, or lost in both.
+// With few rows the result is the same as with many: the same contact, or a lost one.
 TEST_P(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
   RandomPairs random(static_cast<unsigned>(GetParam()) + 1000);
   for (int i = 0; i < 400; ++i) {

@@ -1,4 +1,4 @@
-// A motion that runs back comes to where it began: a contact that was taken for another one would not.
+// A motion that runs back returns to where it began; one that has switched to another contact would not.
 #include "contact/pair_follower.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/critical_positions.hpp"
@@ -12,10 +12,10 @@ namespace higherpair {
 namespace {
 
 constexpr double kWay = 0.7;  // [rad], in one call
-// Nearer to a limit than this ∂gap/∂q rounding moves q by more than what is asked here.
+// At a smaller ∂gap/∂q, closer to a limit, rounding moves q by more than the tolerance of this test.
 constexpr double kFarFromLimit = 1e-3;
 
-// Follows every contact of the pair at u forth and back; returns how many came through.
+// Follows every contact of the pair at u forward and back; returns how many were followed all the way.
 int run_forth_and_back(const ContactPair& given, double u) {
   const ContactPair other = with_other_side(given);
   int count = 0;
@@ -48,8 +48,8 @@ TEST(Reversal, EndsWhereTheMotionBegan) {
   EXPECT_GT(count, 150);
 }
 
-// Two contacts, one a least and one a greatest gap, pass each other at 1e-4 of q and 0.03 of the normal. A
-// step of 10° went from one to the other on the way back.
+// Two contacts, one with a minimum and one with a maximum of the gap, pass each other at 1e-4 of q and 0.03
+// of the normal. On the way back a step of 10° went from one to the other.
 TEST(Reversal, TellsNeighbouringContactsApart) {
   const double u = 1.391678163948994;
   ContactPair pair;

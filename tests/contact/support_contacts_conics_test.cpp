@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// Two methods that have nothing in common: the algebra of the pencil, and enumeration over chains of spans.
+// Compares two methods that share nothing: the algebra of the pencil, and enumeration over chains of spans.
 
 namespace higherpair {
 namespace {
@@ -24,12 +24,13 @@ bool is_singular(const CurveContact& contact) {
   return contact.at_limit || contact.conforming;
 }
 
-// Farther out open conics and faces are not followed, or are too nearly straight.
+// Contacts farther out, where open conics and faces end or are too nearly straight, are not compared.
 bool is_far(const CurveContact& contact, bool turns) {
   return contact.p_W.norm() > 100 || (!turns && std::abs(contact.q) > 100);
 }
 
-// Each contact of one list is in the other; returns the worst difference of q of those near the mechanism.
+// Checks that each contact of one list is in the other; returns the largest difference of q near the
+// mechanism.
 double expect_same_contacts(const CurveContacts& found, const CurveContacts& algebraic, bool turns) {
   std::vector<bool> matched(found.contacts.size(), false);
   double worst = 0;

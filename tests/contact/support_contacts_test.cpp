@@ -76,9 +76,10 @@ TEST(ContactsOfInvolutes, AreOneWhichRunsAlongTheLineOfAction) {
   }
 }
 
-// A roller of radius r, its centre on the x axis through the cam's: y = 0 on the curve at the distance r,
+// Positions of the centre of a roller of radius r on the x axis through the cam's centre: it is at the
+// distance r from the curve and at y = 0,
 //     sin φ (a + r - 8 b cos³φ) = 0,   x = (a + r + b cos 3φ) cos φ + 3 b sin 3φ sin φ.
-// r < 0: the roller is inside (normals not opposed). A point x of that curve is the roller's centre.
+// r < 0: the roller is inside (normals not opposed).
 std::vector<double> centers_on_axis(double a, double b, double r) {
   std::vector<double> x = {a + r + b, -(a + r - b)};
   const double cosine = std::cbrt((a + r) / (8 * b));
@@ -103,7 +104,8 @@ TEST(ContactsOfALobedCam, AreWhereTheClosedFormHasARollerOnItsAxisOfSymmetry) {
   }
 }
 
-// Turned inside out, the roller is in a ring of three bays: what was opposed is not, and the other way round.
+// Turned inside out the cam is a ring of three bays with the roller in it; opposed and other contacts are
+// exchanged.
 TEST(ContactsOfALobedCam, AreThoseOfTheSameRollerInARing) {
   const double a = 1.37, b = 0.17, r = 0.23;
   const LobedCurve ring(a, -b, true);
@@ -113,8 +115,8 @@ TEST(ContactsOfALobedCam, AreThoseOfTheSameRollerInARing) {
   expect_positions(centers_on_axis(a, -b, r), positions(found, false), 1e-13);
 }
 
-// A roller on an arm: its centre meets the curve at the distance ±r, walked in small steps; |x - pivot|² -
-// arm² changes its sign there.
+// A roller on an arm: counts the crossings by walking in small steps along the curve at the distance ±r; |x -
+// pivot|² - arm² changes sign where the roller's centre is on it.
 int crossings_on_a_walk(double a, double b, double u, double r, double arm, const Vector2d& pivot) {
   const auto excess = [&](int i) {
     const double phi = 2 * kPi * (i + 0.4711) / 60000;
@@ -149,7 +151,7 @@ TEST(ContactsOfALobedCam, AreAsManyForAnOscillatingRollerAsAWalkAlongTheCurveHas
   }
 }
 
-// What touches at (u, q) with one body as driver touches at (q, u) with the other.
+// A contact at (u, q) with one body as the driver is a contact at (q, u) with the other.
 TEST(ContactsOfALobedCam, AreTheSameWhenTheBodiesChangeRoles) {
   const LobedCurve cam(1.37, 0.17);
   const Curve ellipse = make_ellipse({0.2, -0.1}, {1.4, 0.5}, 0.3).value();
@@ -169,7 +171,7 @@ TEST(ContactsOfALobedCam, AreTheSameWhenTheBodiesChangeRoles) {
   }
 }
 
-// 8 b > a: the radius changes its sign at six cusps.
+// 8 b > a: the radius of curvature changes sign at six cusps.
 TEST(ContactsOfALobedCam, AreNotDecidedWhereItHasCusps) {
   const LobedCurve cam(1.37, 0.21);
   const CurveContacts found =
@@ -178,7 +180,7 @@ TEST(ContactsOfALobedCam, AreNotDecidedWhereItHasCusps) {
   EXPECT_TRUE(found.contacts.empty());
 }
 
-// The roller's centre is at the distance r + R from the segment between the track's centres.
+// The roller's centre is at the distance r + R from the segment between the centres of the racetrack's arcs.
 TEST(ContactsOfARacetrack, AreOnItsArcsAndOnItsFlats) {
   const double half = 0.8, r = 0.3, R = 0.17;
   const Racetrack track(half, r);
@@ -206,7 +208,7 @@ TEST(ContactsOfARacetrack, AreWhereTheArmOfAnOscillatingRollerReaches) {
   const CurveContacts found =
       list_support_contacts({make_curve(track), {}, circle({arm, 0}, R), pivot_at(pivot)}, 0);
   EXPECT_EQ(found.status, ContactsStatus::kComplete);
-  // On the flat the centre is at the height r + R.
+  // On the flat the roller's centre is at the height r + R.
   const double down = std::asin((1.6 - r - R) / arm);
   const double x = 0.5 - arm * std::cos(down);
   ASSERT_LT(std::abs(x), half);
@@ -268,7 +270,7 @@ TEST(ContactsAtALimit, AreToldApartWhereTwoPositionsAreABillionthApart) {
   expect_positions({0.7 - radius, 0.7 + radius}, positions(found, true), 4e-16);
 }
 
-// On an arm the plane curves are circles as large as the arm, and as near to each other as the pin is small.
+// On an arm the plane curves are circles as large as the arm, and as close to each other as the pin is small.
 TEST(ContactsAtALimit, AreToldApartForATinyPinOnAnArm) {
   const double radius = 0.5e-5;
   const CurveContacts found = list_support_contacts(
@@ -278,8 +280,8 @@ TEST(ContactsAtALimit, AreToldApartForATinyPinOnAnArm) {
   expect_positions({-kPi / 2 - angle, -kPi / 2 + angle}, positions(found, true), 1e-15);
 }
 
-// A roller of radius r2 at the end of a lever, against a disc at the lever's end: cos between = 1 - ((r1 +
-// r2)² - (L - e)²)/(2 L e).
+// A roller of radius r2 at the end of a lever e, against a disc at the distance L from its pivot: cos(angle
+// between) = 1 - ((r1 + r2)² - (L - e)²)/(2 L e).
 TEST(ContactsAtALimit, AreToldApartForALongLever) {
   const double r1 = 0.731, r2 = 0.447;
   for (const double lever : {17.0, 1e3, 1e6}) {

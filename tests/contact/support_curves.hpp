@@ -20,7 +20,7 @@ inline Bounds cosine_over(double low, double high) {
 }
 
 /// h = a + b cos 3φ, a cam of three lobes: ρ = a - 8 b cos 3φ, convex if 8 b < a, else with swallowtails. As
-/// a ring its material is outside: the normal is turned round, h -> -h(φ + π).
+/// a ring its material is outside and the normal is reversed: h -> -h(φ + π).
 class LobedCurve final : public SupportCurve {
 public:
   LobedCurve(double a, double b, bool ring = false) : a_(a), b_(b), ring_(ring) {}
@@ -47,8 +47,8 @@ private:
   std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
 };
 
-/// An ellipse by its support, with none of the closed forms of the library's own: with g² = a² cos²ψ +
-/// b² sin²ψ, ψ = φ - rotation, h = c·n ± g and ρ = ±a²b²/g³, + for the inside.
+/// An ellipse by its support function, without the library's closed forms: with g² = a² cos²ψ + b² sin²ψ, ψ =
+/// φ - rotation, h = c·n ± g and ρ = ±a²b²/g³, + for the inside.
 class EllipseBySupport final : public SupportCurve {
 public:
   EllipseBySupport(const Vector2d& center, double a, double b, double rotation, bool outside = false)
@@ -82,7 +82,7 @@ private:
 };
 
 /// An oval gear's pitch curve of n lobes about the origin, r = p/(1 - e cos nθ), convex if e < 1/(n² - 1).
-/// With u = 1/r the normal stands at φ = θ + atan(u′/u), and ρ = (u² + u′²)^{3/2}/(u³ (u + u″)).
+/// With u = 1/r the angle of the normal is φ = θ + atan(u′/u), and ρ = (u² + u′²)^{3/2}/(u³ (u + u″)).
 class LobedOval final : public SupportCurve {
 public:
   LobedOval(int n, double p, double e) : n_(n), p_(p), e_(e) {}
@@ -100,12 +100,12 @@ public:
     const double square = u.squared();
     const double bend = u.u + u.d2;
     const double rho = square * std::sqrt(square) / (u.u * u.u * u.u * bend);
-    // By the derivative of its logarithm, per θ, over that of φ.
+    // dρ/dφ = ρ (d ln ρ/dθ)/(dφ/dθ).
     const double per_theta = 3 * u.d1 * bend / square - 3 * u.d1 / u.u - (u.d1 + u.d3) / bend;
     return {std::cos(theta - phi) / u.u, std::sin(theta - phi) / u.u, rho,
             rho * per_theta * square / (u.u * bend), 1e-14 * p_ * (1 + std::abs(phi))};
   }
-  // Between those at the ends of the lobes and at their waists, with room.
+  // From the radii at the tips of the lobes and at their waists, with a margin of 2.
   [[nodiscard]] Bounds radius(std::size_t, const Bounds&) const override {
     const double m = n_ * n_ - 1;
     return {0.5 * p_ / (1 + m * e_), 2 * p_ / (1 - m * e_)};
@@ -162,7 +162,7 @@ public:
     const double x = piece == 0 ? half_ : piece == 2 ? -half_ : 0;
     const double error = 4e-15 * (half_ + r_);
     if (pieces_[piece].kind == PieceKind::kFace) {
-      // The flat's middle (0, ±r), as a corner.
+      // The middle of the flat, (0, ±r), as a corner.
       const double y = piece == 1 ? r_ : -r_;
       return {y * std::sin(phi), y * std::cos(phi), 0, 0, error};
     }

@@ -1,4 +1,4 @@
-// The engine on functions whose optima are known in closed form.
+// The optimiser on functions whose optima are known in closed form.
 #include "higherpair/design/optimise.hpp"
 
 #include <cmath>
@@ -51,8 +51,8 @@ DesignProblem rastrigin() {
   return problem;
 }
 
-// x + y least on the disc of radius 2 about (1, 0): at (1 - √2, -√2), where moving the limit of the
-// constraint (x-1)² + y² - 4 <= 0 by 1 gains 1/(2 √2).
+// Minimum of x + y on the disc of radius 2 about (1, 0): at (1 - √2, -√2). Moving the limit of the constraint
+// (x-1)² + y² - 4 <= 0 by 1 gains 1/(2 √2).
 DesignProblem disc() {
   DesignProblem problem = problem_of({{-4, 5, 1.5}, {-5, 4, 0.4}}, [](auto x, int, DesignValues& values) {
     values.cost = x[0] + x[1];
@@ -91,7 +91,7 @@ class Methods : public ::testing::TestWithParam<DesignMethod> {};
 
 TEST_P(Methods, EndOnAConstraintThatTheyDoNotViolate) {
   const DesignOutcome outcome = optimise(disc(), few(3, GetParam()));
-  // Penalties leave BOBYQA beside the edge; the others stop on it.
+  // BOBYQA uses penalties and stops beside the edge; the other methods stop on it.
   const double near = GetParam() == DesignMethod::kBobyqa ? 2e-2 : 1e-4;
   EXPECT_LE(outcome.best.violation, kConstraintTolerance);
   EXPECT_NEAR(outcome.best.objective, 1 - 2 * std::sqrt(2.0), near);
@@ -240,7 +240,8 @@ TEST(Optimise, LogarithmsReachVariablesOfUnknownOrder) {
 }
 
 TEST(Optimise, NumbersOfStepsAreMultiplesAndTheOthersFollow) {
-  // Least on the line x = 3.3, y = x²: at x = 3.5 or 3, of which 3.5 is nearer.
+  // The minimum on y = x² would be at x = 3.3; the allowed values around it are 3 and 3.5, of which 3.5 is
+  // nearer.
   DesignProblem problem = problem_of({{0, 10, 1, 0.5}, {0, 100, 1}}, [](auto x, int, DesignValues& values) {
     values.residuals = Eigen::Vector2d(x[0] - 3.3, x[1] - x[0] * x[0]);
   });
@@ -274,7 +275,7 @@ TEST(Optimise, ConstraintsOfSquaresAreHeldToo) {
   problem.constraints = 1;
   const DesignOutcome outcome = optimise(problem, few(10));
   EXPECT_LE(outcome.best.violation, kConstraintTolerance);
-  // Where the valley leaves the unit disc: x² + y² = 1, the least of the objective on it.
+  // Where the valley leaves the unit disc: the minimum of the objective on x² + y² = 1.
   EXPECT_NEAR(outcome.best.objective, 0.0456748, 1e-6);
 }
 

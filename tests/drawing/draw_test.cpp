@@ -1,4 +1,4 @@
-// Pictures are read back: they are XML, and what they draw is where the motion says.
+// Drawings are read back: they are valid XML, and everything is drawn where the motion puts it.
 #include "drawing/svg_reading.hpp"
 #include "front/analysis_impl.hpp"
 #include "higherpair/drawing/scene_maker.hpp"
@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using testing::read_back;
 using testing::shipped;
 
-// Places in a picture in millimetres of the mechanism.
+// Positions in a drawing, in millimetres of the mechanism.
 struct Reading {
   explicit Reading(const std::string& svg)
       : elements(read_back(svg)), scale(elements.front().number("data-scale")) {
@@ -79,7 +79,7 @@ TEST_P(DrawnProfile, HasItsPinsAndContactsWhereTheMotionSays) {
   }
 }
 
-// Symbols, bodies and names stay in the frame, over the whole motion; no name covers another.
+// Symbols, bodies and names stay within the frame over the whole motion; no name covers another.
 TEST_P(DrawnProfile, FitsIntoItsFrame) {
   const Model model = shipped(GetParam());
   const std::vector<MotionRow> rows = rows_of(model);
@@ -126,7 +126,7 @@ TEST(Scenes, OfAPositionThatCannotBeReachedShowTheLimitBeforeIt) {
   const auto scenes = scenes_of(model, settings);
   ASSERT_TRUE(scenes);
   ASSERT_TRUE(scenes->limit);
-  // The cranks 50 and 75 in line over the ground of 80.
+  // The cranks 50 and 75 in line over the frame of 80.
   EXPECT_NEAR(*scenes->limit, 180 / kPi * std::acos((50. * 50 + 80 * 80 - 75 * 75) / (2 * 50 * 80)), 1e-9);
   EXPECT_TRUE(scenes->scenes.front().defined);
   EXPECT_THAT(scenes->cause, HasSubstr("cannot be kept in contact"));
@@ -170,7 +170,7 @@ TEST(Scenes, OfSeveralDriversAreThoseOfTheNearestRow) {
   EXPECT_NEAR(scenes->scenes.front().places[1].theta, rows_of(model)[5].bodies[1].theta, 1e-12);
 }
 
-// Of a joint's second body, to the scene's scale; the driver's torque as an arc.
+// Arrows show the force on a joint's second body, to the scene's scale; the driver's torque is an arc.
 TEST(Drawing, HasTheForcesOfTheTable) {
   const Model model = shipped("watt_sixbar_forces");
   SceneSettings at;
@@ -197,7 +197,7 @@ TEST(Drawing, HasTheForcesOfTheTable) {
     ++arrows;
   }
   EXPECT_EQ(arrows, model.mechanism().joints.size());
-  EXPECT_EQ(arcs, 2U);  // and its head
+  EXPECT_EQ(arcs, 2U);  // the arc and its arrow head
 }
 
 TEST(Drawing, OfForcesNeedsSomethingThatLoads) {
@@ -209,7 +209,7 @@ TEST(Drawing, OfForcesNeedsSomethingThatLoads) {
   EXPECT_THAT(to_string(scenes.error()), HasSubstr("there are no forces to draw: give bodies a mass"));
 }
 
-// Each scale is a round number, and as long as what it says.
+// Each scale is a round number, and its bar has the length that its label states.
 TEST(Drawing, HasTheScalesOfItsArrows) {
   SceneSettings at;
   at.forces = true;
@@ -240,7 +240,7 @@ TEST(Drawing, HasTheScalesOfItsArrows) {
               1e-3);
 }
 
-// Bodies, points and curves as the table [drawing] has them.
+// Bodies, points and curves look as the table [drawing] defines.
 TEST(Drawing, FollowsTheLooksOfTheProfile) {
   const Model model =
       shipped("ellipse_cam_roller", {"drawing.cam.name=Nocken", "drawing.cam.colour=\"#f6d8a8\"",
@@ -291,7 +291,7 @@ TEST(Drawing, HasTheLayersThatAreAskedFor) {
   }
 }
 
-// Of the first contact in the first row.
+// The equivalent linkage of the first contact in the first row.
 std::vector<Shape> linkage_of(const Scene& scene) {
   std::vector<Shape> shapes;
   for (const Shape& shape : scene.moving) {
@@ -300,7 +300,8 @@ std::vector<Shape> linkage_of(const Scene& scene) {
   return shapes;
 }
 
-// Centres of curvature may be anywhere: links to them end within the picture, and say how long they are.
+// Centres of curvature may be anywhere: links to them are broken off within the picture and labelled with
+// their length.
 TEST(Drawing, BreaksLinksOffThatLeaveIt) {
   for (const char* name : {"parabola_cam", "hyperbola_cam"}) {
     const Model model = shipped(name);
@@ -333,7 +334,7 @@ TEST(Drawing, BreaksLinksOffThatLeaveIt) {
   }
 }
 
-// The second wheel's centre of curvature, the foot of the common tangent on its base circle, is above all
+// The second wheel's centre of curvature, the foot of the common tangent on its base circle, lies above all
 // bodies.
 TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   const Model model = shipped("involute_pair");
@@ -359,7 +360,7 @@ TEST(Drawing, IsAsWideAsItsHeightAllows) {
   const Vector2d usual = size({});
   EXPECT_LT(usual.x(), 900);
   EXPECT_GT(usual.y(), 1000);
-  EXPECT_LT(usual.y(), 1060);  // with the scales
+  EXPECT_LT(usual.y(), 1060);  // including the scales
   DrawSettings wide;
   wide.most_height = 1e9;
   EXPECT_NEAR(size(wide).x(), 900, 1e-9);
@@ -368,7 +369,7 @@ TEST(Drawing, IsAsWideAsItsHeightAllows) {
   EXPECT_GE(narrow.elements.front().number("width"), 240);
 }
 
-// A pin that runs in slots is no knife edge.
+// A pin that runs in slots is not drawn as a knife edge.
 TEST(Drawing, HasPinsAndSlotsWhereAContactHoldsBothSides) {
   const auto scenes = scenes_of(shipped("geneva_four_slots")).value();
   const Scene& scene = scenes.scenes.front();
@@ -382,7 +383,7 @@ TEST(Drawing, HasPinsAndSlotsWhereAContactHoldsBothSides) {
       ++pins;
     }
     if (shape.name != "wheel" || shape.kind != Shape::Kind::kPath) continue;
-    Vector2d middle = Vector2d::Zero();  // of both sides
+    Vector2d middle = Vector2d::Zero();  // mean of both sides
     for (std::size_t i = 0; i < n.size(); i += 2) middle += 2 * Vector2d(n[i], n[i + 1]) / n.size();
     EXPECT_NEAR(middle.cwiseAbs().minCoeff(), 0, 1e-9);
     ++slots;
@@ -391,7 +392,7 @@ TEST(Drawing, HasPinsAndSlotsWhereAContactHoldsBothSides) {
   EXPECT_EQ(slots, 4U);
 }
 
-// Bars hold every curve to the points of its body: a ring whose pivot is in its hollow, a flank of a tooth.
+// Bars connect every curve to the points of its body: a ring whose pivot is in its hole, a flank of a tooth.
 TEST(Drawing, JoinsCurvesToTheirPivots) {
   for (const auto& [model, body] :
        {std::pair(shipped("disc_in_ring", {"bodies.ring.curves.hole.center=[10, 32]"}), "ring"),
@@ -404,7 +405,7 @@ TEST(Drawing, JoinsCurvesToTheirPivots) {
   }
 }
 
-// A bar is behind the face that it carries, also where a point of its body is on the face.
+// A bar is drawn behind the face that it carries, even if a point of its body is on the face.
 TEST(Drawing, KeepsBarsBehindFaces) {
   for (const char* name : {"flat_faced_translating", "cam_with_return_spring"}) {
     const Model model = shipped(name);

@@ -11,14 +11,14 @@ using ::testing::Not;
 constexpr double kInch = 0.0254;  // 96 px
 
 TEST(OutlineSvg, DrawsArcsOnTheirSide) {
-  // A half disc over the x axis, three inches across: counter-clockwise from its right end, which is against
-  // the clock on the screen too.
+  // A half disc above the x axis, three inches across, counter-clockwise from its right end, as also seen on
+  // the screen.
   const ArcPolyline above = {{{{3 * kInch, 0}, 1}, {{0, 0}, 0}}, true};
   const std::string svg = outline_svg({{"cam.a", above}}, "A", {"mm", 1e-3});
   EXPECT_THAT(svg, HasSubstr("d=\"M298 154A144 144 0 0 0 10 154L298 154Z\""));
   EXPECT_THAT(svg, HasSubstr("width=\"308\" height=\"164\""));
   EXPECT_THAT(svg, HasSubstr("data-origin=\"10 154\""));
-  // Clockwise below the axis, of three quarters of a circle (tan 67.5°).
+  // Three quarters of a circle below the axis, clockwise (tan 67.5°).
   const double b = 2.414213562373095;
   const ArcPolyline below = {{{{kInch, 0}, -b}, {{0, 0}, 0}}, false};
   EXPECT_THAT(outline_svg({{"cam.b", below}}, "B", {"in", kInch}), HasSubstr("A67.88225 67.88225 0 1 1 "));

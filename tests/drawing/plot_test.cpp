@@ -1,4 +1,4 @@
-// Plots are read back: lines, marks and shading are where the table and the events say.
+// Plots are read back: lines, marks and shading are where the table and the events put them.
 #include "drawing/svg_reading.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
@@ -22,9 +22,9 @@ using testing::read_back;
 using testing::shipped;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kHundredth = 0.011;  // of a px: what coordinates in pictures are rounded to
+constexpr double kHundredth = 0.011;  // px: coordinates in pictures are rounded to 0.01
 
-// An axis as its attributes say.
+// An axis as described by its attributes.
 struct Axis {
   double low = 0, high = 1, begin = 0, end = 1;
 
@@ -58,7 +58,7 @@ Element series(const std::vector<Element>& all, const std::string& name) {
   return {};
 }
 
-// The points of a path, its pieces one after the other.
+// The points of a path, with its pieces one after the other.
 std::vector<Vector2d> points_of(const Element& path) {
   std::string text = path.attributes.at("d");
   std::replace_if(
@@ -194,7 +194,7 @@ TEST(Plot, ShadesRowsThatAreNotOkBetweenTheLimits) {
   const auto drawn = read_back(plots_svg({locked.data}));
   const Axis x = axis(drawn, "x", "deg");
   const auto shaded = with_role(drawn, "status");
-  ASSERT_EQ(shaded.size(), 2U);  // and its label
+  ASSERT_EQ(shaded.size(), 2U);  // the shaded range and its label
   EXPECT_EQ(shaded[0].name, "not assemblable");
   EXPECT_NEAR(shaded[0].number("x"), x.px(65.83442067466342), 1e-3);
   EXPECT_EQ(shaded[1].text, "not assemblable");
@@ -268,14 +268,14 @@ TEST(Plot, LeavesOutPointsThatLieOnEachOther) {
   EXPECT_NEAR(points.back().x(), axis(read_back(svg), "x", "deg").px(x.back()), kHundredth);
 }
 
-// Labels of one plot: their boxes, as wide as Helvetica is at least.
+// The boxes of a plot's labels, with at least the width of Helvetica, do not overlap.
 TEST(Plot, OfEveryShippedProfileHasNoLabelOnAnother) {
   struct Box {
     double left, right, y;
   };
   for (const std::string& name : all_shipped()) {
     const auto made = plot_of(shipped(name), {{"*.position", "*.omega"}, {}, {}});
-    if (!made) continue;  // a mechanism without motion or such columns
+    if (!made) continue;  // a mechanism without motion or without such columns
     std::vector<Box> boxes;
     for (const Element& element : read_back(plots_svg({made->data}))) {
       if (element.tag != "text" || element.text.empty()) continue;

@@ -1,4 +1,4 @@
-// Polygons: their arrows are the table's, they close, and the picture shows them to scale.
+// Polygons: their arrows agree with the table, they close, and the picture shows them to scale.
 #include "drawing/svg_reading.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
@@ -60,7 +60,7 @@ std::vector<std::pair<Model, double>> shipped_positions() {
   return all;
 }
 
-// The row of the table at a position, reached as the polygons' one is.
+// The row of the table at a position that is reached in the same way as for the polygons.
 Motion table_at(const Model& model, double at, bool forces = false) {
   const Motion run = model.run().value();
   RunSettings settings;
@@ -90,8 +90,8 @@ TEST(Polygon, HasTheVelocitiesAndAccelerationsOfTheTable) {
   EXPECT_GT(compared, 60);
 }
 
-// Every normal part ends where its tangential part begins, which ends at the arrow of the point; that of
-// Coriolis where the sliding one begins.
+// Every tangential part begins where its normal part ends, and ends at the tip of the point's arrow; the
+// Coriolis part begins where the sliding one does.
 TEST(Polygon, ClosesOverItsParts) {
   int closed = 0;
   for (const auto& [model, at] : shipped_positions()) {
@@ -118,7 +118,7 @@ TEST(Polygon, ClosesOverItsParts) {
   EXPECT_GT(closed, 20);
 }
 
-// Norton-like data of the textbook: crank of 15 cm at 8 rad/s, clockwise, slowed down or not by 5 rad/s².
+// Data of the textbook: crank of 15 cm at 8 rad/s, clockwise, with or without a deceleration of 5 rad/s².
 TEST(Polygon, OfTheTextbooksSixBarHasItsEquations) {
   const Polygons found = polygons_at(shipped("sixbar_slider"), 45);
   const Polygon& velocity = found.polygons[0];
@@ -145,12 +145,13 @@ TEST(Polygon, OfASlideHasCoriolisAcceleration) {
   const Vector2d sliding = along(arrow(found.polygons[0], "v_{PP′}"));
   const Vector2d coriolis = along(arrow(found.polygons[1], "a_{PP′}^{c}"));
   EXPECT_LE((coriolis - 2 * omega * perp(sliding)).norm(), 1e-9 * coriolis.norm());
-  // What is left is along the slide.
+  // The remaining vector is along the slide.
   const Vector2d rest = along(arrow(found.polygons[1], "a_{PP′}"));
   EXPECT_NEAR(cross(rest, sliding) / (rest.norm() * sliding.norm()), 0, 1e-9);
 }
 
-// The equivalent link is rigid: its ends move across it, and their normal acceleration is v²/L.
+// The equivalent link is rigid: its ends move relative to each other at right angles to it, with the normal
+// acceleration v²/L.
 TEST(Polygon, OfAContactIsThatOfItsEquivalentLink) {
   const Model model = shipped("ellipse_cam_roller");
   const Polygons found = polygons_at(model, 60);
@@ -205,7 +206,7 @@ TEST(Polygon, IsDrawnAtTheLimitWhereAPositionCannotBeReached) {
   EXPECT_FALSE(found.limit->empty());
   EXPECT_NEAR(found.driver, 65.83442067466342, 1e-9);
   EXPECT_EQ(found.driver_unit, "deg");
-  // The rates are not defined there.
+  // The rates are not defined at the limit.
   EXPECT_THAT(found.polygons[0].arrows, IsEmpty());
   EXPECT_THAT(found.polygons[0].notes, ElementsAre(HasSubstr("the rates are not defined")));
   EXPECT_NO_THROW(read_back(polygons_svg(found.polygons, "limit")));
@@ -220,7 +221,7 @@ TEST(Polygon, WithSeveralDriversIsOfTheNearestRow) {
   EXPECT_FALSE(found.polygons[0].arrows.empty());
 }
 
-// The tip of an arrow is where its head begins.
+// The line of an arrow ends where its head begins.
 TEST(Polygon, IsDrawnToScale) {
   const Polygons found = polygons_at(shipped("sixbar_slider"), 45);
   const auto drawn = read_back(polygons_svg(found.polygons, "six-bar"));

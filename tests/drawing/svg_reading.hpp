@@ -1,4 +1,4 @@
-// Pictures read back, and the profiles of which they are made.
+// Reads drawings back as XML, with the profiles that they show.
 #pragma once
 
 #include "higherpair/higherpair.hpp"
@@ -37,7 +37,7 @@ inline void collect(const boost::property_tree::ptree& tree, std::vector<Element
   }
 }
 
-/// Every element, the top one first. Text that is no XML fails.
+/// All elements, the top one first. Text that is not XML fails the test.
 inline std::vector<Element> read_back(const std::string& svg) {
   std::istringstream in(svg);
   boost::property_tree::ptree tree;

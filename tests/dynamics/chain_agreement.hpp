@@ -15,19 +15,20 @@
 
 #include <fmt/core.h>
 
-// How far rows of a chain are from those of a run, forces included, without a judgement.
+// Measures how far the rows of a chain, forces included, are from those of a run, without judging it.
 
 namespace higherpair::testing {
 
-/// Differences, in units in the last place of the largest number of their kind in the run: places of its
-/// size, rates of its fastest body, forces of the largest at a joint. Turning counts by the mechanism's size.
+/// Largest differences, in units in the last place of the largest number of the same kind in the run: places
+/// relative to its size, rates to its fastest body, forces to the largest one at a joint. Angles count as
+/// arcs at the mechanism's size.
 struct ChainErrors {
   double place = 0, rate = 0, second_rate = 0, force = 0;
 };
 
 struct ChainAgreement {
   Outcome outcome = Outcome::kNoChain;
-  std::string broken;  ///< what the run found that the chain has missed; empty: nothing
+  std::string broken;  ///< what the run found and the chain has missed; empty: nothing
   ChainErrors errors;
 };
 
@@ -49,7 +50,7 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
   return columns;
 }
 
-/// NaN where it is not defined.
+/// NaN where the force is not defined.
 inline double force_of(const ChainColumn& column, const Reactions& reactions) {
   using Q = ChainColumn::Quantity;
   if (column.quantity == Q::kContactForce) {
@@ -71,7 +72,7 @@ inline double force_of(const ChainColumn& column, const Reactions& reactions) {
   }
 }
 
-/// Gathers differences and the largest numbers of one kind.
+/// Collects the differences and the largest number of one kind of columns.
 class KindError {
 public:
   void see(double value, double expected, double unit) {
@@ -89,7 +90,7 @@ private:
   double largest_ = 0;
 };
 
-/// The unit of a column that has others of its kind with lengths.
+/// The unit that makes the columns of one kind comparable: lengths with angles, and moments with forces.
 inline double unit_of(const ChainColumn& column, const Mechanism& mechanism, double size) {
   using Q = ChainColumn::Quantity;
   const auto driven = static_cast<std::size_t>(mechanism.drivers.front().joint);
@@ -111,7 +112,7 @@ inline double unit_of(const ChainColumn& column, const Mechanism& mechanism, dou
   }
 }
 
-/// Which of ChainErrors a column belongs to.
+/// Index of the member of ChainErrors that a column belongs to.
 inline std::size_t kind_of(const ChainColumn& column) {
   using Q = ChainColumn::Quantity;
   return column.quantity >= Q::kForceX ? 3
@@ -120,7 +121,7 @@ inline std::size_t kind_of(const ChainColumn& column) {
                                        : 0;
 }
 
-/// Whether a run that follows the motion finds what a proven chain says there is; empty, or what else.
+/// What a run that follows the motion finds in contradiction to a proven chain; empty if nothing.
 inline std::string objection(const Run& run) {
   if (run.row.status != RowStatus::kOk) {
     return "a row that is not ok";
@@ -133,13 +134,13 @@ inline std::string objection(const Run& run) {
   return "";
 }
 
-/// Whether a contact opens on the way, in a row or between two.
+/// Whether a contact opens, in a row or between two rows.
 inline bool a_contact_opens(const Run& start, const std::vector<DriverMotion>& rows) {
   const DriverPath path = straight_path({rows.front()}, {rows.back()}, static_cast<double>(rows.size() - 1));
   return !start.mechanism().contacts.empty() && !follow_contact_forces(start, path).openings.empty();
 }
 
-/// \param rows  on a straight way, if there are contacts and forces are wanted
+/// \param rows  along a straight path, if there are contacts and forces are wanted
 inline ChainAgreement agreement(const Mechanism& mechanism, const std::vector<DriverMotion>& rows,
                                 bool forces) {
   ChainAgreement result;
@@ -182,7 +183,8 @@ inline ChainAgreement agreement(const Mechanism& mechanism, const std::vector<Dr
       errors[kind].see(chain->values(i)[k], expected, unit_of(columns[i], mechanism, plan->size));
     }
   }
-  // A driver that moves at about 1 has about that much rounding wherever what it moves stands.
+  // The driver moves at a rate of about 1, and has rounding of that size even where the bodies it moves are
+  // nearly at rest.
   result.errors = {errors[0].ulps(1), errors[1].ulps(1), errors[2].ulps(1), errors[3].ulps(0)};
   return result;
 }
@@ -196,8 +198,8 @@ inline double first_contact_force(const Mechanism& mechanism, const DriverMotion
   return InverseDynamics(*run).solve(*run).contacts.front().force.value_or(NAN);
 }
 
-/// A load on a cam's follower with which the contact presses in the first row, mostly: by as much as is
-/// asked.
+/// Adds a load to the cam's follower, scaled so that the contact force in the first row is the given one (not
+/// scaled where that would take an extreme factor).
 inline void press_follower(Mechanism& mechanism, const DriverMotion& driver, double force, Random& random) {
   const double before = first_contact_force(mechanism, driver);
   Load load{"press", 2, random.vector(0.5), random.vector(1), 1, LoadFrame::kGround};
@@ -209,7 +211,7 @@ inline void press_follower(Mechanism& mechanism, const DriverMotion& driver, dou
   }
 }
 
-/// Masses, loads, springs and dampers of which forces of a chain can be worked out: on every body something.
+/// Random masses, loads, springs and dampers of the kinds for which a chain computes forces.
 inline void add_random_loads(Mechanism& mechanism, Random& random) {
   mechanism.gravity_W = random.vector(10);
   const auto chance = [&] { return random.between(0, 1) < 0.5; };

@@ -1,5 +1,5 @@
-// Forces of linkages and cams worked out many rows at a time: those of a run that follows the motion and
-// solves its balance by factorised matrices.
+// Forces of linkages and cams, computed for many rows at a time, are those of a run that follows the motion
+// and solves its balance by factorised matrices.
 #include "analysis/random_cam.hpp"
 #include "analysis/random_mechanism.hpp"
 #include "dynamics/chain_agreement.hpp"
@@ -43,7 +43,8 @@ Counts compare_many(std::span<const RandomGroup> groups, std::size_t most_bodies
   return counts;
 }
 
-// Of the largest force at a joint, in units in its last place; sines of dyads are 0.02 or more.
+// Errors are relative to the largest force at a joint, in units of its last place; sines of dyads are at
+// least 0.02.
 TEST(ChainForces, OfEveryDyadAreThoseOfARun) {
   for (const RandomGroup group : kDyads) {
     SCOPED_TRACE(static_cast<int>(group));
@@ -59,7 +60,7 @@ TEST(ChainForces, OfChainsOfDyadsAreThoseOfARun) {
   EXPECT_AT_MOST(counts.worst.force, 2000);
 }
 
-// A slider-crank with its pins at (0, 0) and on the x axis, its crank upright; a force presses on the piston.
+// A slider-crank with its pins at (0, 0) and on the x axis and its crank upright; a force acts on the piston.
 struct Press {
   double r = 0.05, l = 0.17, force = 310;
 
@@ -107,7 +108,7 @@ TEST(ChainForces, HoldAForceOnASliderByTheTorqueOfTheTextbook) {
   }
 }
 
-// A crank, or a slide, that carries a rod and a rocker; the driven joint names ground second.
+// A crank, or a slide, that carries a rod and a rocker; the driven joint names ground as the second body.
 TEST(ChainForces, OfDriversThatNameGroundSecondAreThoseOfARun) {
   for (const bool turns : {true, false}) {
     SCOPED_TRACE(turns);
@@ -142,14 +143,14 @@ TEST(ChainForces, AreOnlyForLoadsThatTheyKnow) {
   EXPECT_TRUE(has_forces(mechanism));
   mechanism.springs.push_back({"between two links", 2, {}, {}, 10, 0, 0});
   EXPECT_TRUE(has_forces(mechanism));
-  Builder free;  // nothing sets how its roller turns
+  Builder free;  // its roller turns freely
   const int crank = free.body("crank", {0, 0}, 0), roller = free.body("roller", {1, 0}, 0);
   free.drive(free.revolute(0, crank, {0, 0}));
   free.revolute(crank, roller, {1, 0});
   EXPECT_FALSE(has_forces(free.mechanism));
 }
 
-// Links a, b, c, the ground d: with torsion springs on all pins but the driven one.
+// Links a, b, c and the ground d, with torsion springs on all pins but the driven one.
 Mechanism sprung_four_bar(double a, double b, double c, double d) {
   Builder bar;
   const int crank = bar.body("crank", {0, 0}, 0), coupler = bar.body("coupler", {a, 0}, 0);
@@ -166,7 +167,7 @@ Mechanism sprung_four_bar(double a, double b, double c, double d) {
   return bar.mechanism;
 }
 
-// Whole turns count: links of the second one go round, three times.
+// Whole turns count: links of the second linkage turn fully, three times.
 TEST(ChainForces, OfTorsionSpringsAreThoseOfARun) {
   for (const Mechanism& mechanism : {sprung_four_bar(1, 4, 3, 5), sprung_four_bar(4, 3.5, 3.7, 1.2)}) {
     for (const auto& rows : {turn(0, 6 * kPi, 271), turn(0, -6 * kPi, 91)}) {
@@ -178,7 +179,7 @@ TEST(ChainForces, OfTorsionSpringsAreThoseOfARun) {
   }
 }
 
-// Rounding decides which of two angles is nearer to the pose.
+// Rounding would decide which of two angles is nearer to the pose.
 TEST(ChainForces, AreNotProvenWhereABodyStartsHalfATurnFromItsPose) {
   for (const double off : {kPi, kPi - 1e-3}) {
     Mechanism mechanism = sprung_four_bar(1, 4, 3, 5);
@@ -220,7 +221,8 @@ TEST(ChainForces, OfContactsAreThoseOfARun) {
   }
 }
 
-// A roller straight above an eccentric disc that turns about (0, 0), pressed down by `force` and its inertia.
+// A roller straight above an eccentric disc that turns about (0, 0), pressed down by `force` and by its
+// inertia.
 struct Tappet {
   double e = 0.01, reach = 0.05, force = 300, mass = 0;
 
@@ -264,7 +266,7 @@ TEST(ChainForces, OfATappetAreThoseOfTheTextbook) {
   }
 }
 
-// At the top, where it is pulled down most, and that between two rows.
+// The inertia pulls the follower up most at the top, which lies between two rows.
 TEST(ChainForces, OfAContactThatOpensBetweenTwoRowsAreNotProven) {
   Tappet tappet;
   tappet.force = 0;
@@ -286,7 +288,7 @@ TEST(ChainForces, OfAContactThatOpensBetweenTwoRowsAreNotProven) {
   }
 }
 
-// Such a spring has no direction but that of rounding.
+// A spring without length has no direction but that of rounding.
 TEST(ChainForces, OfASpringWithoutLengthAreNotProven) {
   const auto rows = turn(kPi / 2, 1, 30);
   Mechanism mechanism = Press().mechanism();
@@ -297,7 +299,7 @@ TEST(ChainForces, OfASpringWithoutLengthAreNotProven) {
   EXPECT_EQ(agreement(mechanism, rows, false).outcome, Outcome::kProven);
 }
 
-// What acts may vary as well as dimensions do.
+// Loads may vary just like dimensions.
 TEST(ChainForces, OfVariantsFollowTheirLoads) {
   Press press;
   const auto rows = turn(kPi / 2, 1, 9);

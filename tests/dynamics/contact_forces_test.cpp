@@ -18,7 +18,7 @@ using testing::Analysis;
 
 constexpr double kM = 0.31, kE = 0.011, kR = 0.032, kG = 9.81, kK = 830, kL = 0.083, kH = 0.107;
 
-// All lengths times `size`; the spring too is the same in newtons.
+// All lengths are multiplied by `size`; the spring keeps its force in newtons.
 std::string cam(const std::string& springs, double gravity = -kG, double size = 1) {
   return fmt::format(R"(gravity = [0, {}]
 [bodies.ground]
@@ -57,7 +57,7 @@ double force(double theta, double omega) {
   return kM * kG + kK * (kL - kH + y) - kM * kE * omega * omega * std::sin(theta);
 }
 
-// Where N = a - b sin θ goes through 0 for the first time.
+// The angle at which N = a - b sin θ first passes through 0.
 double opening(double omega) {
   const double a = kM * kG + kK * (kL - kH + kR), b = kM * kE * omega * omega - kK * kE;
   return std::asin(a / b);
@@ -91,7 +91,7 @@ TEST(ContactForce, OfAnEccentricDiscUnderAFlatFollowerIsTheClosedForm) {
     EXPECT_EQ(reactions.contacts[0].friction.value(), 0);
     EXPECT_NEAR(reactions.drivers[0].effort.value(), N * kE * std::cos(theta), 1e-12);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), N * kE * std::cos(theta), 1e-12);
-    // The contact point runs e cos θ to the side; the guide holds against the tilting moment.
+    // The contact point is e cos θ off the centre; the guide carries the tilting moment.
     const JointReaction& guide = reactions.joints[analysis.joint("guide")];
     EXPECT_NEAR(guide.moment.value(), -N * kE * std::cos(theta), 1e-12);
     EXPECT_NEAR(guide.fx.value(), 0, 1e-11);
@@ -145,7 +145,7 @@ TEST(ContactOpening, IsFoundInEveryTurnAndGoingBackwards) {
 }
 
 TEST(ContactOpening, DependsOnTheSpeedOfEveryPosition) {
-  // ω grows in proportion to θ from 0 to 250 rad/s on one turn.
+  // ω grows in proportion to θ from 0 to 250 rad/s over one turn.
   const Analysis analysis(cam(kSpring));
   const auto forces = follow_contact_forces(analysis.run, straight_path({{0, 0, 0}}, {{2 * kPi, 250, 0}}));
   ASSERT_FALSE(forces.openings.empty());
@@ -159,8 +159,8 @@ TEST(ContactOpening, TakesWhatDampersDo) {
   const Analysis analysis(cam(
       "[springs]\nback = { between = [\"follower.P\", \"ground.S\"], stiffness = 830, free_length = 0.083, "
       "damping = 3.7 }\n"));
-  // N = a - b sin θ + d cos θ = a - sqrt(b² + d²) sin(θ - atan(d/b)): the damper presses while it is
-  // pushed together.
+  // N = a - b sin θ + d cos θ = a - sqrt(b² + d²) sin(θ - atan(d/b)): the damper presses while it is being
+  // compressed.
   const double a = kM * kG + kK * (kL - kH + kR), b = kM * kE * omega * omega - kK * kE, d = c * kE * omega;
   const auto forces = follow(analysis, 0, 2 * kPi, omega);
   EXPECT_NEAR(forces.lowest[0].value().force, a - std::hypot(b, d), 1e-12);
@@ -169,7 +169,7 @@ TEST(ContactOpening, TakesWhatDampersDo) {
 }
 
 TEST(ContactOpening, CountsFromTheStartWhereTheContactPullsThere) {
-  // Weight upwards.
+  // The weight acts upwards.
   for (const double to : {0.0, 2 * kPi}) {
     const auto openings = follow(Analysis(cam("", kG)), 0, to, 1).openings;
     ASSERT_EQ(openings.size(), 1U);
@@ -179,7 +179,7 @@ TEST(ContactOpening, CountsFromTheStartWhereTheContactPullsThere) {
 }
 
 TEST(ContactOpening, IsNoneWhereNothingActs) {
-  // No weight, and so slow that there is no inertia.
+  // No weight, and no motion, hence no inertia.
   const auto forces = follow(Analysis(cam("", 0)), 0, 2 * kPi, 0);
   EXPECT_TRUE(forces.openings.empty());
   EXPECT_EQ(forces.lowest[0].value().force, 0);
@@ -200,7 +200,7 @@ TEST(LowestForce, IsThatOfTheTopAndItsFirstPosition) {
 TEST(ContactForces, FollowTheSizeOfTheMechanism) {
   const double omega = 95;
   for (const double size : {1e-6, 1e-3, 1e3, 1e6}) {
-    // Forces are the same where stiffness and gravity are those of the size, and the mass is that of 1/size.
+    // Forces are the same if stiffness and gravity scale with the size and the mass with 1/size.
     const std::string springs = fmt::format(
         "[springs]\nback = {{ between = [\"follower.P\", \"ground.S\"], stiffness = {}, free_length = {} "
         "}}\n",
@@ -217,7 +217,7 @@ TEST(ContactForces, FollowTheSizeOfTheMechanism) {
 }
 
 TEST(ContactForces, OfAMirroredMechanismAreThoseOfTheMechanismTurnedTheOtherWay) {
-  // θ -> π - θ at the left of the vertical.
+  // Mirrored at the vertical: θ -> π - θ.
   std::string text = cam(kSpring);
   text.replace(text.find("center = [0.011, 0]"), 19, "center = [-0.011, 0]");
   const double omega = 95;
@@ -226,7 +226,7 @@ TEST(ContactForces, OfAMirroredMechanismAreThoseOfTheMechanismTurnedTheOtherWay)
   EXPECT_NEAR(forces.openings[0].driver, -opening(omega), 1e-14);
 }
 
-// A centred ellipse under a flat face: y = sqrt(a² sin² + b² cos²), twice a turn.
+// A centred ellipse under a flat face: y = sqrt(a² sin² + b² cos²), with two lifts per turn.
 TEST(ContactForces, OfAnEllipseOpenTwiceATurn) {
   std::string text = cam("");
   const std::string disc = R"({ type = "circle", center = [0.011, 0], radius = 0.032 })";
@@ -250,8 +250,8 @@ TEST(ContactForces, OfAnEllipseOpenTwiceATurn) {
   EXPECT_NEAR(highest_speed(forces).value() * omega, std::sqrt(kG * a / (a * a - b * b)), 1e-10);
 }
 
-// The equivalent four-bar 80 / 20 / 60 / 40 is flat at 180 degrees, where its branches cross. There the
-// contact force of a follower with a constant torque passes through infinity.
+// The equivalent four-bar 80 / 20 / 60 / 40 has all links in line at 180 degrees, where its branches cross.
+// There the contact force of a follower with a constant torque passes through infinity.
 TEST(ContactOpening, AtADeadPointIsNoLiftOff) {
   const Analysis analysis(R"([bodies.ground]
 points.O = [0, 0]
@@ -280,13 +280,13 @@ twist = { body = "follower", torque = 1.3 }
   const auto forces = follow(analysis, 2.9, 3.5, 1);
   ASSERT_EQ(forces.openings.size(), 1U);
   EXPECT_EQ(forces.openings[0].kind, ContactOpening::Kind::kPole);
-  // Within the square root of rounding of the crossing the two branches are one.
+  // Within the square root of rounding from the crossing the two branches cannot be distinguished.
   EXPECT_NEAR(forces.openings[0].driver, kPi, 1e-5);
   EXPECT_FALSE(highest_speed(forces));
 }
 
-// Two discs that lock up at the angle where the cranks 50 and the coupler 35 + 40 come into line; before, the
-// acceleration of the follower grows as d^(-3/2) with the distance d from there.
+// Two discs that lock at the angle where the crank 50 and the coupler 35 + 40 come into line; before that the
+// acceleration of the follower grows as d^(-3/2) with the distance d from the limit.
 constexpr const char* kLockUp = R"([bodies.ground]
 points.O = [0, 0]
 points.Q = [0.08, 0]
@@ -342,7 +342,7 @@ TEST(ContactOpening, IsFoundShortlyBeforeALimitWhateverLiesBeyond) {
     for (const double one : found) {
       EXPECT_NEAR(one, found.front(), 1e-12);
     }
-    // Inertia grows beyond all bounds towards the limit: no preload and no speed is enough.
+    // Inertia is unbounded towards the limit: no preload and no speed is sufficient.
     const Analysis analysis(text);
     const auto forces = follow(analysis, 0.3, 3.0, 3);
     EXPECT_FALSE(smallest(analysis, forces));
@@ -357,7 +357,7 @@ TEST(SmallestPreloads, OfASpringAreTheForceThatIsMissing) {
   const auto forces = follow(analysis, 0.3, 4, omega);
   ASSERT_EQ(forces.preloads.size(), 1U);
   EXPECT_EQ(forces.preloads[0].on, Preload::On::kSpring);
-  // The spring has to push: its tension becomes less.
+  // This spring pushes: more contact force needs less tension.
   EXPECT_NEAR(smallest(analysis, forces).value().at(0), force(kPi / 2, omega), 1e-12);
 }
 
@@ -385,7 +385,7 @@ TEST(SmallestPreloads, LeaveDampersAlone) {
 }
 
 TEST(SmallestPreloads, StopAtAFreeLengthOfZero) {
-  // Pulled down by a spring from below, of stiffness 50: it can pull by 50 free_length more at most.
+  // Pulled down by a spring from below, of stiffness 50: it can pull with at most 50 free_length more.
   const double omega = 95;
   for (const double free : {0.001, 0.3}) {
     std::string text =
@@ -446,8 +446,8 @@ TEST(HighestSpeed, IsNoneWhereTheContactPullsAtRestAndInfiniteWithoutMass) {
   EXPECT_EQ(highest_speed(follow(Analysis(text), 0, 2 * kPi, 1)), std::numeric_limits<double>::infinity());
 }
 
-// A second flat-faced follower on a knob of the first one, 0.05 above it. With the same acceleration
-// a = -e ω² sin θ of both, and what springs press down with,
+// A second flat-faced follower on a knob of the first one, 0.05 above it. Both have the same acceleration a =
+// -e ω² sin θ; with the forces P by which springs press down,
 //     N2 = m2 (g + a) + P2,   N1 = (m1 + m2) (g + a) + P1 + P2.
 constexpr double kM2 = 0.17;
 
@@ -470,7 +470,7 @@ between = ["follower.knob", "second.face"]
 )";
 }
 
-// Springs from the first follower to ground, from the second to ground, and between both.
+// Springs from the first follower to ground, from the second one to ground, and between the two.
 std::string spring(const std::string& name) {
   const std::string ends = name == "first"    ? "\"follower.P\", \"ground.S\""
                            : name == "second" ? "\"second.P\", \"ground.S\""
@@ -485,7 +485,7 @@ double missing(double mass, double omega) {
 
 TEST(SmallestPreloads, OfAChainAreOneAnswerForAllContacts) {
   const double omega = 40;
-  // The second spring presses both contacts: by k e at the top.
+  // The second spring presses both contacts: most at the top, by k e.
   const Analysis analysis(chain("[springs]\n" + spring("first") + spring("second")));
   const auto forces = follow(analysis, 0, 2 * kPi, omega);
   ASSERT_EQ(forces.openings.size(), 2U);
@@ -500,7 +500,8 @@ TEST(SmallestPreloads, OfAChainAreSeveralWhereOneAloneCannotDoIt) {
   const Analysis analysis(chain("[springs]\n" + spring("first") + spring("between")));
   const auto forces = follow(analysis, 0, 2 * kPi, omega);
   const auto x = smallest(analysis, forces).value();
-  // The one between them pulls, the other pushes; what is between them is nothing to the first contact.
+  // The spring between them pulls, the other pushes; a force between the followers does not change the first
+  // contact.
   EXPECT_NEAR(x[0], -(missing(kM + kM2, omega) - 100 * kE), 1e-12);
   EXPECT_NEAR(x[1], missing(kM2, omega), 1e-12);
 }
@@ -512,8 +513,8 @@ TEST(SmallestPreloads, OfAChainAreNoneWhereNoSpringPressesOneOfTheContacts) {
   }
 }
 
-// A see-saw: the first contact is on one side of its pivot, the second on the other, so that what presses the
-// second one lifts the first.
+// A see-saw: the contacts are on either side of its pivot, so that what presses the second contact lifts the
+// first.
 std::string see_saw(double torque, double second) {
   return fmt::format(R"([bodies.ground]
 points.O1 = [0, 0]
@@ -574,7 +575,7 @@ TEST(SmallestPreloads, OfASeeSawAreJustEnoughAndDoNotOpenTheOtherContact) {
       }
       if (!x) {
         ++refused;
-        // Whatever the spring does, one of them opens.
+        // Whatever the spring's preload, one of the contacts opens.
         for (double other = -8; other <= 8; other += 0.5) {
           EXPECT_LT(lowest_of(see_saw(torque, other), 0, 2 * kPi, omega), 0);
         }

@@ -10,7 +10,7 @@
 
 namespace higherpair::testing {
 
-/// Metres and radians, so that a test's numbers are those of the library.
+/// Metres and radians, so that a test's numbers are the library's.
 inline constexpr const char* kSi = "units = { length = \"m\", angle = \"rad\" }\n";
 
 inline Profile read_or_throw(const std::string& text) {
@@ -29,7 +29,7 @@ inline std::vector<double> starts_of(const Profile& profile) {
   return starts;
 }
 
-/// A profile in metres and radians, running.
+/// A profile in metres and radians, with its run started.
 struct Analysis {
   explicit Analysis(const std::string& text)
       : profile(read_or_throw(kSi + text)), run(started(profile)), dynamics(run) {}

@@ -1,4 +1,4 @@
-// Torques of gears and belts by hand.
+// Torques of gears and belts, calculated by hand.
 #include "dynamics/dynamics_testing.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 
@@ -12,9 +12,10 @@ namespace {
 
 using testing::Analysis;
 
-constexpr double kGearRounding = 1e-12;  // of numbers of the order of 1 to 100
+constexpr double kGearRounding = 1e-12;  // for numbers of about 1 to 100
 
-// A motor wheel and a driven one with inertia and a load; `coupling` are the keys of the joint between them.
+// A motor wheel, and a driven wheel with inertia and a load; `coupling` contains the keys of the joint
+// between them.
 std::string train(const std::string& coupling) {
   return R"([bodies.ground]
 points.A = [0, 0]
@@ -47,7 +48,7 @@ hoist = { body = "drum", torque = -3 }
 )";
 }
 
-// Power: torque on the motor wheel times its rate is what the inertias and the load take up.
+// Power balance: the torque on the motor wheel times its speed is the power of the inertias and the load.
 TEST(Gears, TransformTheTorqueByTheirRatio) {
   const struct {
     const char* keys;
@@ -71,14 +72,14 @@ TEST(Gears, TransformTheTorqueByTheirRatio) {
     EXPECT_NEAR(reactions.joints[joint].moment.value(), on_drum, kGearRounding);
     EXPECT_NEAR(reactions.drivers[0].effort.value(), 0.02 * alpha + k * on_drum, kGearRounding);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kGearRounding);
-    // Torque only: what the teeth or the belt pull on the bearings is not part of the model.
+    // Torque only: the forces of teeth or belt on the bearings are not modelled here.
     EXPECT_EQ(reactions.joints[joint].fx.value(), 0);
     EXPECT_NEAR(reactions.joints[train_of.joint("drum_pivot")].fx.value(), 0, kGearRounding);
   }
 }
 
-// Sun in, ring held, arm out: the arm's torque is (1 + z_ring/z_sun) times the sun's, and the ring takes up
-// the difference.
+// Input by the sun, ring held, output by the arm: the arm's torque is (1 + z_ring/z_sun) times the sun's, and
+// the ring carries the difference.
 TEST(Gears, OfAPlanetaryGearMultiplyTheTorque) {
   const double sun = 23, planet = 17, ring = sun + 2 * planet;
   Analysis gear(fmt::format(R"([bodies.ground]
@@ -122,7 +123,7 @@ brake = {{ body = "arm", torque = -7 }}
     ASSERT_TRUE(reactions.defined);
     EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kGearRounding);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kGearRounding);
-    // The centripetal force of the planet, on the arm's pin alone.
+    // The centripetal force of the planet, which acts on the arm's pin only.
     const double arm_rate = 3 * sun / (sun + ring);
     const JointReaction& pin = gear.dynamics.solve(gear.run).joints[gear.joint("planet_pivot")];
     EXPECT_NEAR(std::hypot(pin.fx.value(), pin.fy.value()), 0.3 * 0.04 * arm_rate * arm_rate, kGearRounding);
@@ -133,8 +134,8 @@ Vector2d force_of(const Reactions& reactions, std::size_t joint) {
   return {reactions.joints[joint].fx.value(), reactions.joints[joint].fy.value()};
 }
 
-// Textbook: the tangential force is the torque over the pitch radius, the radial one tan α of it and towards
-// the centre of the wheel, and the pins take both.
+// Textbook: the tangential force is the torque divided by the pitch radius; the radial one is tan α times
+// that, towards the centre of the wheel; the pins carry both.
 TEST(GearTeeth, PressAtTheirPressureAngle) {
   const double alpha = 0.349;
   const Vector2d c2(0.3, 0.1);  // c1 is at 0
@@ -152,7 +153,7 @@ TEST(GearTeeth, PressAtTheirPressureAngle) {
     const std::size_t teeth = of.joint("coupling");
     const Vector2d on_drum = force_of(reactions, teeth);
     EXPECT_NEAR(on_drum.dot(u), tangential * std::tan(alpha), kGearRounding);
-    // About the drum's centre it is the torque that holds the load.
+    // About the drum's centre the tooth force gives the torque that holds the load.
     EXPECT_NEAR(cross(Vector2d(-r2 * u), on_drum), -load, kGearRounding);
     EXPECT_NEAR(reactions.joints[teeth].moment.value(), -load, kGearRounding);
     EXPECT_NEAR((force_of(reactions, of.joint("drum_pivot")) + on_drum).norm(), 0, kGearRounding);
@@ -162,7 +163,7 @@ TEST(GearTeeth, PressAtTheirPressureAngle) {
   }
 }
 
-// In a ring of twice the size the pinion is pushed towards the ring's centre, the ring away from it.
+// In a ring twice its size the pinion is pushed towards the ring's centre, and the ring away from it.
 TEST(GearTeeth, OfARingPushItOut) {
   const double alpha = 0.349;
   const Vector2d c2(0.3, 0.1);
@@ -183,7 +184,7 @@ TEST(GearTeeth, OfARingPushItOut) {
   }
 }
 
-// Each body of a planetary gear is in equilibrium, with the forces where they act.
+// Each body of a planetary gear is in equilibrium, with the forces applied at their actual points.
 TEST(GearTeeth, HoldAPlanetaryGearInEquilibrium) {
   const double sun = 23, planet = 17, ring = sun + 2 * planet;
   Analysis gear(fmt::format(R"([bodies.ground]
@@ -241,14 +242,14 @@ brake = {{ body = "arm", torque = -7 }}
     EXPECT_NEAR(std::abs(by_ring.dot(u) / by_ring.dot(perp(u))), std::tan(0.4), kGearRounding);
     EXPECT_GT(by_sun.dot(u), 0);
     EXPECT_LT(by_ring.dot(u), 0);
-    // The arm's torque comes through its pins alone.
+    // The arm's torque is transmitted by its pins alone.
     EXPECT_NEAR(cross(P, Vector2d(-by_arm)), 7, kGearRounding);
     EXPECT_NEAR((force_of(reactions, gear.joint("arm_pivot")) - by_arm).norm(), 0, 1e-11);
     EXPECT_NEAR((force_of(reactions, gear.joint("sun_pivot")) - by_sun).norm(), 0, 1e-11);
   }
 }
 
-// Only the bearings feel the angle.
+// The pressure angle affects the bearings only.
 TEST(GearTeeth, ChangeNoTorqueAndNoEffort) {
   const auto efforts = [](const std::string& keys) {
     Analysis of(train("type = \"gears\"\n" + keys));

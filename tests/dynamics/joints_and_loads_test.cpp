@@ -1,4 +1,4 @@
-// Reactions and efforts that can be written down by hand.
+// Reactions and driving efforts that can be calculated by hand.
 #include "dynamics/dynamics_testing.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "linkage/slider_crank_profile.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using testing::Analysis;
 
-constexpr double kRounding = 1e-12;  // of numbers of the order of 1 to 100
+constexpr double kRounding = 1e-12;  // for numbers of about 1 to 100
 constexpr double kGravity = 9.81;
 
 // A bar on ground with its centre of mass at 0.31 m; `more` is appended.
@@ -140,8 +140,8 @@ s = {{ joint = "slide", stiffness = 55, free_length = -0.2, damping = 3 }}
   EXPECT_NEAR(reactions.drivers[0].effort.value(), m * (a + kGravity * s) + 55 * (x + 0.2) + 3 * v,
               kRounding * 10);
   EXPECT_NEAR(reactions.drivers[0].by_power.value(), reactions.drivers[0].effort.value(), kRounding * 10);
-  // The guide carries the weight across; about P the weight and the inertia at 0.04 m (block's frame lies on
-  // ground's) have the moment (0, -m g - m a s)·0.04, and neither force of the guide has one.
+  // The guide carries the weight across it. About P the weight and the inertia at 0.04 m (the block's frame
+  // coincides with ground's) have the moment (0, -m g - m a s)·0.04, and the guide's forces have none.
   EXPECT_NEAR(reactions.joints[0].fx.value(), -m * kGravity * c * s, kRounding * 10);
   EXPECT_NEAR(reactions.joints[0].fy.value(), m * kGravity * c * c, kRounding * 10);
   EXPECT_NEAR(reactions.joints[0].moment.value(), m * 0.04 * (kGravity + a * s), kRounding * 10);
@@ -202,7 +202,7 @@ work = { body = "lever", torque = 4.5 }
   const Reactions& reactions = shaper.at(theta, 0, 0);
   const double x = 0.06 * std::cos(theta), y = 0.2 + 0.06 * std::sin(theta);
   const double distance = std::hypot(x, y);
-  // The crank's pin takes 4.5 N m at that distance from Q, perpendicular to the lever.
+  // The crank's pin carries 4.5 N m at that distance from Q, at right angles to the lever.
   const double force = 4.5 / distance;
   const JointReaction& slot = reactions.joints[shaper.joint("slot")];
   EXPECT_NEAR(slot.fx.value(), force * -y / distance, 1e-11);
@@ -212,7 +212,7 @@ work = { body = "lever", torque = 4.5 }
               -(0.06 * std::cos(theta) * slot.fy.value() - 0.06 * std::sin(theta) * slot.fx.value()), 1e-11);
 }
 
-// A follower on an eccentric disc by a roller of 15 mm: fixed to it, or on a pin of its own.
+// A follower on an eccentric disc with a roller of 15 mm, either fixed to it or on a pin of its own.
 std::string roller_follower(bool pinned) {
   const std::string circle = "curves.c = { type = \"circle\", center = [0, 0], radius = 0.015 }\n";
   return R"(gravity = [0, -9.81]
@@ -247,7 +247,7 @@ between = ["cam.c", ")" +
 
 TEST(Roller, OnItsOwnPinPassesTheContactForceOn) {
   Analysis pinned(roller_follower(true));
-  // The same mass at the same place.
+  // The same mass in the same place, on the follower itself.
   std::string text = roller_follower(false);
   const std::string mass = "mass = 0.7\ncenter_of_mass = [0.02, 0.03]";
   text.replace(text.find(mass), mass.size(), "mass = 0.8\ncenter_of_mass = [0.0175, 0.02625]");
@@ -260,7 +260,7 @@ TEST(Roller, OnItsOwnPinPassesTheContactForceOn) {
     EXPECT_NEAR(reactions.contacts[0].force.value(), N, 1e-11);
     EXPECT_NEAR(reactions.drivers[0].effort.value(), expected.drivers[0].effort.value(), 1e-12);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), expected.drivers[0].effort.value(), 1e-12);
-    // Of the axle: contact force and weight and inertia of the roller.
+    // Balance of the roller: axle force, contact force, weight and inertia.
     const Vector2d n = pinned.run.row.contacts[0].at.n_W;
     const JointReaction& axle = reactions.joints[pinned.joint("axle")];
     EXPECT_NEAR(axle.fx.value(), -N * n.x(), 1e-11);

@@ -1,5 +1,6 @@
-// Laws that the reactions of any mechanism obey, on random ones of many kinds: every body by itself obeys
-// Newton and Euler, both ways to the effort agree, and the powers sum up to the rate of the energy.
+// Laws that the reactions of any mechanism obey, on random mechanisms of many kinds: every single body obeys
+// Newton's and Euler's equations, both ways to compute the driving effort agree, and the powers add up to the
+// rate of the energy.
 #include "dynamics/sketch.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/dynamics/reactions.hpp"
@@ -139,7 +140,7 @@ const Vector2d& p_of(const Mechanism& mechanism, const PointRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
 }
 
-// Force and moment about the centre of mass that act on one body, summed by hand.
+// Force and moment about the centre of mass that act on one body, summed independently.
 struct Sum {
   Vector2d force = Vector2d::Zero();
   double moment = 0;
@@ -152,7 +153,7 @@ struct Sum {
   }
 };
 
-// What is left of Newton's and Euler's equations of one body, relative to the largest force.
+// Residual of Newton's and Euler's equations of one body, relative to the largest force.
 class BodyBalance {
 public:
   BodyBalance(const Run& run, const Reactions& reactions, int body)
@@ -202,7 +203,7 @@ private:
     }
   }
 
-  // Along the coordinate of a joint.
+  // Adds a driver's effort along the coordinate of its joint.
   void drive(const Joint& joint, double effort) {
     if (joint.type == JointType::kRevolute) {
       turn(joint.first.body, joint.second.body, effort);
@@ -226,7 +227,7 @@ private:
       const Vector2d u = (b.p_W - a.p_W).normalized();
       const double tension =
           spring.stiffness * ((b.p_W - a.p_W).norm() - spring.free) + spring.damping * u.dot(b.v_W - a.v_W);
-      // Each end is pulled at its own place.
+      // Each end is pulled at its own point.
       if (spring.first.body == body_) {
         sum_.add(tension * u, a.p_W - G_);
       }
@@ -247,7 +248,7 @@ private:
     if (joint.type == JointType::kRevolute) {
       return {second.theta - first.theta, second.omega - first.omega};
     }
-    // Seen from the first body.
+    // Relative to the first body.
     const Vector2d p_A = first.X_WB.inverse_times(second.X_WB * p_of(mechanism_, joint.second));
     const Vector2d v_W =
         point_motion(second, p_of(mechanism_, joint.second)).v_W - point_motion(first, p_A).v_W;
@@ -292,7 +293,7 @@ class Laws : public ::testing::TestWithParam<Kind> {
 protected:
   static constexpr int kSeeds = 12;
 
-  // Calls check(run, drivers, reactions) at some rows of some random mechanisms.
+  // Calls check(run, drivers, reactions) at some rows of several random mechanisms.
   template <class Check>
   static void at_random_rows(Check check) {
     int rows = 0;
@@ -363,7 +364,7 @@ TEST_P(Laws, EffortsDoNotNeedTheMechanismToMove) {
   });
 }
 
-// Kinetic energy, and that of gravity and springs.
+// Kinetic energy plus the potential energy of gravity and springs.
 double energy(const Run& run) {
   const Mechanism& mechanism = run.mechanism();
   double sum = 0;
@@ -423,7 +424,7 @@ TEST_P(Laws, PowersSumUpToTheRateOfTheEnergy) {
         for (std::size_t i = 0; i < drivers.size(); ++i) {
           scale += std::abs(reactions.drivers[i].effort.value() * drivers[i].velocity);
         }
-        // Central differences: h² of the third derivative.
+        // Error of central differences: h² times the third derivative.
         EXPECT_NEAR(power(run, drivers, reactions), rate, 3e-5 * scale);
       });
 }

@@ -12,7 +12,7 @@ namespace {
 
 using testing::Analysis;
 
-// A crank that turns; what is followed are functions of its angle.
+// A turning crank; the functions to be followed depend on its angle.
 const char* const kCrank = R"([bodies.ground]
 points.O = [0, 0]
 [bodies.crank]
@@ -77,7 +77,7 @@ TEST(PathExtremes, LeaveOutWhereAQuantityIsNotDefined) {
   EXPECT_FALSE(nowhere.greatest || nowhere.least);
 }
 
-// Rounding has a peak at every other place; each place is asked for once.
+// Rounding has a peak at every other position; each position is evaluated once.
 TEST(PathExtremes, AreNotLookedForInRounding) {
   int calls = 0;
   const auto rounding = [&](double x) {

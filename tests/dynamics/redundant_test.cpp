@@ -1,4 +1,4 @@
-// More conditions than coordinates: what the balance determines is given, the rest is empty.
+// Mechanisms with more conditions than coordinates: what the balance determines is given, the rest is empty.
 #include "dynamics/dynamics_testing.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 
@@ -12,7 +12,8 @@ namespace {
 
 using testing::Analysis;
 
-// Two friction discs, 40 and 100 mm, on fixed pivots; the second lifts a torque of 6 N m and weighs 3 kg.
+// Two friction discs, 40 and 100 mm, on fixed pivots; the second one works against a torque of 6 N m and
+// weighs 3 kg.
 std::string discs(double direction) {
   const double x = 0.14 * std::cos(direction), y = 0.14 * std::sin(direction);
   return fmt::format(R"(gravity = [0, -9.81]
@@ -51,7 +52,7 @@ TEST(Redundant, RollingDiscsHaveAFrictionForceButNoKnownNormalForce) {
   const double alpha = 5;
   const Reactions& reactions = pair.at(0.3, 2, alpha);
   ASSERT_TRUE(reactions.defined);
-  // ω₂ = -0.4 ω₁; the friction along t = +y turns the large disc with -0.1 m times it.
+  // ω₂ = -0.4 ω₁; the friction along t = +y has a lever of -0.1 m about the large disc's pivot.
   const double alpha2 = -0.4 * alpha;
   const double friction = (6 - 0.02 * alpha2) / 0.1;
   EXPECT_NEAR(reactions.contacts[0].friction.value(), friction, 1e-11);
@@ -59,7 +60,7 @@ TEST(Redundant, RollingDiscsHaveAFrictionForceButNoKnownNormalForce) {
   EXPECT_FALSE(reactions.contacts[0].pulls);
   EXPECT_NEAR(reactions.drivers[0].effort.value(), 0.04 * friction, 1e-12);
   EXPECT_NEAR(reactions.drivers[0].by_power.value(), 0.04 * friction, 1e-12);
-  // The normal force only presses along the line of pivots, x here.
+  // The normal force acts along the line of pivots only, here x.
   EXPECT_FALSE(reactions.joints[0].fx);
   EXPECT_FALSE(reactions.joints[1].fx);
   EXPECT_NEAR(reactions.joints[0].fy.value(), friction, 1e-11);
@@ -76,7 +77,7 @@ TEST(Redundant, AnInclinedLineOfPivotsLeavesBothComponentsOpen) {
   EXPECT_NEAR(reactions.drivers[0].effort.value(), 2.4, 1e-12);
 }
 
-// A platform on three parallel cranks of 0.1 m; one of them is too many.
+// A platform on three parallel cranks of 0.1 m, one of which is redundant.
 TEST(Redundant, ParallelCranksShareTheirLoadInAnUnknownWayButTheTorqueIsKnown) {
   Analysis platform(R"(gravity = [0, -9.81]
 [bodies.ground]
@@ -128,7 +129,7 @@ start = 0.9
     const double alpha = 3;
     const Reactions& reactions = platform.at(theta, 2, alpha);
     ASSERT_TRUE(reactions.defined);
-    // The platform moves on a circle without turning.
+    // The platform moves on a circle without rotating.
     const double torque = 4 * 9.81 * 0.1 * std::cos(theta) + 4 * 0.01 * alpha;
     EXPECT_NEAR(reactions.drivers[0].effort.value(), torque, 1e-10);
     EXPECT_NEAR(reactions.drivers[0].by_power.value(), torque, 1e-10);
@@ -139,7 +140,7 @@ start = 0.9
   }
 }
 
-// A piston in two guides, of which one would do.
+// A piston in two guides, one of which would be sufficient.
 TEST(Redundant, APistonInTwoGuidesMovesAndDrivesAsInOne) {
   Analysis press(R"([bodies.ground]
 points.O = [0, 0]
@@ -176,13 +177,13 @@ press = { body = "piston", point = "Q", force = [0, -100] }
     const double rate = 0.12 * c + 0.12 * 0.12 * c * s / along;
     EXPECT_NEAR(reactions.drivers[0].effort.value(), 100 * rate, 1e-12);
     EXPECT_FALSE(reactions.joints[press.joint("G")].fx);
-    // All that stands between crank and load is known.
+    // Everything between crank and load is determined.
     EXPECT_NEAR(reactions.joints[press.joint("Q")].fy.value(), 100, 1e-11);
   }
 }
 
 TEST(Singular, RowsHaveNoReactions) {
-  // The parallelogram is flat at 0: its branches cross.
+  // The parallelogram has all links in line at 0: its branches cross.
   Analysis loop(R"([bodies.ground]
 points.A = [0, 0]
 points.D = [0.2, 0]

@@ -1,4 +1,4 @@
-// Reactions follow when the whole mechanism grows or stands somewhere else.
+// Reactions when the whole mechanism is scaled or moved to another place.
 #include "dynamics/dynamics_testing.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::Analysis;
 
-// A swinging follower on an eccentric disc, all lengths times `size`, its origin at (x, y).
+// An oscillating follower on an eccentric disc with all lengths times `size` and its origin at (x, y).
 Analysis cam(double size, double x, double y) {
   const auto at = [&](double px, double py) { return fmt::format("[{}, {}]", x + size * px, y + size * py); };
   return Analysis(fmt::format(R"([bodies.ground]
@@ -59,7 +59,7 @@ TEST(Scale, ForcesDoNotChangeAndTorquesGrowWithTheSize) {
 TEST(Scale, PlaceMeansNothingButDigits) {
   Analysis plain = cam(1, 0, 0);
   const Reactions expected = plain.at(0.7, 0, 0);
-  // A hundred sizes away two digits of sixteen are gone from every arm.
+  // A hundred sizes away every lever arm has lost two of its sixteen digits.
   Analysis moved = cam(1, 7, -5);
   const Reactions& reactions = moved.at(0.7, 0, 0);
   EXPECT_NEAR(reactions.contacts[0].force.value(), expected.contacts[0].force.value(), 1e-9);

@@ -11,8 +11,8 @@
 
 namespace higherpair::testing {
 
-/// A mechanism drawn in ground coordinates: every body's frame lies on the ground's, so that it is assembled
-/// at the start with all joint coordinates 0.
+/// A mechanism drawn in ground coordinates: every body's frame coincides with the ground's at the start, so
+/// that the mechanism is assembled with all joint coordinates 0.
 class Sketch {
 public:
   explicit Sketch(unsigned seed) : random_(seed) {
@@ -26,7 +26,7 @@ public:
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
 
-  /// A place at most `reach` from (x, y) along each axis.
+  /// A random point at most `reach` from (x, y) along each axis.
   Vector2d near(double x, double y, double reach = 0.02) {
     return {x + number(-reach, reach), y + number(-reach, reach)};
   }
@@ -75,7 +75,7 @@ public:
 
   void drive(int joint) { mechanism.drivers.push_back({fmt::format("d{}", joint), joint}); }
 
-  /// The next body is a roller that spins as it likes about `pin`: no load may turn it.
+  /// The next body is a roller that spins freely about `pin`: no load may turn it.
   int roller(const Vector2d& pin) {
     const int index = body();
     mechanism.bodies.back().mass = MassProperties{0.3, pin, 0};

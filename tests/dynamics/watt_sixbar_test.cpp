@@ -1,5 +1,5 @@
 // The reactions of the Watt six-bar at all seven pins and its driving torque, in three load cases and both
-// assemblies that turn fully, against an independent solution in extended precision.
+// fully turning assemblies, against an independent solution in extended precision.
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/profile_reader.hpp"
@@ -31,7 +31,7 @@ double number(const nlohmann::json& text) {
   return std::stod(text.get<std::string>());
 }
 
-// The poses of the first row: which assembly it is.
+// The poses of the first row, which select the assembly.
 std::vector<std::string> poses(const nlohmann::json& row) {
   const auto pose = [](const std::string& body, double x, double y, double angle) {
     const std::string key = "bodies." + body + ".pose.";
@@ -63,7 +63,7 @@ double largest_error(Run& run, InverseDynamics& dynamics, const nlohmann::json& 
                       std::abs(reactions.joints[i].fy.value() - fy)});
   }
   const double torque = number(expected.at("T2"));
-  // A torque counts as a force at a metre's length; that is stricter than the crank's.
+  // A torque counts as a force at a lever of one metre, which is stricter than at the crank's length.
   error = std::max(error, std::abs(reactions.drivers[0].effort.value() - torque));
   error = std::max(error, std::abs(reactions.drivers[0].by_power.value() - torque));
   return error / largest;
@@ -87,7 +87,8 @@ TEST_P(WattSixbar, HasTheReactionsOfTheReferenceInEveryRow) {
     higherpair::Run run = start_run(profile->mechanism, {135 * kPi / 180}).value();
     InverseDynamics dynamics(run);
     for (const nlohmann::json& row : rows) {
-      // The reference has 18 digits; the sharpest angle of transmission costs two or three of a double's 16.
+      // The reference has 18 digits; the least favourable transmission angle costs two or three of a double's
+      // 16.
       EXPECT_LE(largest_error(run, dynamics, row, row.at(load.key)), 1e-12)
           << load.key << " at " << row.at("theta2_deg");
     }

@@ -1,4 +1,4 @@
-// Rows one after the other, what happens between them, and many runs of one model at once.
+// Rows one after the other, what happens between them, and many simultaneous runs of one model.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -22,7 +22,7 @@ using testing::shipped_model;
 using ::testing::SizeIs;
 using testing::text_of;
 
-// Where crank 2 and rod 5 are in one line the pin is 7 or 3 from the pivot, 0.75 beside it on the slide.
+// Where crank 2 and rod 5 are in line the pin is 7 or 3 from the pivot; the slide passes 0.75 beside it.
 TEST(Analysis, SaysTheCoordinateAtWhichAJointReverses) {
   const Motion motion = shipped_model("slider_crank").run().value();
   std::vector<double> values;
@@ -44,7 +44,7 @@ TEST(Analysis, GivesTheRowsOfTheMotionOneByOne) {
   EXPECT_EQ(analysis.size(), 50);
   std::vector<Row> rows;
   for (Row row; analysis.next(row);) {
-    rows.push_back(row);  // a row is the caller's
+    rows.push_back(row);  // rows are the caller's own copies
   }
   ASSERT_THAT(rows, SizeIs(motion.size()));
   EXPECT_EQ(analysis.events().size(), motion.events().size());
@@ -163,7 +163,7 @@ TEST(Stop, LeavesAMotionThatIsNotGood) {
   EXPECT_TRUE(motion.column("driver").values.empty());
 }
 
-// Also under the thread sanitizer.
+// Also run under the thread sanitizer.
 TEST(Threads, AnalyseOneModelAtOnceWithTheSameResultBitForBit) {
   for (const std::string name : {"ellipse_cam_roller", "watt_sixbar_forces", "geared_five_bar"}) {
     const Model model = shipped_model(name);

@@ -22,7 +22,7 @@ Model tangent_cam() {
   return *Model::open(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/tangent_cam.toml");
 }
 
-// The roller rests on the base circle, from above or from below.
+// The roller touches the base circle from above or from below.
 TEST(BoundaryLists, HaveTheContactsOfCurvesInParts) {
   const auto branches = branches_of(tangent_cam(), {.certify = true});
   ASSERT_TRUE(branches);
@@ -41,7 +41,7 @@ TEST(BoundaryLists, HaveTheContactsOfCurvesInParts) {
   EXPECT_EQ(touch.proof, "proven: there are no other contacts of opposed normals");
 }
 
-// A square of 40 under a flat face; a disc in two halves beside which a roller of 15 slides by.
+// A square of 40 under a flat face, or a disc in two halves past which a roller of 15 slides.
 Model sliding(const std::string& cam, const std::string& tip, double beside) {
   const std::string text = fmt::format(R"(
 [bodies.ground]
@@ -91,7 +91,7 @@ TEST(BoundaryLists, SayWhereFlatsLieOnEachOther) {
       "not proven to be all: at 20 mm contacts merge or the curves lie on each other, to within rounding");
 }
 
-// The samples of such a disc are 3 mm apart, and one contact is all that they show.
+// The samples of such a disc are 3 mm apart and show a single contact only.
 TEST(BoundaryLists, HoldContactsThatAreNearerToEachOtherThanTheSamples) {
   const std::string cam = R"({ type = "chain", closed = true, spans = [
     { type = "arc", center = [0, 0], radius = 30, from = 7, to = 187 },

@@ -1,5 +1,5 @@
-// Derivatives of contacts of curves of several parts: against conics of the same shape, closed forms, and
-// runs with other numbers.
+// Derivatives of contacts of composite curves: compared with conics of the same shape, with closed forms, and
+// with runs with other numbers.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using testing::model_of;
 using testing::shipped_model;
 
-// All columns of all rows, by all numbers that the profile names.
+// All columns of all rows, and their derivatives by all numbers that the profile names.
 struct Slopes {
   std::vector<Column> columns;
   std::vector<SensitivityNumber> numbers;
@@ -43,9 +43,9 @@ Slopes slopes_of(const Model& model, const std::vector<std::string>& columns,
   return all;
 }
 
-constexpr double kNothing = 1e-6;  // in the units of tables: columns that are 0 but for rounding
+constexpr double kNothing = 1e-6;  // in the units of tables: columns that are 0 to within rounding
 
-// The largest of a column over all rows.
+// The largest absolute value of each column over all rows.
 std::vector<double> largest_of(const Slopes& all) {
   std::vector<double> largest(all.columns.size(), 0);
   for (std::size_t k = 0; k < all.values.size(); ++k) {
@@ -56,7 +56,7 @@ std::vector<double> largest_of(const Slopes& all) {
   return largest;
 }
 
-// An eccentric and a follower on it; the profile of the eccentric is put in.
+// An eccentric and a follower on it; the outline of the eccentric is filled in.
 constexpr const char* kSwinging = R"(
 [bodies.ground]
 points = { O1 = [0, 0], O2 = [70, 5] }
@@ -137,7 +137,7 @@ spans = [ { type = "arc", center = [10, 3], radius = 31, from = -37, to = 143 },
           { type = "arc", center = [10, 3], radius = 31, from = 143, to = 323 } ]
 )";
 
-// The same disc offset from a smaller one.
+// The same disc as an offset of a smaller one.
 constexpr const char* kOffset = R"(
 [tolerances.eccentricity]
 path       = "bodies.cam.curves.core.center.0"
@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(OfDiscs, OfADisc,
                                   (one.param.second == kTwoArcs ? "TwoArcs" : "Offset");
                          });
 
-// A cam of straight edges and an arc, its corners rounded.
+// A cam of straight edges and an arc with rounded corners.
 constexpr const char* kFillets = R"(
 [bodies.ground]
 points = { O1 = [0, 0], O2 = [70, 5] }
@@ -245,7 +245,7 @@ velocity = "3 rad/s"
 
 struct Shape {
   const char* name;
-  const char* text;  // or null: a shipped profile
+  const char* text;  // null: a shipped profile
   std::vector<std::string> numbers;
   std::vector<std::string> overrides = {};
 };
@@ -257,7 +257,7 @@ Model model_of(const Shape& shape) {
 
 class OfShapes : public ::testing::TestWithParam<Shape> {};
 
-// Of the sixth order, from runs with other numbers, and how far that may be off.
+// Differences of the sixth order between runs with other numbers, with an estimate of their error.
 TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
   const Model model = model_of(GetParam());
   const Slopes found = slopes_of(model, {"*"}, GetParam().numbers);
@@ -287,9 +287,9 @@ TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
         const double ours = found.slopes[k][i * count + c];
         if (std::isnan(sixth) && std::isnan(ours)) continue;
         const double size = std::abs(sixth) + largest[c] / scale;
-        // A centre of curvature that passes a pivot has a distance from it that is not smooth.
+        // Where a centre of curvature passes a pivot, its distance from the pivot is not smooth.
         const bool passes = name == "touch.r2" && found.values[k][c] < 1;
-        // Where a joint of two spans is near, the other numbers lead to its other side.
+        // Near a joint of two spans the other numbers lead to its other side.
         if (!(doubt <= 1e-4 * size) || passes) continue;
         ++compared;
         const double off = std::abs(ours - sixth) / size;
@@ -333,7 +333,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shape{"involute_pair", nullptr, {"bodies.ground.points.O2.0"}, {"driver.samples=21"}}),
     [](const auto& one) { return std::string(one.param.name); });
 
-// The same numbers in other units make a larger or smaller copy.
+// The same numbers in other units give a larger or smaller copy.
 TEST(OfCopies, ThatAreScaledAreTheSameNumbers) {
   const std::vector<std::string> columns = {"follower.*", "touch.x", "touch.rho1", "touch.pressure"};
   const std::vector<std::string> by = {"bodies.cam.curves.disc.points.2.0", "bodies.ground.points.O2.0"};

@@ -49,7 +49,7 @@ inline Model shipped_model(const std::string& name, const std::vector<std::strin
   return *std::move(model);
 }
 
-/// The whole of a motion as text, bit for bit.
+/// The whole motion as text that shows every bit.
 inline std::string text_of(const Motion& motion) {
   std::string text;
   for (const Column& column : motion.columns()) {

@@ -1,5 +1,5 @@
-// Sweeps of linkages: variants whose rows are proven in closed form come out as those that are read and
-// followed. The oracle is the same sweep with counts of events, which only a run can give.
+// Sweeps of linkages: variants whose rows are proven in closed form give the same results as variants that
+// are read and followed. The reference is the same sweep with counts of events, which only a run can give.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -38,8 +38,8 @@ SweepBlock all_of(const Sweep& sweep) {
 
 struct Sweeps {
   SweepBlock plain, followed;
-  std::vector<Column> columns;           // of the plain one
-  std::vector<Column> followed_columns;  // with the counts
+  std::vector<Column> columns;           // of the plain sweep
+  std::vector<Column> followed_columns;  // with the counts of events
 };
 
 Sweeps sweeps_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -60,7 +60,7 @@ std::size_t slot_of(const std::vector<Column>& columns, const std::string& name)
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-// Numbers agree to 1e-12 of the largest of their column; statuses, causes and what is undefined are the same.
+// Numbers agree to 1e-12 of the largest in their column; statuses, causes and undefined values are the same.
 void expect_same(const Sweeps& sweeps) {
   ASSERT_EQ(sweeps.plain.variants, sweeps.followed.variants);
   EXPECT_EQ(sweeps.plain.good, sweeps.followed.good);
@@ -127,7 +127,7 @@ TEST(ChainSweep, RunsInTimeAreThoseOfTheDriversLaw) {
   expect_same(
       sweeps_of(shipped_text("four_bar") + kFourBar,
                 {"sweep.time=true", "sweep.count=40", "driver.acceleration=15", "sweep.results.at.at=0.3"}));
-  // Here the driver turns back between two rows.
+  // The driver turns back between two rows.
   expect_same(sweeps_of(shipped_text("four_bar") + kFourBar,
                         {"sweep.time=true", "sweep.count=20", "driver.velocity=100",
                          "driver.acceleration=-190", "sweep.results.at.at=0.3"}));
@@ -215,7 +215,7 @@ tilt   = { column = "slide.m", of = "maxabs" }
   expect_same(sweeps_of(shipped_text("slider_crank") + press, {"driver.samples=91"}));
 }
 
-// A load acts where a point is that varies: more than a coordinate is written then.
+// A load acts at a point whose coordinates vary: more than this coordinate is set then.
 TEST(ChainSweep, LoadsGoWithTheirPoints) {
   expect_same(sweeps_of(shipped_text("watt_sixbar_forces") + R"(
 [sweep]
@@ -231,7 +231,7 @@ torque = { column = "driver.effort", of = "max" }
 }
 
 TEST(ChainSweep, WhatAPathSetsBesidesAPlaceIsNotLost) {
-  // The start is the slide's coordinate in the poses, and goes with its points.
+  // The start is the slide's coordinate in the poses, which depends on its points.
   expect_same(sweeps_of(R"(
 bodies.ground.points = { O = [0, 0], Q = [40, 0] }
 [bodies.slider]
@@ -301,7 +301,7 @@ mean  = { column = "touch.pressure", of = "mean" }
   EXPECT_GT(ovals.plain.good, 30);
 }
 
-// Contacts of some variants open: a spring that is too weak for the inertia of the arm.
+// In some variants the contact opens: the spring is too weak for the inertia of the arm.
 TEST(ChainSweep, ForcesOfContactsComeOutAsFollowedOnes) {
   const std::string arm = R"(
 [springs]
@@ -332,7 +332,7 @@ crank  = { column = "cam_pivot.fy", of = "at", at = 36 }
   }
 }
 
-// Loads, angles and lengths of other things than points: read, but not followed.
+// Loads, angles and lengths other than points' coordinates: such variants are read, but need not be followed.
 TEST(ChainSweep, AnyNumberOfABodyMayVary) {
   expect_same(sweeps_of(shipped_text("slider_crank") + R"(
 [sweep]

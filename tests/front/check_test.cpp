@@ -59,7 +59,8 @@ double value(const CheckReport& report, const std::string& item, const std::stri
   return figure(report, item, quantity, of).value.value();
 }
 
-// A cam in millimetres and its translating follower; dwell, rise by 1, dwell, return over 90 degrees each.
+// A cam in millimetres and its translating follower: dwell, rise by 1, dwell and return, over 90 degrees
+// each.
 std::string four_quarters(const std::string& follower, double height, const std::string& more = "") {
   return profile_of({R"(curves.flank = { type = "cam", law = "lift", contact = "touch" })",
                      fmt::format("pose = {{ x = 0, y = {:.17g} }}\ncurves.tip = {}", height, follower),
@@ -85,7 +86,7 @@ TEST(Check, OfAFlatFacedCamGivesThePublishedFaceAndRadius) {
   EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.flank").verdict, Verdict::kKept);
   EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"), 0, 1e-13);
   EXPECT_NEAR(value(report, "cam.flank", "base_circle_for_radius"), 1.892631278649, 1e-11);
-  // Of the law: a = 2π h/T² and j = 4π² h/T³ with T = π/2 s.
+  // From the law: a = 2π h/T² and j = 4π² h/T³ with T = π/2 s.
   EXPECT_NEAR(std::abs(value(report, "joints.guide", "acceleration")), 2 * kPi / (kPi * kPi / 4), 1e-11);
   EXPECT_NEAR(std::abs(value(report, "joints.guide", "jerk")), 4 * kPi * kPi / (kPi * kPi * kPi / 8), 1e-9);
   EXPECT_NEAR(figure(report, "joints.guide", "jerk").at.value(), 90, 1e-6);
@@ -124,7 +125,7 @@ TEST(Check, HoldsTheReturnToALimitOfItsOwn) {
   EXPECT_EQ(figure(report, "contacts.touch", "return_pressure_angle").limit, 45);
 }
 
-// Harmonic 50 mm over half turns, least radius 25: the cam is a circle of radius 50.
+// A harmonic rise of 50 mm over half a turn and a smallest radius of 25: the cam is a circle of radius 50.
 TEST(Check, OfASimpleHarmonicCamFindsACircle) {
   const std::string text =
       profile_of({R"(curves.flank = { type = "cam", law = "lift", contact = "touch" })",
@@ -137,8 +138,8 @@ segments = [ { over = 180, law = "harmonic", rise = 50 }, { over = 180, law = "h
   EXPECT_NEAR(value(report, "contacts.touch", "face_width"), 50, 1e-10);  // from -25 to 25
 }
 
-// e = 10 under a flat face, 0.5 kg, 2 N/mm that presses by 5 mm at the lowest place: N is least at the top,
-// 2 (5 + 20) N - 0.5 kg 10 mm ω².
+// e = 10 under a flat face, 0.5 kg, and a spring of 2 N/mm that is compressed by 5 mm at the lowest position:
+// N is smallest at the top, 2 (5 + 20) N - 0.5 kg 10 mm ω².
 std::string eccentric_profile(double speed, const std::string& limits = "") {
   return profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 30 })",
                      R"(pose = { x = 0, y = 30 }
@@ -161,7 +162,7 @@ TEST(Check, FindsTheSpeedAtWhichAnEccentricLosesItsFollower) {
   EXPECT_NEAR(factor.value.value(), 100.0 / 40, 1e-12);
   EXPECT_EQ(factor.verdict, Verdict::kKept);
   EXPECT_FALSE(factor.at);
-  // N = 2 (15 + 10 sin) - 8 sin: least at the bottom.
+  // N = 2 (15 + 10 sin) - 8 sin: smallest at the bottom.
   const CheckFigure& least = figure(report, "contacts.touch", "least_contact_force");
   EXPECT_NEAR(least.value.value(), 2 * (15 - 10) + 8, 1e-11);
   EXPECT_NEAR(least.at.value(), 270, 1e-6);
@@ -182,7 +183,7 @@ TEST(Check, FailsWhereAContactOpens) {
   EXPECT_THAT(report.events, ::testing::Contains(::testing::Field(&Event::type, EventType::kContactOpen)));
 }
 
-// The torque is N e cos θ, the sliding speed e ω sin θ + … of a flat face: y ω.
+// The torque is N e cos θ; the sliding speed of a flat face is y ω.
 TEST(Check, GivesTorqueAndSpeedsOfAnEccentric) {
   const CheckReport report = checked(eccentric_profile(40, "[limits]\nmax_driving_torque = \"0.25 N m\"\n"));
   double torque = 0;
@@ -198,7 +199,7 @@ TEST(Check, GivesTorqueAndSpeedsOfAnEccentric) {
   EXPECT_NEAR(value(report, "contacts.touch", "sliding_speed"), 40 * 40, 1e-9);  // y ω at the top
   EXPECT_NEAR(std::abs(value(report, "joints.guide", "acceleration")), 10 * 1600, 1e-8);
   EXPECT_NEAR(std::abs(value(report, "joints.guide", "jerk")), 10 * 64000, 1e-5);
-  // Along the disc 30 ω, along the face 10 ω sin θ the other way round.
+  // Along the disc 30 ω, along the face 10 ω sin θ in the opposite direction.
   EXPECT_GT(value(report, "contacts.touch", "entrainment_speed"), 15 * 40);
 }
 
@@ -248,7 +249,7 @@ width = 10
   EXPECT_THAT(report.notes, IsEmpty());
 }
 
-// Cycloidal 10 mm in 120 degrees at 1000 rpm, 1.8 kg, 15 N/mm preloaded by 2.5 mm.
+// Cycloidal rise of 10 mm in 120 degrees at 1000 rpm, 1.8 kg, 15 N/mm preloaded by 2.5 mm.
 TEST(Check, SeesTheLiftOffOfACycloidalCam) {
   const std::string text = R"([bodies.ground]
 points.O = [0, 0]
@@ -292,7 +293,7 @@ velocity = "1000 rpm"
   EXPECT_LE(least.value.value(), -61.688);
   EXPECT_EQ(least.verdict, Verdict::kExceeded);
   EXPECT_LT(value(report, "mechanism", "speed_factor"), 1);
-  // At that speed it just holds.
+  // At the reported speed the contact just holds.
   const double held = 1000 * value(report, "mechanism", "speed_factor");
   const CheckReport slower =
       checked(text, {fmt::format("driver.velocity=\"{:.17g} rpm\"", held * (1 - 1e-9))});
@@ -404,14 +405,14 @@ TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
   EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
 }
 
-// Its right arm turns as its left one, through two change points, where derivatives are rounding.
+// The right crank turns like the left one, through two change points where derivatives are mere rounding.
 TEST(Check, OfAParallelogramFindsNoAcceleration) {
   const CheckReport report = checked(shipped_model("parallelogram"));
   EXPECT_NEAR(value(report, "joints.right_pivot", "acceleration"), 0, 1e-6);
   EXPECT_NEAR(value(report, "joints.right_pivot", "jerk"), 0, 0.1);
 }
 
-// Over a slide that moves along the normal there is no pressure angle, and what rolls does not slide.
+// A follower that slides along the normal has no pressure angle, and what rolls does not slide.
 TEST(Check, SaysZeroOfWhatIsZeroButForRounding) {
   EXPECT_EQ(value(checked(shipped_model("four_arc_cam")), "contacts.touch", "pressure_angle"), 0);
   EXPECT_EQ(value(checked(shipped_model("rolling_ellipses")), "contacts.roll", "sliding_speed"), 0);

@@ -1,4 +1,4 @@
-// Columns: which there are, in which units, and that only those asked for come.
+// Columns: which ones exist, their units, and that only the requested ones are returned.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -99,7 +99,7 @@ TEST(Columns, SayThatAContactIsOpenAndKeepItsPullingForce) {
 }
 
 TEST(Columns, OfOneNameAreRefused) {
-  // A body and a contact both have x and y.
+  // A body and a contact of the same name both have x and y.
   std::string shared = kCam;
   for (std::size_t at = shared.find("touch"); at != std::string::npos; at = shared.find("touch")) {
     shared.replace(at, 5, "cam");

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Ends of open curves: they are edges, on which a contact goes on.
+// The ends of open curves are edges, on which a contact continues.
 
 namespace higherpair::testing {
 namespace {
@@ -22,8 +22,9 @@ struct Lift {
   double s = 0, v = 0, a = 0;
 };
 
-// A disc of radius R, e off its pivot, under a tappet whose flat face ends at x = -w and w: y = R + e sin θ
-// while the disc's centre stands under the face, and then that of a point on a circle.
+// A disc of radius R, with its centre e from its pivot, under a tappet whose flat face ends at x = -w and w:
+// y = R + e sin θ while the disc's centre is below the face, and beyond that the motion of a point on a
+// circle.
 struct NarrowTappet {
   double R = 20, e = 10, w = 5;
 
@@ -103,7 +104,8 @@ TEST(EndsOfFaces, AreTheSameBackwardsMirroredAndInOtherUnits) {
   }
 }
 
-// What a whole conic and a point say in closed form of their own.
+// Compares a face's edge with a knife edge at the same position, whose contact with a whole conic has a
+// closed form.
 TEST(EndsOfFaces, MoveALeverAsAKnifeEdgeAtTheSamePlaceDoes) {
   const auto lever = [](const std::string& curve) {
     return R"([bodies.ground]
@@ -130,7 +132,7 @@ samples = 41
 velocity = "1 rad/s"
 )";
   };
-  // The face runs up and away from the cam, which its edge alone touches.
+  // The face rises away from the cam, so that only its edge touches.
   const Motion edge =
       motion_of(model_of(lever("curves.tip = { type = \"segment\", from = [74.94, -28.77], to = [52, 4] }")));
   const Motion knife = motion_of(model_of(lever("curves.tip = { type = \"point\", at = [52, 4] }")));
@@ -146,13 +148,13 @@ velocity = "1 rad/s"
   EXPECT_TRUE(edge.good());
 }
 
-// Its radius is 5 and the face ends 2 beside the middle: where the centre is 7 beside that, at cos θ = 0.7,
-// the edge stands beside the disc.
+// The disc has the radius 5, and the face ends 2 beside the middle: where the disc's centre is 7 beside the
+// middle, at cos θ = 0.7, the edge is beside the disc and loses it.
 TEST(EndsOfFaces, AreLeftWhereTheCurveOfTheOtherBodyPassesBesideThem) {
   const NarrowTappet tappet{5, 10, 2};
   const double slip = std::acos(0.7) / kDegree;
-  const double off = std::acos(0.2) / kDegree;  // the face
-  // Of 36,001 rows some are nearer than 0.01° to where the edge is taken up again.
+  const double off = std::acos(0.2) / kDegree;  // the contact leaves the face
+  // Of 36,001 rows some are less than 0.01° from where the edge is touched again.
   for (const int samples : {7, 61, 601, 36001}) {
     const Motion motion = motion_of(model_of(tappet.profile()), samples);
     const auto ends = events_of(motion, EventType::kEnd);
@@ -180,7 +182,7 @@ TEST(EndsOfFaces, AreWhereAContactThatMayPartDoesSoInTheEnd) {
     ASSERT_GE(released.size(), 1U);
     EXPECT_NEAR(released[0].driver, 180 - slip, 1e-9) << samples;
     EXPECT_THAT(released[0].cause, HasSubstr("slips off the edge at the end of a curve"));
-    // There it stands at the height of the disc's centre; going down the disc never comes back to it.
+    // The edge then rests at the height of the disc's centre; going down the disc never comes back to it.
     const double rest = 10 * std::sin(slip * kDegree);
     const auto driver = motion.column("driver");
     const auto y = motion.column("guide.position");
@@ -192,9 +194,9 @@ TEST(EndsOfFaces, AreWhereAContactThatMayPartDoesSoInTheEnd) {
   }
 }
 
-// How high the cam of profiles/tangent_cam.toml reaches where |x| <= w, where that is above its base
-// circle: the top of its nose, or else at x = w its nose, as far as that goes, or its flank, whose normal
-// leads the nose by acos 0.6.
+// Greatest height of the cam of profiles/tangent_cam.toml over |x| <= w, where that is above its base circle:
+// the top of its nose, or else at x = w either its nose, as far as that goes, or its flank, whose normal is
+// acos 0.6 ahead of the nose.
 double reach_of_tangent_cam(double turned, double w) {
   const double theta = turned < kPi / 2 ? turned : kPi - turned;
   const double x = 20 * std::cos(theta) - w;
@@ -208,7 +210,7 @@ double reach_of_tangent_cam(double turned, double w) {
   return theta > 0.2 ? (20 - w * std::cos(lead + theta)) / std::sin(lead + theta) : 0;
 }
 
-// At 36.87° the flank lies flat on a face of 2 × 8, from its middle on, and reaches beyond it.
+// At 36.87° the flank lies flat on a face of 2 × 8, from the middle of the face, and extends beyond it.
 TEST(EndsOfFaces, AreGoneOntoWhereAFlankComesToLieOnTheFace) {
   const Model model = shipped_model(
       "tangent_cam", {R"(bodies.follower.curves.roller={ type = "segment", from = [-8, 0], to = [8, 0] })",
@@ -231,7 +233,7 @@ TEST(EndsOfFaces, AreGoneOntoWhereAFlankComesToLieOnTheFace) {
 }
 
 TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
-  // The nose (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle.
+  // The corner (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle.
   const Model model = model_of(profile_of(
       {R"(curves.tip = { type = "chain", spans = [{ type = "segment", from = [20, 0], to = [-10, 2] }, { type = "segment", from = [-10, 2], to = [-10, -2] }, { type = "segment", from = [-10, -2], to = [20, 0] }] })",
        "pose = { y = 20 }\ncurves.face = { type = \"segment\", from = [-6, 0], to = [6, 0] }",
@@ -245,10 +247,10 @@ TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
   }
 }
 
-// A rhombus with rounded corners under a roller, which a link of 26 and one of 20 hang on the point (30, 70).
-// They reach it while one of the two noses, arcs of 2 about points at d = 30 - 2/sin β, tan β = 14/30, from
-// the pivot, is up to within the angle at which it is 70 - √(46² - 30²) high. In between all of the outline
-// passes the roller.
+// A rhombus with rounded corners under a roller that is carried by links of 26 and 20 from the point (30,
+// 70). The roller reaches the cam while one of the two noses, arcs of radius 2 about points at d = 30 - 2/sin
+// β from the pivot, tan β = 14/30, is upright to within the angle at which its height is 70 - √(46² - 30²).
+// In between the whole outline passes clear of the roller.
 TEST(TakenUpAgain, IsTheMotionOfALinkageOnAnotherPlaceOfTheCam) {
   const Model model = model_of(R"([bodies.ground]
 points.O = [0, 0]
@@ -310,8 +312,8 @@ velocity = "1 rad/s"
   }
 }
 
-// A lever on a cam of rounded corners: where the two touch again, an event of the stretch before the first
-// probe or row is not left out.
+// A lever on a cam with rounded corners: where the two touch again, an event in the new stretch before the
+// first probe or row is not missed.
 TEST(TakenUpAgain, IsTheMotionFromWhereItsStretchBegins) {
   const Model model = model_of(R"([units]
 length = "m"
@@ -344,8 +346,8 @@ end = -3.42
   }
 }
 
-// The cam of profiles/tangent_cam.toml, whose tappet rests on a seat 0.3 above the base circle and faces it
-// with 15 on either side.
+// The cam of profiles/tangent_cam.toml. Its tappet rests on a seat 0.3 above the base circle and has a face
+// of 15 to either side.
 const char* const kStruck = R"(
 [bodies.ground]
 points.O = [0, 0]
@@ -409,7 +411,7 @@ TEST(StruckEnds, LiftATappetFromItsSeatAndLowerItAgain) {
 }
 
 TEST(StruckEnds, DoTheSameBackwardsAndMirrored) {
-  // The cam is symmetrical: turned back its angles are 360° - θ.
+  // The cam is symmetrical: when it turns back the angles are 360° - θ.
   const Motion back = motion_of(model_of(kStruck, {"driver.start=360", "driver.end=0"}), 61);
   const Motion motion = motion_of(model_of(kStruck), 61);
   for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -435,7 +437,7 @@ TEST(StruckEnds, DoTheSameBackwardsAndMirrored) {
   }
 }
 
-// The flank of a tooth ends where the next tooth takes over: a disc that strikes its tip gets into it.
+// The flank of a tooth ends where the next tooth takes over: a disc that strikes its tip penetrates it.
 TEST(StruckEnds, ThatAreNoEdgesAreSaidAndDoNotMoveTheirBody) {
   const Model model = model_of(
       profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 20 })",

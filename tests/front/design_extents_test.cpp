@@ -1,4 +1,4 @@
-// How far a mechanism comes, as what a design is asked for: against closed forms.
+// The extent of a mechanism's motion as a requirement of a design, compared with closed forms.
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
 
@@ -17,7 +17,7 @@ using testing::kCam;
 using testing::kSlider;
 using testing::model_of;
 
-// Level with its crank's pivot, rows every 10 degrees: all extremes are in rows.
+// With the slide level with the crank's pivot and rows every 10 degrees all extremes fall on rows.
 const std::vector<std::string> kLevel = {"bodies.ground.points.rail.1=0", "driver.samples=37"};
 
 const std::string kCrank =
@@ -32,7 +32,7 @@ DesignReport designed_twice(const Model& model) {
   return *std::move(report);
 }
 
-// Of the slider-crank, whose crank is to be chosen.
+// Designs the slider-crank, with its crank as the variable.
 DesignReport with_crank(const std::string& objective, const std::string& constraint = "") {
   return designed_twice(model_of(kSlider + kCrank + "[[design.objectives]]\n" + objective +
                                      (constraint.empty() ? "" : "[[design.constraints]]\n") + constraint,
@@ -62,7 +62,7 @@ TEST(DesignExtents, ReachTheirTargets) {
   EXPECT_EQ(reach.objectives[0].what, "reach of slider.B from ground.O");
 }
 
-// The stroke is twice the crank, and each millimetre of width costs one of stroke.
+// The stroke is twice the crank, and each millimetre of width costs one millimetre of stroke.
 TEST(DesignExtents, AreLimitsAndSayWhatTheyCost) {
   const DesignReport report =
       with_crank("column = \"slider.x\"\nof = \"min\"\n", "size = \"width\"\nbelow = 150\n");
@@ -87,7 +87,7 @@ target = 90
   EXPECT_NEAR(report.variables[0].after, 15, 1e-6);
 }
 
-// An ellipse on a pivot off its middle, as such and as a spline through points of it.
+// An ellipse on a pivot off its middle, as a conic and as a spline through points of it.
 TEST(DesignExtents, OfACurveAreThoseOfAllOfIt) {
   const auto place = [](double t) {
     const double x = 20 * std::cos(t), y = 12 * std::sin(t), c = std::cos(kPi / 6), s = std::sin(kPi / 6);
@@ -125,7 +125,7 @@ size = "width"
   for (const std::string& curve :
        {std::string(R"({ type = "ellipse", center = [3, 0], semi_axes = [20, 12], rotation = 30 })"),
         R"({ type = "spline", closed = true, points = [)" + points + "] }"}) {
-    EXPECT_NEAR(width(curve), 2 * far, 0.004) << curve;  // of rows every degree
+    EXPECT_NEAR(width(curve), 2 * far, 0.004) << curve;  // error of rows at every degree
   }
 }
 

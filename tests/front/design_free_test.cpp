@@ -1,4 +1,4 @@
-// Paths of which only the form counts, without times: found again wherever they lie.
+// Paths of which only the shape counts, without times: they are recognised wherever they are.
 #include "front/cam_profile.hpp"
 #include "higherpair/design/optimise.hpp"
 
@@ -26,9 +26,10 @@ Model four_bar(const std::vector<std::string>& overrides) {
   return shipped_model("design_ellipse_path", all);
 }
 
-// Points of its path at unequal distances, between the rows, from a share of the turn on; then p -> z p + t.
+// Points of the model's path at unequal distances, between the rows, beginning at a fraction of the turn;
+// each is transformed by p -> z p + t.
 std::string points_of(const Model& model, int count, double from, double turns, Complex z, Complex t) {
-  std::string at = "[0";  // where the poses are
+  std::string at = "[0";  // the first point belongs to the poses
   for (int k = 0; k < count; ++k) {
     const double share = (k + 0.3 * std::sin(2.0 * k)) / count;
     at += fmt::format(", {}", 360 * (from + turns * share));
@@ -76,7 +77,7 @@ TEST(FormsOfPaths, AreFoundWhereverTheyLie) {
     ASSERT_TRUE(report.objectives[0].placement) << one.keys;
     const auto& placed = *report.objectives[0].placement;
     const Complex found = std::polar(placed.scale, placed.turn * kPi / 180);
-    // Where the pivots may move, turning them is as good as turning the path.
+    // Where the pivots may move, rotating them is as good as rotating the path.
     if (std::all_of(report.variables.begin(), report.variables.end(),
                     [](const auto& variable) { return variable.after == variable.before; })) {
       EXPECT_LE(std::abs(found - one.z), 1e-9) << one.keys;
@@ -85,7 +86,7 @@ TEST(FormsOfPaths, AreFoundWhereverTheyLie) {
   }
 }
 
-// A linkage that is another one at the start is found from the form of its path alone.
+// Starting from a different linkage, the known one is found from the shape of its path alone.
 TEST(FormsOfPaths, AreEnoughToFindTheLinkage) {
   const Model known = four_bar({});
   const std::string points = points_of(known, 24, 0.3, 1, std::polar(0.6, -1.3), {5, 9});
@@ -101,7 +102,8 @@ TEST(FormsOfPaths, AreEnoughToFindTheLinkage) {
   EXPECT_LE(report.after, 1e-9 * report.before);
 }
 
-// Those of the distances are of first order in the distances themselves; of their sum they are exact.
+// Derivatives of the single distances are correct only to first order in the distances; those of their sum
+// are exact.
 TEST(FormsOfPaths, HaveTheDerivativesOfTheirSum) {
   const Model known = four_bar({});
   const std::string points = points_of(known, 14, 0.3, 1, std::polar(1.4, -1.3), {5, 9});
@@ -145,11 +147,11 @@ TEST(FormsOfPaths, HaveTheDerivativesOfTheirSum) {
   }
 }
 
-// The same form from a table, wherever its points are given.
+// The same shape is read from a table, wherever its points are.
 TEST(FormsOfPaths, ThatAreShippedFitIntoTheirBox) {
   const DesignReport report = designed(shipped_model("design_film_hook"), 8);
   EXPECT_TRUE(report.holds);
-  EXPECT_LE(report.after, 5);  // of 14 points, mm^2
+  EXPECT_LE(report.after, 5);  // sum over 14 points, mm^2
   ASSERT_EQ(report.constraints.size(), 3U);
   EXPECT_EQ(report.constraints[0].what, "width or height below 130");
 }

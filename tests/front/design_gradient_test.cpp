@@ -1,4 +1,4 @@
-// The derivatives that a design is searched by, against differences of whole candidates.
+// The derivatives that a design's search uses, compared with differences of whole candidates.
 #include "front/cam_profile.hpp"
 #include "higherpair/design/optimise.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using testing::model_of;
 using testing::shipped_model;
 
-// Everything that a candidate is worth, in one column.
+// All values of a candidate, in one column.
 Eigen::VectorXd worth(DesignEvaluator& evaluator, const std::vector<double>& x, int branch) {
   DesignValues values;
   evaluator.evaluate(x, branch, values);
@@ -36,7 +36,7 @@ Eigen::VectorXd difference(DesignEvaluator& evaluator, std::vector<double> x, st
   return (high - worth(evaluator, x, branch)) / (2 * h);
 }
 
-// Extrapolated from two steps to the fourth order; where the two do not agree there is a kink.
+// Extrapolated from two steps to the fourth order; where the two disagree there is a kink.
 struct Difference {
   Eigen::VectorXd value;
   Eigen::VectorXd doubt;
@@ -48,7 +48,7 @@ Difference slope_of(DesignEvaluator& evaluator, const std::vector<double>& x, st
   return {(4 * narrow - wide) / 3, (wide - narrow).cwiseAbs()};
 }
 
-// Whether the slopes to both sides differ by more than a smooth function's do.
+// Whether the slopes on both sides differ by more than a smooth function's would.
 bool has_kink(DesignEvaluator& evaluator, std::vector<double> x, std::size_t i, int branch, Eigen::Index row,
               double h) {
   const double at = x[i];
@@ -63,13 +63,13 @@ bool has_kink(DesignEvaluator& evaluator, std::vector<double> x, std::size_t i, 
 }
 
 struct Seen {
-  int candidates = 0;  // whose derivatives are exact
-  int numbers = 0;     // that were compared
+  int candidates = 0;  // with exact derivatives
+  int numbers = 0;     // derivatives compared
   int kinks = 0;
-  int off = 0;  // by more than rounding
+  int off = 0;  // derivatives with an error larger than rounding
 };
 
-// What of a difference over this step may be rounding.
+// Rounding error of a difference over this step.
 double rounding_of(double value, double h) {
   return 1e-13 * (1 + std::abs(value)) / h;
 }
@@ -95,8 +95,8 @@ Seen compare(const Model& model, int candidates, double closeness, unsigned seed
       const double range = problem.variables[i].high - problem.variables[i].low;
       const double step = 1e-5 * range;
       const Difference expected = slope_of(*evaluator, x, i, branch, step);
-      // Where the greatest reach of a dyad goes over from one triple of places to the next, its derivative
-      // jumps by less than a wide difference shows.
+      // Where the greatest reach of a dyad passes from one triple of positions to the next, its derivative
+      // may jump by less than a wide difference can show.
       const double narrow_step = step / 64;
       const Difference narrow = slope_of(*evaluator, x, i, branch, narrow_step);
       const auto column = static_cast<Eigen::Index>(i);
@@ -109,7 +109,7 @@ Seen compare(const Model& model, int candidates, double closeness, unsigned seed
           return std::abs(found(r) - slope.value(r)) <= slope.doubt(r) + 1e-6 * scale + rounding_of(at(r), h);
         };
         const bool same = agrees(expected, step) || agrees(narrow, narrow_step);
-        // The largest of several numbers is another one to either side of a kink.
+        // At a kink the largest of several numbers is a different one on either side.
         const bool kink = expected.doubt(r) > 1e-4 * scale || has_kink(*evaluator, x, i, branch, r, step);
         seen.kinks += kink ? 1 : 0;
         seen.numbers += kink ? 0 : 1;
@@ -130,17 +130,17 @@ TEST_P(Gradients, AreThoseOfDifferencesFarAndNear) {
   EXPECT_EQ(near.candidates, 20);
   EXPECT_GT(near.numbers, 10 * near.kinks);
   EXPECT_EQ(near.off, 0);
-  // Most of these cannot turn; what they are short of is differentiated for pins alone.
+  // Most of these cannot turn; their shortfall is differentiated for pin linkages only.
   const Seen far = compare(shipped_model(GetParam()), 60, 1, 6, true);
   EXPECT_GE(far.candidates, 10);
   EXPECT_GT(far.numbers, 3 * far.kinks);
   EXPECT_EQ(far.off, 0);
 }
 
-// A shipped mechanism of another kind with a task of its own.
+// A shipped mechanism of a certain kind with a task of its own.
 struct Kind {
   const char* profile;
-  const char* variables;  // NAME, path and bounds of each
+  const char* variables;  // name, path and bounds of each
   const char* goals;      // objectives and constraints
   const char* rows = "driver.samples=37";
 };
@@ -385,7 +385,7 @@ INSTANTIATE_TEST_SUITE_P(OfPaths, Gradients,
                          ::testing::Values("design_five_points", "design_eighteen_points", "design_arch_path",
                                            "design_ellipse_path", "design_straight_path"));
 
-// A path whose place, turn and scale do not count, each way to be free.
+// A path whose position, rotation and scale do not count, in every combination.
 TEST(FreePaths, HaveTheDerivativesOfDifferences) {
   for (const char* free : {"[\"position\"]", "[\"turn\"]", "[\"scale\"]", "[\"position\", \"turn\"]",
                            "[\"position\", \"turn\", \"scale\"]"}) {

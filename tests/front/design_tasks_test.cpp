@@ -1,4 +1,4 @@
-// The tasks among the profiles against what is known of them by other means.
+// The design tasks among the shipped profiles, compared with results obtained by other means.
 #include "front/cam_profile.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ double peak_acceleration(double r, double l, double e, double omega) {
   return peak;
 }
 
-// All slider-cranks of a stroke S and a time ratio: their dead points are l + r and l - r from the crank's
+// All slider-cranks with a stroke S and a time ratio: their dead points are l + r and l - r from the crank's
 // pivot, with the angle β between them.
 TEST(DesignTasks, AQuickReturnIsTheBestOfItsFamily) {
   const double S = 100, beta = kPi * (1.8 - 1) / (1.8 + 1);
@@ -44,7 +44,7 @@ TEST(DesignTasks, AQuickReturnIsTheBestOfItsFamily) {
   for (double r = 5; r < 50; r += 0.01) {
     const double l = std::sqrt((S * S - 2 * r * r * (1 + std::cos(beta))) / (2 * (1 - std::cos(beta))));
     const double e = (l * l - r * r) * std::sin(beta) / S;
-    // Both ends of the stroke on one side of the pivot's foot.
+    // Both ends of the stroke are on the same side of the foot of the pivot.
     const bool passes = l > r + e && std::abs(std::sqrt(std::pow(l + r, 2) - e * e) -
                                               std::sqrt(std::pow(l - r, 2) - e * e) - S) < 1e-6;
     if (passes) best = std::min(best, peak_acceleration(r, l, e, 2 * kPi));
@@ -52,13 +52,13 @@ TEST(DesignTasks, AQuickReturnIsTheBestOfItsFamily) {
   const DesignReport report = designed("design_quick_return", 6);
   EXPECT_TRUE(report.holds);
   EXPECT_LE(report.objectives[0].after, best * (1 + 1e-4));
-  EXPECT_GE(report.objectives[0].after, best * (1 - 5e-3));  // its rows miss a little of the peak
+  EXPECT_GE(report.objectives[0].after, best * (1 - 5e-3));  // rows miss a little of the peak
 }
 
 TEST(DesignTasks, AStraightLineIsBetterThanChebyshevs) {
   const DesignReport report = designed("design_hoeken_line", 12);
   EXPECT_TRUE(report.holds);
-  EXPECT_NEAR(report.before / 4, 0.0024384, 2e-5);  // Chebyshev's proportions, of the stroke
+  EXPECT_NEAR(report.before / 4, 0.0024384, 2e-5);  // Chebyshev's proportions, relative to the stroke
   EXPECT_LE(report.after / 4, 0.000895);            // best known: 0.0008925
 }
 
@@ -68,7 +68,7 @@ TEST(DesignTasks, WattsLinesAreImproved) {
   EXPECT_LE(report.after, 0.2 * report.before);
 }
 
-// Worked out by others too: prime circle 1.750944530 in.
+// The prime circle has also been published: 1.750944530 in.
 TEST(DesignTasks, TheLeastCamHasThePressureAngleThatIsAllowed) {
   const DesignReport report = designed("design_least_cam", 1);
   EXPECT_TRUE(report.holds);
@@ -97,7 +97,7 @@ TEST(DesignTasks, AnEllipseIsFittedToItsLaw) {
   EXPECT_NEAR(report.after, best, 1e-6 * best);
 }
 
-// A path that a linkage is known to have, somewhere else, turned and larger.
+// A path that a known linkage has, but moved, rotated and enlarged.
 TEST(DesignTasks, OnlyTheFormOfAFreePathCounts) {
   const Model known = shipped_model("design_eighteen_points");
   const Motion motion = known.run().value();
@@ -184,7 +184,7 @@ TEST(DesignTasks, SayWhatTheyCannotMean) {
   says({R"(design.constraints=[{ figure = "pressure" , below = 3 }])"}, "expected a figure of `check`");
   says({R"(design.constraints=[{ figure = "joints.rocker_pivot.accelerations", below = 3 }])"},
        "`check` has no such figure of this mechanism; did you mean");
-  // Both curves of a contact have this figure.
+  // Both curves of the contact have this figure.
   EXPECT_THAT(
       message_of({R"(design.objectives=[{ figure = "contacts.touch.convex_radios" }])"}, "design_eccentric"),
       ::testing::HasSubstr("did you mean `contacts.touch.convex_radius`?"));

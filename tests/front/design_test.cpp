@@ -1,4 +1,5 @@
-// Designs: published tasks to the best values known, tasks made from known mechanisms, what is asked wrongly.
+// Designs: published tasks up to the best values known, tasks made from known mechanisms, and mistakes in
+// tasks.
 #include "front/cam_profile.hpp"
 #include "higherpair/io/design_task.hpp"
 
@@ -39,7 +40,7 @@ std::string text_of_profile(const std::string& name) {
   return text.str();
 }
 
-// The text that was written is analysed by the ordinary path.
+// The written text is read and analysed like any profile.
 bool is_good(const DesignReport& report) {
   const Model model = model_of(report.text);
   return model.run().value().good();
@@ -54,8 +55,8 @@ std::string message_of(const std::string& text) {
 
 struct Published {
   std::string profile;
-  double best = 0;  // known, from the literature or from independent searches
-  int starts = 0;   // that reach it
+  double best = 0;  // known from the literature or from independent searches
+  int starts = 0;   // that are enough to reach it
   int seed = 1;
 };
 
@@ -68,7 +69,7 @@ TEST_P(PublishedTasks, AreSolvedToTheBestValueKnown) {
   EXPECT_TRUE(report.holds);
   EXPECT_LE(report.after, GetParam().best * (1 + 1e-8));
   EXPECT_TRUE(is_good(report));
-  // The sum of squares once more, from the table of the new profile.
+  // Recomputes the sum of squares from the table of the new profile.
   const Model model = model_of(report.text);
   const auto& path = *model.profile().design->objectives[0].path;
   if (path.timed) {
@@ -92,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Paths, PublishedTasks,
                                            Published{"design_ellipse_path", 4.0199e-4, 8},
                                            Published{"design_arch_path", 2.84271, 24}));
 
-// Of the rocker from y = log2 x over the whole range [deg], at 601 places.
+// Largest deviation [deg] of the rocker from y = log2 x over the whole range, at 601 positions.
 double largest_error_of_log(const std::string& text) {
   const Motion motion = model_of(text, {"driver.samples=601"}).run().value();
   double largest = 0;
@@ -152,7 +153,7 @@ TEST(Design, AConstraintHoldsAndSaysWhatItIsWorth) {
       model_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\n"
                             "[[design.constraints]]\ncolumn = \"follower.ay\"\nof = \"maxabs\"\nabove = 7\n"),
       few(4));
-  // e = 7 at 1 rad/s; moving the limit by 1 moves the range by 2.
+  // e = 7 at 1 rad/s; moving the limit by 1 changes the range by 2.
   EXPECT_NEAR(report.variables[0].after, 7, 1e-6);
   ASSERT_EQ(report.constraints.size(), 1U);
   EXPECT_NEAR(report.constraints[0].margin, 0, 1e-7);
@@ -197,12 +198,12 @@ TEST(Design, IsTheSameForAnyNumberOfThreads) {
 TEST(Design, KeepsTheBranchWhereItIsAskedTo) {
   const DesignReport report = designed(
       shipped_model("design_five_points", std::vector<std::string>{"design.keep_branch=true"}), few(10));
-  // Without a change of branch no pose has to change either.
+  // Without a change of branch no pose needs to change either.
   EXPECT_THAT(report.text, HasSubstr("pose     = { x = 1.7, y = 1, angle = 40 }"));
   EXPECT_TRUE(is_good(report));
 }
 
-// Four-bars whose path is known: the design finds a linkage that goes through it.
+// Four-bars whose path is known: the design finds a linkage that passes through its points.
 TEST(Design, TasksMadeFromKnownMechanismsAreSolved) {
   const Model guess = shipped_model("design_five_points");
   const std::string text = text_of_profile("design_five_points");
@@ -276,7 +277,7 @@ TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));
 }
 
-// A slip that can be worked on all the same: it is said, with what the unit seems to be.
+// A likely mistake that does not prevent the design: a note says which unit seems to be meant.
 TEST(Design, TargetsThatLookLikeAnotherUnitAreNoted) {
   const auto notes = [](const std::vector<std::string>& overrides) {
     std::string all;

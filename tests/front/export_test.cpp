@@ -1,4 +1,4 @@
-// What goes out comes back: curves as DXF and CSV are read again by the profile's own types.
+// Exported curves can be read again: DXF and CSV are read back by the profile's own curve types.
 #include "higherpair/front/export.hpp"
 
 #include "contact/support_curves.hpp"
@@ -117,7 +117,8 @@ TEST_F(Export, AFlankAsADrawingGivesItsLawBack) {
     const Model again =
         with_flank("law_cam_roller", kFlankLine,
                    "curves.flank = { type = \"dxf\", file = \"flank.dxf\", layer = \"cam-flank\" }");
-    // The follower rises by the distance over the cosine of the pressure angle, here below 45 degrees.
+    // The follower's error is the distance divided by the cosine of the pressure angle, here below 45
+    // degrees.
     EXPECT_LE(worst_difference(cam, again, "slide.position"), 1.5e3 * tolerance) << tolerance;
   }
 }
@@ -146,7 +147,7 @@ TEST_F(Export, ThePitchCurveIsWhereTheRollersCentreIs) {
     double least = 1;
     for (const SpanPtr& span : pitch.spans()) {
       const Bounds range = span->range();
-      // By Newton's method from the nearest of many points.
+      // Newton's method from the nearest of many points.
       double at = range.low;
       for (int k = 0; k <= 400; ++k) {
         const double t = range.low + range.width() * k / 400;
@@ -170,7 +171,7 @@ TEST_F(Export, ACutterAsLargeAsTheRollerGoesAlongThePitchCurve) {
   const auto path = taken(cam, cutter);
   EXPECT_EQ(*curve_csv(cam, path.front(), {{}, 100}, cam.units()),
             *curve_csv(cam, pitch.front(), {{}, 100}, cam.units()));
-  // Half a millimetre smaller, half a millimetre nearer.
+  // With a cutter half a millimetre smaller the path is half a millimetre nearer.
   cutter.cutter = 0.0095;
   const auto smaller = taken(cam, cutter);
   const auto a = rows_of(*curve_csv(cam, pitch.front(), {1e-5, {}}, cam.units()));
@@ -195,7 +196,7 @@ TEST_F(Export, RowsOfACsvHaveNormalCurvatureAndArc) {
     EXPECT_NEAR(rows[i][4], 1.0 / 30, 1e-16);
     EXPECT_NEAR(rows[i][5], 30 * 2 * kPi * static_cast<double>(i) / 8, 1e-12);
   }
-  // In other units, the same.
+  // The result is the same in other units.
   Units inches = cam.units();
   inches.length = Unit::kInch;
   EXPECT_NEAR(rows_of(*curve_csv(cam, taken(cam, of("cam.disc")).front(), {{}, 8}, inches))[0][5], 0, 1e-16);
@@ -292,7 +293,7 @@ TEST_F(Export, SaysWhatIsWrong) {
 }
 
 TEST_F(Export, SaysHowLargeACutterMayBe) {
-  // A hole a little larger than 20.
+  // A hole slightly larger than 20.
   const Model ring = testing::model_of(std::string(testing::kCam) +
                                        "[bodies.ring]\ncurves.hole = { type = \"circle\", center = [10, 0], "
                                        "radius = 20.00049, side = \"outside\" }\n");

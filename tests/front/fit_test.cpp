@@ -1,5 +1,5 @@
-// Numbers from measured motion: a six-bar from its own noisy motion, closed forms of linear problems,
-// outliers, zeros that are not known, numbers that cannot be told apart, and what is measured wrongly.
+// Numbers fitted to measured motion: a six-bar from its own noisy motion, closed forms of linear problems,
+// outliers, unknown zeros, numbers that cannot be told apart, and mistakes in measurements.
 #include "higherpair/front/fit.hpp"
 
 #include "front/cam_profile.hpp"
@@ -74,7 +74,7 @@ void add_noise(MeasuredColumn& column, double deviation, std::mt19937_64& engine
   for (double& value : column.values) value += noise(engine);
 }
 
-// The follower stands at r + c_x sin θ + c_y cos θ [mm]: linear in radius and centre of the disc.
+// The follower is at r + c_x sin θ + c_y cos θ [mm]: linear in the radius and centre of the disc.
 const std::string kVariables = R"(
 samples = 37
 [design.variables]
@@ -108,7 +108,8 @@ double eccentric_lift(double theta) {
 TEST(Fit, ACamsEccentricityComesFromItsLift) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> noise(0, 0.05);
-  // Equally spaced over a turn the three functions are orthogonal: sums, and variances σ²/n and 2σ²/n.
+  // At equal steps over a turn the three functions are orthogonal: the estimates are sums, with variances
+  // σ²/n and 2σ²/n.
   const int n = 24;
   double sum = 0, sine = 0, cosine = 0;
   std::string text = "driver,follower.y\n";
@@ -170,7 +171,7 @@ struct SixBar {
   Model guess = shipped_model("sixbar_measured");
 };
 
-// 95 of 100 intervals of each length hold it; ± 4 standard deviations of the count of independent trials.
+// 95 of 100 intervals contain the true length; ± 4 standard deviations of the count of independent trials.
 TEST(Fit, TheSixBarIsFoundFromItsOwnNoisyMotionAsOftenAsTheIntervalsSay) {
   const SixBar bar;
   const MeasuredTable exact =
@@ -222,7 +223,7 @@ TEST(Fit, TheShippedTableGivesTheLinkageBehindIt) {
     EXPECT_NEAR(report.variables[i].after, kTruth[i], 1.5 * report.variables[i].half) << i;
   }
   EXPECT_NEAR(report.measurement[0].after, 3.2, 1.5 * report.measurement[0].half);
-  // The three wrong readings, and no others.
+  // The three wrong readings are found, and no others.
   std::vector<int> lines;
   for (const FitReport::Residual& residual : report.residuals) {
     if (residual.outlier) lines.push_back(residual.line);
@@ -268,7 +269,7 @@ offset = true
 column = "driver"
 offset = true
 )";
-  // The encoder shows 128.5 deg more than the cam has turned, the gauge 4.25 mm less.
+  // The encoder shows 128.5 deg more than the cam has turned, and the gauge 4.25 mm less.
   std::string text = "driver,follower.y,follower.vy[mm/s]\n";
   for (int k = 0; k < 36; ++k) {
     const double theta = 10 * k * kPi / 180;
@@ -296,7 +297,7 @@ TEST(Fit, APathMeasuredInAFrameOfItsOwnGivesTheFrameAsWell) {
   std::string text = fmt::format("driver,{0}.x,{0}.y\n", name);
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const double x = motion.column(name + ".x")[k], y = motion.column(name + ".y")[k];
-    // Turned by 35 deg, 1.7 times as large, moved.
+    // Rotated by 35 deg, 1.7 times as large, and moved.
     const double c = 1.7 * std::cos(35 * kPi / 180), s = 1.7 * std::sin(35 * kPi / 180);
     text += fmt::format("{},{},{}\n", motion.column("driver")[k], c * x - s * y + 12, s * x + c * y - 7);
   }
@@ -383,7 +384,7 @@ rocker  = { path = "bodies.link4.points.F.0" }
 }
 
 TEST(Fit, NumbersOfWhichOnlySumOrDifferenceIsKnownAreNamed) {
-  // The face's place on the follower and the disc's radius lift the follower alike.
+  // The position of the face on the follower and the radius of the disc lift the follower in the same way.
   const std::string profile = std::string(kCam) + R"(
 [design.variables]
 r = { path = "bodies.cam.curves.disc.radius" }
@@ -396,7 +397,7 @@ f = { path = "bodies.follower.curves.face.point.1" }
 }
 
 TEST(Fit, ResidualsThatFollowOneAnotherAreNoted) {
-  // A second harmonic that no eccentric disc has.
+  // A second harmonic, which no eccentric disc has.
   const FitReport report = fitted(model_of(kCamFit), table_of(lift_table("driver,follower.y", [](double t) {
                                     return 30 + 10 * std::sin(t) + 0.2 * std::sin(2 * t);
                                   })));
@@ -430,7 +431,7 @@ TEST(Fit, BoundsHoldAndAreSaid) {
 }
 
 TEST(Fit, ManyStartsFindWhatOneDoesNot) {
-  // From a crank of 14.9 the way to 5 leads over linkages that do not turn.
+  // From a crank of 14.9 the search has to cross linkages that do not turn on its way to 5.
   const SixBar bar;
   const MeasuredTable exact =
       measured_motion(bar.truth, positions(45, -300, 30), {"link4.angle", "slider.x"});
@@ -476,7 +477,7 @@ TEST(Fit, ValuesInAnotherUnitAreRecognised) {
       HasSubstr(
           "driver: these values are far from the motion of the profile in deg, but near it if they are in "
           "rad (a factor of 57.2958)"));
-  // Whoever writes the unit is believed.
+  // An explicit unit is accepted without a note.
   EXPECT_EQ(message_of(kCamFit,
                        lift_table("driver,follower.y[mm]", [](double t) { return 0.5 * eccentric_lift(t); })),
             "");
@@ -568,7 +569,7 @@ TEST(Fit, SaysHowFarItIs) {
   settings.progress = [&](const FitProgress& progress) { seen.push_back(progress); };
   const FitReport report =
       fitted(model_of(kCamFit), table_of(lift_table("driver,follower.y", eccentric_lift)), settings);
-  ASSERT_GE(seen.size(), 4U);  // searches, and a round of noise at least
+  ASSERT_GE(seen.size(), 4U);  // searches, and at least one round of noise
   EXPECT_EQ(seen[0].starts, 1);
   EXPECT_EQ(seen[2].starts, 3);
   EXPECT_EQ(seen[2].all_starts, 3);
@@ -579,7 +580,7 @@ TEST(Fit, SaysHowFarItIs) {
 }
 
 TEST(Fit, AngleVariablesAndForcesAreFittedAsWell) {
-  // The effort of the driver against a load on the follower: F e cos θ, with the slide turned.
+  // The driving effort against a load on the follower is F e cos θ, rotated with the slide.
   const std::string profile = std::string(kCam) + R"(
 samples = 37
 [loads]
@@ -593,7 +594,7 @@ f = { path = "loads.push.force.1" }
     const double t = 15 * k * kPi / 180;
     text += fmt::format("{},{},{}\n", 15 * k, 30 + 9 * std::sin(t), 14 * 9 * std::cos(t));
   }
-  // `driver.effort` is a result of the run, not where it is.
+  // `driver.effort` is a result of the run, not its position.
   const FitReport report = fitted(model_of(profile), table_of(text));
   EXPECT_NEAR(report.variables[0].after, 9, 1e-8);
   EXPECT_NEAR(report.variables[1].after, -14, 1e-7);

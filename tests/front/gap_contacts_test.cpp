@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Contacts that may part, whole bodies as partners, and guides with ends.
+// Contacts that may separate, whole bodies as partners, and guides with ends.
 
 namespace higherpair {
 namespace {
@@ -23,8 +23,8 @@ using testing::profile_of;
 using testing::replaced;
 using testing::shipped_model;
 
-// Of the wheel of a Geneva drive with n slots, the crank at φ from the line of pivots, at unit speed. The
-// wheel turns against the crank.
+// Speed and acceleration of the wheel of a Geneva drive with n slots, with the crank at φ from the line of
+// pivots and at unit speed. The wheel turns opposite to the crank.
 struct Wheel {
   double omega = 0, alpha = 0;
 };
@@ -35,7 +35,7 @@ Wheel geneva(int n, double phi) {
   return {-(m * std::cos(phi) - m * m) / d, m * (1 - m * m) * std::sin(phi) / (d * d)};
 }
 
-// A Geneva drive whose pivots are 80 apart, built anew: [mm].
+// A Geneva drive with its pivots 80 mm apart, constructed independently.
 std::string geneva_profile(int n, const std::string& driver) {
   const double m = std::sin(M_PI / n);
   const double crank = 80 * m;
@@ -79,7 +79,7 @@ TEST(GenevaWheel, TurnsByOneSlotInEveryTurnOfItsCrankAndRestsInBetween) {
     const auto alpha = motion.column("wheel_pivot.acceleration");
     const auto angle = motion.column("wheel_pivot.position");
     const auto driver = motion.column("driver");
-    const double half = 90 - 180.0 / n;  // of the crank's turn with the pin in a slot
+    const double half = 90 - 180.0 / n;  // half of the crank's turn with the pin in a slot
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double phi = std::remainder(driver[k] - 180, 360);
       const Wheel wanted = std::abs(phi) < half ? geneva(n, phi * testing::kDegree) : Wheel{};
@@ -105,7 +105,7 @@ TEST(GenevaWheel, TurnsByOneSlotInEveryTurnOfItsCrankAndRestsInBetween) {
 TEST(GenevaWheel, HasThePeaksOfTheTextbook) {
   struct Peak {
     int n;
-    double alpha, at;  // and where, from the line of pivots [deg]
+    double alpha, at;  // largest acceleration, and its angle from the line of pivots [deg]
   };
   for (const Peak& peak : {Peak{4, 5.4069810, 11.4637}, Peak{6, 1.3496373, 22.9031}}) {
     const double m = std::sin(M_PI / peak.n);
@@ -163,7 +163,7 @@ TEST(GenevaWheel, NeedsNoForceWhileItIsHeldAndBalancesItsInertiaWhileItIsDriven)
   const auto alpha = motion.column("wheel_pivot.acceleration");
   const double inertia = 400e-6;  // kg m²
   for (std::size_t k = 0; k < motion.size(); ++k) {
-    // Virtual power: T ω_crank = I α ω; here in N mm.
+    // Virtual power: T ω_crank = I α ω, here in N mm.
     EXPECT_NEAR(torque[k], 1000 * inertia * (alpha[k] * testing::kDegree) * (omega[k] * testing::kDegree),
                 1e-9)
         << k;
@@ -185,8 +185,8 @@ TEST(GenevaWheel, HasJerkOnlyWhileItIsDriven) {
   EXPECT_NEAR(jerk[2] * testing::kDegree, m * (1 - m * m) / std::pow(1 - m, 4), 1e-9);
 }
 
-// A disc of radius 20, 10 off its pivot, that strikes a tappet which rests 5 above its lowest place: it moves
-// by y = 20 + 10 sin θ where that is above 25, that is between 30° and 150°.
+// A disc of radius 20, with its centre 10 from its pivot, strikes a tappet that rests 5 above its lowest
+// position: y = 20 + 10 sin θ where that is above 25, between 30° and 150°.
 const std::string kTappet =
     profile_of({R"(curves.disc = { type = "circle", center = [10, 0], radius = 20 })",
                 R"(pose = { x = 0, y = 25 }
@@ -227,7 +227,7 @@ TEST(LashedTappet, HasTheSameEventsWhateverTheRows) {
   EXPECT_NEAR(engaged[1].driver, 390, 1e-6);
 }
 
-// Crank 20, rod 60 on a slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
+// Crank 20, rod 60, slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
 std::string slider_crank(const std::string& ends) {
   return testing::slider_crank_profile(20, 60, "", ends) + R"([driver]
 joint = "main"
@@ -273,7 +273,7 @@ TEST(GuideWithEnds, IsSaidWhereItCannotStart) {
 }
 
 TEST(GuideWithEnds, IsNotNamedWhereTheLinksCannotReachEachOther) {
-  // The slider is drawn beyond its end, but it is the rod that is too short.
+  // The slider's pose is beyond the end of the guide, but the actual reason is that the rod is too short.
   const auto motion =
       model_of(slider_crank("from = 0\nto = 70"), {"driver.start=90", "bodies.rod.points.B=[5, 0]"}).run();
   ASSERT_FALSE(motion);
@@ -300,7 +300,7 @@ TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {
   EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"can\", ")), HasSubstr("there is no body `can`"));
 }
 
-// Like the middle line of a slot, whose ends are no edges. The disc touches it at x = 10 cos θ: between 60°
+// Like the centre line of a slot, whose ends are not edges. The disc touches it at x = 10 cos θ: between 60°
 // and 120°, and 240° and 300°.
 TEST(FaceOfBothSides, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
   std::string text = replaced(kTappet, "{ type = \"line\", point = [0, 0], normal = [0, -1] }",
@@ -328,7 +328,7 @@ TEST(FaceOfBothSides, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {
   EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower"));
 }
 
-// Two discs on one body, far apart: the follower goes over from one to the other.
+// Two discs on one body, far apart: the contact moves from one to the other.
 TEST(WholeBodies, TouchWithWhicheverCurveIsThere) {
   const std::string text = profile_of({R"(curves.base = { type = "circle", center = [0, 0], radius = 30 }
 curves.nose = { type = "circle", center = [25, 0], radius = 10 })",

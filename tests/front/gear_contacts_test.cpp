@@ -1,4 +1,4 @@
-// Teeth of gears as contacts: which pairs touch, and where the next ones begin and part.
+// Gear teeth as contacts: which pairs touch, and where the next ones engage and separate.
 #include "higherpair/front/branches.hpp"
 #include "higherpair/front/check.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
@@ -25,8 +25,8 @@ using testing::motion_of;
 using testing::shipped_model;
 using ::testing::SizeIs;
 
-// A pair whose pinion is at ground's origin, in millimetres. At 0 a tooth of the pinion and a space of the
-// wheel lie along the line of centres; the pinion drives counter-clockwise, by the left flanks of its teeth.
+// A pair with the pinion at ground's origin, in millimetres. At 0 a tooth of the pinion and a space of the
+// wheel are on the line of centres; the pinion drives counter-clockwise with the left flanks of its teeth.
 struct Pair {
   InvoluteTooth pinion, wheel;
   double distance = 0;
@@ -34,13 +34,13 @@ struct Pair {
   [[nodiscard]] GearPair gears() const { return {pinion, wheel, distance}; }
   [[nodiscard]] double pitch() const { return 360 / pinion.teeth; }
 
-  // The driver's position at which a left flank of the tooth along x touches at the pitch point: the flank's
-  // place on the working pitch circle comes onto the line of centres.
+  // The driver's position at which the left flank of the tooth on x touches at the pitch point: there the
+  // flank's point on the working pitch circle is on the line of centres.
   [[nodiscard]] double at_pitch_point() const {
     const double alpha = working_pressure_angle(gears());
     return -(half_angle_at_base(pinion) - involute_function(alpha)) / testing::kDegree;
   }
-  // Where that pair of flanks begins and parts.
+  // Driver position at which that pair of flanks engages.
   [[nodiscard]] double begins() const {
     return at_pitch_point() - path_of_contact(gears()).approach / base_radius(pinion) / testing::kDegree;
   }
@@ -60,7 +60,7 @@ std::string whole_gear(const InvoluteTooth& tooth) {
   return fmt::format("curves.teeth = {{ type = \"gear\", {} }}\n", keys_of(tooth));
 }
 
-// The left flanks alone, each a curve with two ends.
+// The left flanks only, each as a curve with two ends.
 std::string left_flanks(const InvoluteTooth& tooth) {
   std::string text;
   for (int i = 0; i < static_cast<int>(tooth.teeth); ++i) {
@@ -109,8 +109,9 @@ std::vector<double> drivers_of(const std::vector<Event>& events) {
   return drivers;
 }
 
-// The ratio is that of the teeth in every row, and pairs begin and part a pitch after each other, where the
-// path of contact of the textbook does. \param within  of an angle [deg]
+// Checks that the ratio is that of the teeth in every row, and that pairs engage and separate one pitch after
+// another, at the ends of the textbook's path of contact.
+// \param within  tolerance of angles [deg]
 void expect_pairs(const Motion& motion, const Pair& pair, double within) {
   ASSERT_TRUE(motion.good());
   const double ratio = -pair.pinion.teeth / pair.wheel.teeth;
@@ -164,7 +165,7 @@ double contact_ratio_of(const std::string& profile) {
   return 0;
 }
 
-// Without play the backs of the teeth touch as well, but the pairs are those of the flanks that push.
+// Without backlash the back flanks touch as well, but the pairs are those of the driving flanks.
 TEST(GearContacts, WithoutPlayHaveThePairsAndTheContactRatioOfOneSide) {
   const double ratio = 1.6351859635714583;
   for (const double backlash : {0.0, 0.04}) {
@@ -177,7 +178,8 @@ TEST(GearContacts, WithoutPlayHaveThePairsAndTheContactRatioOfOneSide) {
   }
 }
 
-// Other teeth, shifted, thinned, farther apart than close: unequal numbers all through.
+// Other teeth, with profile shift and thinning and at a larger than close distance: no symmetry in any
+// number.
 TEST(GearContacts, OfShiftedTeethWithPlayHaveThePathOfTheTextbookToo) {
   Pair pair{{3.1, 14, 20 * testing::kDegree, 0.4, 0.07}, {3.1, 23, 20 * testing::kDegree, -0.11, 0.02}};
   pair.distance = close_pair(pair.pinion, pair.wheel).distance + 0.13;
@@ -207,7 +209,8 @@ TEST(GearContacts, HaveTheSameEventsWhateverTheRows) {
   }
 }
 
-// The play along the pitch circles, as an angle of the wheel: between the contacts of both kinds of flanks.
+// The backlash on the pitch circles as an angle of the wheel: the distance between the contacts of the two
+// kinds of flanks.
 TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
   for (const double apart : {0.0, 0.21}) {
     const Pair pair{
@@ -220,11 +223,11 @@ TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
         free.push_back(entry.position);
       }
     }
-    const double along = backlash(pair.gears());  // of the working pitch circles
+    const double along = backlash(pair.gears());  // on the working pitch circles
     EXPECT_NEAR(along, apart == 0 ? 0.08 : 0.08 + 2 * apart * std::tan(20 * testing::kDegree),
                 apart == 0 ? 1e-12 : 5e-3);
     const double play = along / (pair.distance * 40 / 60) / testing::kDegree;
-    // Of neighbours one distance is the play and the next one what is left of a pitch.
+    // Distances between neighbours alternate: one is the backlash, the next the rest of a pitch.
     ASSERT_GE(free.size(), 3U);
     const double first = free[1] - free[0];
     const double second = free[2] - free[1];
@@ -233,8 +236,8 @@ TEST(GearContacts, LeaveTheirBacklashBehindTheFlanksThatWork) {
   }
 }
 
-// Where the path of contact is shorter than a pitch the tip of a tooth goes on pushing as an edge, slower
-// than its flank would, until the next pair meets in a jump.
+// Where the path of contact is shorter than a pitch, the tip of a tooth continues to push as an edge, more
+// slowly than its flank would, until the next pair engages with a jump.
 TEST(GearContacts, ThatAreTooFarApartGoOnOverTheirTips) {
   const Pair pair{{2, 20}, {2, 40}, 61.9};
   ASSERT_LT(path_of_contact(pair.gears()).ratio, 1);
@@ -262,7 +265,8 @@ TEST(GearContacts, NeedTeethThatARackLeavesWhole) {
               HasSubstr("the teeth are pointed"));
 }
 
-// 13 teeth against 40: the reference has 0.306157 modules past the base circle.
+// 13 teeth against 40: by the reference the tip reaches 0.306157 modules past the base circle's tangent
+// point.
 TEST(GearContacts, HaveANoteWhereTipsInterfereWithRoots) {
   const auto flank = [](int teeth, const std::string& roll) {
     return fmt::format("curves.flank = {{ type = \"involute\", center = [0, 0], module = 2, teeth = {}{} }}",
@@ -308,7 +312,7 @@ end = 5
   EXPECT_NEAR(2 * path_of_contact({{1, 13}, {1, 40}, 26.5}).past_base[0], 0.6123, 5e-5);
   EXPECT_THAT(notes_of(pinion, flank(40, ", roll = [5, 27.306]")), IsEmpty());
   EXPECT_THAT(notes_of(pinion, flank(40, ", roll = [5, 27.307]")), SizeIs(1));
-  // Not past the base circle, but below where the flank begins.
+  // Not past the base circle, but below the beginning of the flank.
   EXPECT_THAT(notes_of(flank(13, ", roll = [4, 44]"), flank(40, ", roll = [5, 26.8]")),
               ElementsAre(HasSubstr("is 2.5584 deg, but its involute begins at 4")));
 }

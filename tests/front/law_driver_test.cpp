@@ -20,7 +20,7 @@ using testing::motion_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// A crank and slider, stroke in the driver's direction; or the slide alone, with a mass.
+// A slider-crank whose crank's driver follows a law; or the slide alone, with a mass.
 const std::string kLawCrank =
     testing::slider_crank_profile(31, 87, "mass = 2\ncenter_of_mass = [0, 0]") + R"([driver]
 joint = "main"
@@ -39,7 +39,7 @@ RunSettings at(const std::vector<double>& positions) {
   return settings;
 }
 
-// Each column is the derivative of the one before: five-point differences over rows that are close together.
+// Each column is the derivative of the one before, by five-point differences over closely spaced rows.
 TEST(LawDriver, EveryRateIsTheDerivativeOfTheOneBefore) {
   const Model model =
       model_of(kLawCrank +
@@ -107,7 +107,7 @@ TEST(LawDriver, ReportsJumpsOfVelocityAndAcceleration) {
   EXPECT_NEAR(motion.column("driver.velocity")[motion.size() - 1], 50, 1e-12);
 }
 
-// With two rows the same happens on the way as with many: the driver turns back twice between them.
+// With two rows the same events are found as with many: the driver turns back twice between them.
 TEST(LawDriver, EventsDoNotDependOnTheRows) {
   const std::string law =
       "[laws.turn]\nrepeat = true\nsegments = [{ over = 1, law = \"cycloidal\", rise = 200 }, { over = 1, "
@@ -125,7 +125,7 @@ TEST(LawDriver, EventsDoNotDependOnTheRows) {
   const std::vector<double> few = ends_of_stroke("4");
   const std::vector<double> many = ends_of_stroke("0.01");
   ASSERT_EQ(few.size(), many.size());
-  ASSERT_GE(few.size(), 4U);  // at 180 degrees, there and back, twice
+  ASSERT_GE(few.size(), 4U);  // at 180 degrees, forward and back, twice
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_NEAR(few[i], many[i], 1e-6);
   }
@@ -145,7 +145,7 @@ TEST(LawDriver, AnalyzeIsStepOverTheWholeLaw) {
   }
 }
 
-// m a and nothing else drives a slide.
+// A slide is driven against its inertia m a only.
 TEST(LawDriver, ForcesInTimeAreThoseOfTheAcceleration) {
   const std::string text = R"(
 [bodies.ground]
@@ -181,8 +181,8 @@ time_step = 0.01
   EXPECT_NEAR(largest, 12 * 5.527957 * 0.08 / 0.09, 1);
 }
 
-// A disc lifts a follower with a mass by a law in time; it is thrown off where the deceleration exceeds
-// gravity. That is found between two rows, and in a dwell of the law as well.
+// A disc lifts a follower with a mass by a law in time; the follower is thrown off where the deceleration
+// exceeds gravity. This is found between two rows, and with a dwell in the law.
 TEST(LawDriver, ContactsOpenWhereTheLawThrowsThemOff) {
   const std::string text = R"(gravity = [0, -9810]
 [bodies.ground]

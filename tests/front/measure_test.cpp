@@ -1,4 +1,4 @@
-// Measures: each against the columns of the whole run, and where they come from.
+// Measures: each compared with the columns of the whole run, and their origin.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 

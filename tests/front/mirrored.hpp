@@ -15,7 +15,7 @@ inline Vector2d mirrored(const Vector2d& v) {
   return {v.x(), -v.y()};
 }
 
-/// A span mirrored at the x axis, run through the other way so that its material is on the left again.
+/// A span mirrored at the x axis, traversed in the opposite sense so that its material stays on the left.
 class MirroredSpan final : public Span {
 public:
   explicit MirroredSpan(SpanPtr span) : span_(std::move(span)) {}
@@ -34,7 +34,7 @@ private:
   SpanPtr span_;
 };
 
-/// Chain by chain, each run through the other way; corners and edges at ends come about again.
+/// Mirrors chain by chain, each traversed in the opposite sense; corners and edges at ends are created again.
 inline Boundary mirrored(const Boundary& boundary) {
   std::vector<Boundary> chains;
   std::vector<SpanPtr> spans;
@@ -71,7 +71,7 @@ inline NamedCurve mirrored(NamedCurve curve) {
   return curve;
 }
 
-/// A mechanism of pins, slides, contacts, springs and loads as a mirror at ground's x axis shows it.
+/// The mirror image, at ground's x axis, of a mechanism of pins, slides, contacts, springs and loads.
 inline Mechanism mirrored(Mechanism mechanism) {
   mechanism.gravity_W = mirrored(mechanism.gravity_W);
   for (Body& body : mechanism.bodies) {
@@ -111,7 +111,7 @@ inline Mechanism mirrored(Mechanism mechanism) {
   return mechanism;
 }
 
-/// The same of a model whose drivers turn, in degrees, or slide without following a law.
+/// The mirror image of a model whose drivers turn, in degrees, or slide without following a law.
 inline Model mirrored(const Model& model) {
   const Profile& profile = model.profile();
   std::vector<DriverProgram> programs = profile.programs;

@@ -1,4 +1,5 @@
-// Mirrored and scaled copies of mechanisms whose curves have ends or several parts, and of those that part.
+// Mirrored and scaled copies of mechanisms whose curves have ends or several parts, and of contacts that may
+// separate.
 #include "mirrored.hpp"
 
 #include "front/analysis_impl.hpp"
@@ -35,7 +36,7 @@ class Copies : public ::testing::TestWithParam<Copied> {
 protected:
   Copies() : model_(shipped_model(GetParam().profile, settings())) {}
 
-  // Few rows: what happens between them is found all the same. None of it happens at the ends of the path.
+  // Few rows: what happens between them must be found all the same. No event is at the ends of the path.
   static std::vector<std::string> settings() {
     return {"driver.samples=25", fmt::format("driver.start={}", GetParam().start),
             fmt::format("driver.end={}", GetParam().end)};
@@ -95,7 +96,7 @@ TEST_P(Copies, MoveAsTheMirrorShowsThem) {
   }
 }
 
-// In metres everything is a thousand times as large, and the numbers of lengths are the same.
+// In metres everything is a thousand times as large, with the same numbers for lengths.
 TEST_P(Copies, MoveInTheSameWayAThousandTimesAsLarge) {
   if (GetParam().profile == std::string("spline_cam")) {
     GTEST_SKIP() << "its points come from a file in millimetres";
@@ -136,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(OfProfiles, Copies,
                                            Copied{"law_cam_flat"}),
                          [](const auto& given) { return std::string(given.param.profile); });
 
-// By item, curve and quantity: mirrored cams have the same figures, but for the sense of what turns.
+// Compared by item, curve and quantity: mirrored cams have the same figures, except for the sense of
+// rotation.
 TEST(MirroredCams, HaveTheSameFigures) {
   for (const char* name : {"checked_cam", "valve_train", "four_arc_cam", "geneva_four_slots"}) {
     const Model model = shipped_model(name);
@@ -162,7 +164,7 @@ TEST(MirroredCams, HaveTheSameFigures) {
   }
 }
 
-// The box around the points of a CSV and the way along them.
+// The bounding box of the points of a CSV, and the length along them.
 std::array<double, 5> extent_of(const Model& model, const std::string& curve) {
   ExportSettings settings;
   settings.curves = {curve};
@@ -192,7 +194,7 @@ TEST(MirroredCurves, GoOutMirrored) {
     const Model model = shipped_model(name);
     const auto own = extent_of(model, curve);
     const auto image = extent_of(mirrored(model), curve);
-    const double apart = own[4] / 2000;  // between two points: the two begin at different places
+    const double apart = own[4] / 2000;  // spacing of the points: the two curves begin at different ones
     EXPECT_NEAR(image[0], own[0], apart) << name;
     EXPECT_NEAR(image[1], own[1], apart) << name;
     EXPECT_NEAR(image[2], -own[3], apart) << name;

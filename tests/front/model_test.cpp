@@ -203,7 +203,7 @@ TEST(Model, WithOtherNumbersRunsAsIfReadWithThem) {
   }
 }
 
-// Every number of every kind of group, a little larger.
+// Slightly increases every number of every kind of group.
 TEST(Model, WithEveryNumberChangedRunsAsIfReadWithThem) {
   for (const std::string name :
        {"watt_sixbar", "quick_return", "sixbar_slider", "slider_crank", "scotch_yoke", "ellipse_cam_roller",
@@ -278,7 +278,7 @@ TEST(Model, NamesTheNumbersOfItsProfile) {
   EXPECT_TRUE(Model::from(four_bar()).value().parameters().empty());
 }
 
-// A cam by its support under a flat face that ends.
+// A cam given by its support under a flat face with ends.
 Mechanism cam_under_face(const SupportCurve& support, double half_width) {
   Mechanism cam;
   const int disc = add_body(cam, "cam");
@@ -294,7 +294,8 @@ Mechanism cam_under_face(const SupportCurve& support, double half_width) {
   return cam;
 }
 
-// An ellipse of 20 x 10 mm lifts a flat face by h = sqrt((20 sin θ)² + (10 cos θ)²), and touches it at h′.
+// An ellipse of 20 x 10 mm lifts a flat face by h = sqrt((20 sin θ)² + (10 cos θ)²) and touches it at the
+// distance h′.
 TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
   const testing::EllipseBySupport ellipse({0, 0}, 0.020, 0.010, 0);
   const auto run = [&](double half_width) {
@@ -310,7 +311,7 @@ TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
     const double theta = turned[k];
     EXPECT_NEAR(height[k], std::hypot(0.020 * std::sin(theta), 0.010 * std::cos(theta)), 1e-15);
   }
-  // It touches up to 10 mm beside the guide.
+  // The contact is up to 10 mm off the guide.
   EXPECT_THAT(run(0.008).events(), ::testing::Contains(::testing::Field(&Event::type, EventType::kEnd)));
 }
 
@@ -328,13 +329,13 @@ TEST(Model, RefusesACuspedCurveThatIsToBoundABody) {
   Mechanism swapped = bad;
   std::swap(swapped.contacts[0].first, swapped.contacts[0].second);
   EXPECT_EQ(to_string(Model::from(swapped).error()), "mechanism: contacts.touch.second: " + fault);
-  // Several curves of a body as one.
+  // Several curves of a body joined into one.
   Mechanism joined = bad;
   const CurveRef all = add_curve(joined, 1, "all", Curve{CurveKind::kCircle});
   joined.bodies[1].curves[1].parts = {0};
   joined.contacts[0].first = all;
   EXPECT_EQ(to_string(Model::from(joined).error()), "mechanism: contacts.touch.first: " + fault);
-  // A contact that may part makes boundaries of whole curves too.
+  // A contact that may separate turns whole curves into boundaries too.
   Mechanism whole = bad;
   whole.bodies[2].curves[0] = {"face", make_line({0, 0}, {0, -1}).value()};
   EXPECT_TRUE(Model::from(whole));

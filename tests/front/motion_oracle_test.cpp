@@ -23,7 +23,7 @@ std::string conic_text(const nlohmann::json& conic, Side side) {
                      side == Side::kOutside ? "outside" : "inside");
 }
 
-// The case as a user would write it; the follower's pose is rough.
+// The case as a user would write it, with an approximate pose of the follower.
 std::string profile_text(const OracleCase& reference) {
   const nlohmann::json& data = reference.data;
   const auto o1 = testing::vector_of(data.at("body1").at("origin"));

@@ -1,4 +1,4 @@
-// Texts of numbers are those of the standard library, character by character.
+// Formatted numbers are those of the standard library, character by character.
 #include "front/number_texts.hpp"
 
 #include <bit>

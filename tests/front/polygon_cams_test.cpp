@@ -9,13 +9,13 @@
 
 #include <gtest/gtest.h>
 
-// Cams with straight flanks, convex corners and notches: under a roller, against the greatest height to which
-// any point of the cam lifts it, and under a knife edge.
+// Cams with straight flanks, convex corners and notches: under a roller, compared with the greatest height to
+// which any point of the cam lifts it, and under a knife edge.
 
 namespace higherpair::testing {
 namespace {
 
-// A polygon round the origin, counter-clockwise, with hollow and with convex corners.
+// A polygon around the origin, counter-clockwise, with concave and convex corners.
 std::vector<Vector2d> star(std::mt19937& random) {
   std::uniform_real_distribution<double> radius(15, 60), shift(-0.3, 0.3);
   const int corners = std::uniform_int_distribution<int>(4, 9)(random);
@@ -46,7 +46,7 @@ std::string profile_of_polygon(const std::vector<Vector2d>& points, const std::s
                      "start = 0\nend = 360\nvelocity = \"1 rad/s\""});
 }
 
-// The height of the roller's centre, over x = 0, when the cam has turned by theta.
+// The height of the roller's centre above x = 0 when the cam has turned by theta.
 double height_at(std::vector<Vector2d> points, double theta) {
   for (Vector2d& point : points) {
     point = Rotation<double>::from_angle(theta) * point;
@@ -82,7 +82,7 @@ TEST(PolygonCams, LiftARollerAsHighAsTheirHighestPoint) {
   }
 }
 
-// A roof whose middle is below or above its eaves, under a tip that stands over it at 0.
+// A roof whose middle is below or above its eaves, under a tip that is above the middle at 0.
 TEST(PolygonCams, SayWhereATipGoesThroughANotchAndOverACorner) {
   const auto motion_under = [](double ridge) {
     const std::string profile = profile_of_polygon({{-40, -30}, {40, -30}, {40, 20}, {0, ridge}, {-40, 20}},
@@ -103,8 +103,7 @@ TEST(PolygonCams, SayWhereATipGoesThroughANotchAndOverACorner) {
   EXPECT_NE(corners[0].cause.find("goes over a corner of cam"), std::string::npos);
 }
 
-// A roller of no size to speak of goes where the knife edge goes, and says so where it changes over in a
-// notch.
+// A roller of negligible size moves like a knife edge, and its change of sides in a notch is reported.
 TEST(PolygonCams, GoThroughNotchesUnderTheSmallestRollersAsUnderAKnifeEdge) {
   const std::vector<Vector2d> points{{-40, -30}, {40, -30}, {40, 20}, {3, 10}, {-40, 20}};
   const auto motion_under = [&](const std::string& tip) {
@@ -124,11 +123,11 @@ TEST(PolygonCams, GoThroughNotchesUnderTheSmallestRollersAsUnderAKnifeEdge) {
   }
 }
 
-// The knife edge stands beside the cam for as long as neither of the two corners reaches it.
+// The knife edge is beside the cam as long as neither of the two corners reaches it.
 TEST(PolygonCams, LoseAKnifeEdgeWhileTheyPassBesideIt) {
   const std::vector<Vector2d> points{{49.359, -1.416}, {5.627, 15.985}, {-35.618, -16.093}, {4.214, -20.86}};
   const double beside = 9.63;
-  // Of the corner's angles at which it is as far to the right as the edge.
+  // The cam's angles at which the corner is as far to the right as the edge.
   const auto angle_of_corner = [&](const Vector2d& corner, double side) {
     return (side * std::acos(beside / corner.norm()) - std::atan2(corner.y(), corner.x())) * 180 / kPi;
   };

@@ -1,5 +1,5 @@
-// Long runs in blocks on several threads: the rows, events and verdict of a run row by row, to the last bit,
-// and no event lost or doubled where a block begins.
+// Long runs in blocks on several threads: rows, events and verdict are those of a run row by row, to the last
+// bit, and no event is lost or doubled where a block begins.
 #include "front/cam_profile.hpp"
 #include "higherpair/front/motion.hpp"
 #include "higherpair/higherpair.hpp"
@@ -102,7 +102,7 @@ TEST_P(Blocks, AreTheRowsOfARunOnAnyNumberOfThreads) {
   }
 }
 
-// The rows of a run do not hang on how many there are.
+// The rows of a run do not depend on their number.
 TEST_P(Blocks, BeginWithTheRowsOfARunThatHasNone) {
   const Whole few = row_by_row(start(1 + 2000));
   const Whole many = row_by_row(start(1 + 6 * 2000));
@@ -138,8 +138,8 @@ std::vector<std::string> kinds_of(const Whole& whole) {
   return kinds;
 }
 
-// 181 rows of a whole turn are one block. Of 8191 rows the last one of the first block is at half a turn, of
-// 8193 the first one of the second, where what is symmetric reverses, begins or passes a change point.
+// 181 rows of a whole turn are one block. With 8191 rows the last one of the first block is at half a turn,
+// with 8193 the first one of the second; there symmetric mechanisms reverse, begin, or pass a change point.
 TEST(BlocksOfSymmetricMechanisms, LoseNoEventWhereOneBegins) {
   for (const char* name : {"slider_crank", "scotch_yoke", "parallelogram", "oval_in_ring", "law_cam_flat",
                            "flat_faced_translating", "knife_edge", "straight_line", "quick_return"}) {
@@ -168,8 +168,7 @@ TEST(BlocksOfListedPositions, FollowEveryTurnOfTheDriver) {
   expect_same(in_blocks(model.start(settings).value(), 3), alone);
 }
 
-// Three times over a limit and back, somewhere within a block: what comes after a gap in the motion has no
-// arcs.
+// Three times over a limit and back, within a block: after a gap in the motion there are no arcs.
 TEST(BlocksOfListedPositions, GoOverALimitAndBack) {
   const Model model = shipped_model("lock_up");
   RunSettings settings;

@@ -8,14 +8,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// Curves that touch at a second place, and contacts that go onto a part of a curve and back: all of it within
-// one step between rows that are far apart.
+// Curves that touch at a second point, and contacts that move onto a part of a curve and back, all within one
+// step between rows that are far apart.
 
 namespace higherpair::testing {
 namespace {
 
-// Three discs of radius 4 at (10, -9), (10.09, 0) and (10, 9) lift a flat face that faces to the left: it
-// stands at 4 + the largest x of their centres. The middle one leads while |θ| < atan 0.01 only.
+// Three discs of radius 4 at (10, -9), (10.09, 0) and (10, 9) move a flat face that faces to the left: it is
+// at 4 + the largest x of their centres. The middle disc leads only while |θ| < atan 0.01.
 const std::string kThreeDiscs = profile_of({R"(curves.d1 = { type = "circle", center = [10, -9], radius = 4 }
 curves.d2 = { type = "circle", center = [10.09, 0], radius = 4 }
 curves.d3 = { type = "circle", center = [10, 9], radius = 4 })",
@@ -57,8 +57,8 @@ TEST(SecondContacts, ThatMayNotBeGoneOverToAreOverlaps) {
   }
 }
 
-// An eccentric disc lifts a tappet whose edge is rounded from x = 9.99 on. The contact stands at x = 10 cos
-// θ: it is on the rounding while cos θ > 0.999 only, and turns back there.
+// An eccentric disc lifts a tappet whose edge is rounded from x = 9.99 on. The contact is at x = 10 cos θ: it
+// is on the rounding only while cos θ > 0.999, and turns back there.
 const std::string kRoundedTappet = profile_of(
     {R"(curves.disc = { type = "circle", center = [10, 0], radius = 30 })",
      R"(pose = { y = 20 }
@@ -78,7 +78,7 @@ TEST(SpanJoints, AreFoundAlsoWhereTheContactTurnsBackWithinAStep) {
   }
 }
 
-// Of the convex cam of two circles and their tangents: 20 sin θ + 8 on the nose, 20 on the base circle.
+// The convex cam of two circles and their tangents: 20 sin θ + 8 on the nose, 20 on the base circle.
 Model tangent_cam_with_flat_face(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides{
       R"(bodies.follower.curves.roller={ type = "line", point = [0, 0], normal = [0, -1] })"};

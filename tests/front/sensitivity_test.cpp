@@ -1,5 +1,5 @@
-// Derivatives of results: closed forms, differences between whole runs with other numbers, kinks, and what
-// has none.
+// Derivatives of results: closed forms, differences between whole runs with other numbers, kinks, and results
+// without a derivative.
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
@@ -77,7 +77,7 @@ std::string refusal(const Model& model, const SensitivitySettings& settings = {}
   return report ? "" : to_string(report.error());
 }
 
-// Stroke of an offset slider-crank: √((l+r)² − e²) − √((l−r)² − e²), whatever the rows.
+// Stroke of an offset slider-crank: √((l+r)² − e²) − √((l−r)² − e²), independent of the rows.
 TEST(SensitivityOfResults, TheStrokeOfASliderCrankIsTheClosedForm) {
   const double r = 30, l = 100, e = 12;
   const auto far = [&](double s) { return std::sqrt((l + s * r) * (l + s * r) - e * e); };
@@ -92,14 +92,14 @@ TEST(SensitivityOfResults, TheStrokeOfASliderCrankIsTheClosedForm) {
     EXPECT_NEAR(exact(report, 0, "bodies.ground.points.rail.1"), -e / far(1) + e / far(-1), 1e-9);
     EXPECT_NEAR(exact(report, 1, "bodies.crank.points.A.0"), (l + r) / far(1), 1e-9);
     EXPECT_NEAR(exact(report, 2, "bodies.crank.points.A.0"), -(l - r) / far(-1), 1e-9);
-    // Turned to its other end, a vector's second coordinate changes its length to second order alone, and so
-    // does the start of the crank: only where the extreme is, not what it is.
+    // The second coordinate of the crank's end changes the crank's length only to second order, and its
+    // start; the start only moves the position of an extreme, not its value.
     EXPECT_NEAR(exact(report, 0, "bodies.crank.points.A.1"), 0, 1e-9);
     EXPECT_EQ(exact(report, 0, "bodies.rod.pose.x"), 0);
   }
 }
 
-// Between the positions in which crank and coupler are in line, of crank-rockers of any lengths.
+// Swing between the positions in which crank and coupler are in line, for crank-rockers of any lengths.
 TEST(SensitivityOfResults, TheSwingOfARockerIsTheClosedForm) {
   const auto swing = [](double a, double b, double c, double d) {
     const auto limit = [&](double s) {
@@ -120,7 +120,7 @@ TEST(SensitivityOfResults, TheSwingOfARockerIsTheClosedForm) {
          "bodies.rocker.points.B.0=" + std::to_string(c), "bodies.ground.points.O4.0=" + std::to_string(d),
          "bodies.rocker.pose.x=" + std::to_string(d)});
     const SensitivityReport report = report_of(model, wanted({"rocker.angle:range"}));
-    EXPECT_NEAR(report.results[0].value, swing(a, b, c, d), 1e-4);  // of six digits in the text
+    EXPECT_NEAR(report.results[0].value, swing(a, b, c, d), 1e-4);  // the text has six digits
     EXPECT_NEAR(exact(report, 0, "bodies.crank.points.A.0"),
                 derivative([&](double h) { return swing(a + h, b, c, d); }), 1e-5);
     EXPECT_NEAR(exact(report, 0, "bodies.coupler.points.B.0"),
@@ -195,7 +195,8 @@ TEST(SensitivityOfResults, MeansAreThoseOfTheRows) {
   EXPECT_NEAR(exact(report, 2, e), report.results[2].value / 10, 1e-8);
 }
 
-// Against runs with other numbers, of many rows, whose extremes a parabola through three of them gives.
+// For comparison with runs with other numbers: many rows, with a parabola through three of them at an
+// extreme.
 double dense_result(const Model& model, const Measure& measure) {
   RunSettings settings;
   settings.samples = 5761;
@@ -279,7 +280,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SensitivityOfResults, WhereTwoExtremesAreEqualTheResultHasAKink) {
   const SensitivityReport report = report_of(model_of(kCam, {}), wanted({"follower.vy:maxabs"}));
-  // Up and down are equally fast, and remain so: no kink.
+  // Upward and downward speeds are equal and remain equal: no kink.
   EXPECT_NEAR(exact(report, 0, "bodies.cam.curves.disc.center.0"), 1, 1e-9);
   const SensitivityReport yoke =
       report_of(model_of(kSlider, {"bodies.ground.points.rail.1=0", "bodies.slider.pose.y=0"}),
@@ -292,7 +293,7 @@ TEST(SensitivityOfResults, WhereTwoExtremesAreEqualTheResultHasAKink) {
   EXPECT_NEAR(kink.down, -by_angle, 1e-8);
   EXPECT_NEAR(std::abs(kink.steepest()), by_angle, 1e-8);
   EXPECT_NEAR(exact(yoke, 0, "bodies.crank.points.A.0"), by_angle, 1e-8);
-  // Nearly so: a rival.
+  // Nearly equal: the other extreme is reported as a rival.
   const SensitivityReport off =
       report_of(model_of(kSlider, {"bodies.ground.points.rail.1=0.1", "bodies.slider.pose.y=0"}),
                 wanted({"rod.angle:maxabs"}));
@@ -315,8 +316,9 @@ TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
   }
 }
 
-// A flank that a law has shaped makes the law's lift whatever its size. The path of the roller's centre does
-// not depend on the roller: the flank's radius of curvature is smaller by as much as the roller's is larger.
+// The flank of a law's cam produces the law's lift whatever the cam's size. The path of the roller's centre
+// does not depend on the roller: the flank's radius of curvature decreases by as much as the roller's
+// increases.
 TEST(SensitivityOfResults, OfAFlankThatALawHasShapedAreTheClosedForm) {
   const Model model = shipped_model("law_cam_roller", {"driver.samples=37"});
   const std::string r = "bodies.follower.curves.roller.radius", y = "bodies.follower.pose.y";
@@ -335,7 +337,7 @@ TEST(SensitivityOfResults, OfAFlankThatALawHasShapedAreTheClosedForm) {
   EXPECT_LT(exact(report, 5, y), -0.1);
 }
 
-// Nothing moves a dwell, and rounding is no derivative.
+// Nothing moves a dwell, and rounding does not count as a derivative.
 TEST(SensitivityOfResults, OfAColumnThatIsTheSameEverywhereAreZero) {
   const SensitivityReport report =
       report_of(shipped_model("involute_pair", {}),
@@ -343,7 +345,7 @@ TEST(SensitivityOfResults, OfAColumnThatIsTheSameEverywhereAreZero) {
   EXPECT_EQ(exact(report, 0, "bodies.ground.points.O2.0"), 0);
 }
 
-// The others stay where they are; that there is a gap then does not matter to the top of the nose.
+// The other arcs stay in place; the gap that results does not matter at the top of the nose.
 TEST(SensitivityOfResults, OfOneArcOfAChainAreThoseOfThatArc) {
   const std::string radius = "bodies.cam.curves.outline.spans.0.radius";
   const SensitivityReport report =
@@ -411,7 +413,7 @@ TEST(SensitivityOfResults, SayWhatIsWrong) {
   EXPECT_THAT(wrong("follower.y:max=3"), HasSubstr("only `at` has a place"));
 }
 
-// Rows: against runs with other numbers at the same positions.
+// Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
   for (const char* name : {"eccentric_disc_oscillating_roller", "law_cam_roller"}) {
     const Model model = shipped_model(name, {"driver.samples=9"});

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-// Shipped cams against what their laws and tables say.
+// Shipped cams compared with their laws and tables.
 
 namespace higherpair {
 namespace {
@@ -47,7 +47,7 @@ TEST(GrooveCam, HoldsItsRollerByTheOuterWallToo) {
   EXPECT_TRUE(motion.good());
   const auto force = motion.column("groove.force");
   EXPECT_LT(*std::min_element(force.begin(), force.end()), 0);
-  // With the inner wall alone the contact opens.
+  // With the inner wall only, the contact opens.
   const Motion one_wall = cam_motion(shipped_model("groove_cam", {"contacts.groove.both_sides=false"}), true);
   EXPECT_FALSE(one_wall.good());
 }
@@ -68,11 +68,12 @@ TEST(CamshaftFromALiftTable, LiftsAsTheLawThatTheTableWasRoundedFrom) {
     worst_lift = std::max(worst_lift, std::abs(lift[k] - 32 - s));
     worst_acceleration = std::max(worst_acceleration, std::abs(acceleration[k] / (omega * omega) - a));
   }
-  EXPECT_LT(worst_lift, 0.0015);       // mm: the rounding of the table, and as much by smoothing
-  EXPECT_LT(worst_acceleration, 2.5);  // mm/rad², beside a peak of 39
+  EXPECT_LT(worst_lift, 0.0015);       // mm: the rounding of the table, and the same amount from smoothing
+  EXPECT_LT(worst_acceleration, 2.5);  // mm/rad², for a peak of 39
 }
 
-// The disc's centre is 10 mm from the cam's pivot, and 40 mm from the roller's, which is led radially.
+// The disc's centre is 10 mm from the cam's pivot and 40 mm from that of the roller, which is guided
+// radially.
 TEST(EccentricDisc, LiftsARadialRollerAsTheTriangleOfCentresSays) {
   const Motion motion = cam_motion(testing::model_of(
       testing::kCam, {"bodies.cam.curves.disc.radius=28", "bodies.follower.pose={x = 50, y = 0}",
@@ -81,7 +82,8 @@ TEST(EccentricDisc, LiftsARadialRollerAsTheTriangleOfCentresSays) {
   EXPECT_NEAR(motion.column("guide.position")[1], 48.3465237038, 5e-11);
 }
 
-// A face through its pivot, 80 mm away, on a disc of 25 mm whose centre is 10 mm from the cam's pivot.
+// A face through its pivot, which is 80 mm away, on a disc of 25 mm whose centre is 10 mm from the cam's
+// pivot.
 TEST(EccentricDisc, SwingsAFlatFaceAsTheTangentFromItsPivotSays) {
   const Motion motion = cam_motion(
       shipped_model("flat_faced_oscillating",

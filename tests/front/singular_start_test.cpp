@@ -1,4 +1,4 @@
-// Motions that start where a contact hardly holds its follower.
+// Motions that start where a contact hardly constrains its follower.
 #include "cam_profile.hpp"
 #include "sliding_cam.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 using testing::model_of;
 using testing::motion_of;
 
-// An arm in line with the centres where its law stands still: the pressure angle is 90 degrees.
+// An arm in line with the centres where its law is at rest: the pressure angle is 90 degrees.
 constexpr const char* kArmInLine = R"(
 [bodies.ground]
 points = { O = [0, 0], Q = [70, 0] }
@@ -32,7 +32,7 @@ joint = "O"
 points = [[0, 0], [60, 2], [120, 9], [180, 12], [240, 9], [300, 2], [360, 0]]
 )";
 
-// Nearby it is rounding that makes and ends contacts, by the thousand.
+// Near such a start rounding makes and breaks contacts by the thousand.
 TEST(SingularStart, IsLeftForRowsThatAreTheSameHoweverManyThereAre) {
   const Model model = model_of(kArmInLine);
   const Motion few = motion_of(model, 8);

@@ -9,12 +9,12 @@
 
 #include <fmt/core.h>
 
-// Cams under sliding followers by their few own lines, their motions and the events of these.
+// Builds profiles of cams under sliding followers from a few lines, and gives their motions and events.
 
 namespace higherpair::testing {
 
-/// A body `cam` that turns on a joint `pivot` at ground's origin, and a body `follower` that slides on a
-/// joint `guide` through it; lines of the profile.
+/// Lines of a profile in which a body `cam` turns on a joint `pivot` at ground's origin, and a body
+/// `follower` slides on a joint `guide` through it.
 struct SlidingCam {
   std::string cam;       ///< its curves
   std::string follower;  ///< pose, curves, mass

@@ -1,4 +1,5 @@
-// Sweeps: every variant against a run of its own, on any number of threads, in parts, and where it fails.
+// Sweeps: every variant compared with a run of its own, on any number of threads, in parts, and where it
+// fails.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -196,7 +197,7 @@ TEST(Sweeps, SayWhyAVariantIsNotGood) {
   EXPECT_EQ(block.values[7], static_cast<double>(RowStatus::kNotAssemblable));
 }
 
-// All rows are ok, the path between them is not.
+// All rows are ok, but the path between them is not.
 TEST(Sweeps, HoldThePathBetweenRowsAgainstAVariantToo) {
   const Model model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml",
                                   std::vector<std::string>{"driver.positions=[0, 359]", "sweep.method=list",

@@ -1,5 +1,5 @@
-// One model on several threads at once: what each of them gets is what one alone gets, bit for bit. Built
-// with the thread sanitizer (preset `tsan`) it also proves that they write to nothing in common.
+// One model on several threads at once gives each of them the same result as one thread alone, bit for bit.
+// Built with the thread sanitizer (preset `tsan`), it also proves that they share no data that is written.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 

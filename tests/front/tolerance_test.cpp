@@ -1,4 +1,4 @@
-// Bands of results within tolerances, against closed forms and random variants.
+// Bands of results from tolerances, compared with closed forms and random variants.
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
@@ -84,7 +84,7 @@ TEST(ToleranceBands, SayWhichToleranceToTightenAndHowFar) {
   EXPECT_TRUE(with("tolerances.results.top.within=0.2").worst_kept);
 }
 
-// Both ways by which numbers of one result can go together, and what is left of it.
+// Both kinds of correlation between the numbers of one result, and their effect.
 TEST(ToleranceBands, OfCorrelatedNumbersHaveTheirCovariance) {
   const auto with = [](double coefficient) {
     return bands_of(model_of(kCam + std::string(kLinear) +
@@ -104,7 +104,7 @@ TEST(ToleranceBands, OfCorrelatedNumbersHaveTheirCovariance) {
   EXPECT_NEAR(with(0).deviation, 0.01 * std::sqrt(2.0), 1e-10);
 }
 
-// A radius that is scattered three times as much, and a throw that makes up for some of it.
+// A radius with three times the scatter, and an eccentricity that compensates for some of it.
 TEST(ToleranceBands, GiveANumberThatMakesUpForOthersANegativeShare) {
   const std::string correlated = kCam + std::string(kLinear) + R"(
 [[tolerances.correlations]]
@@ -123,7 +123,7 @@ covariance = -2.4e-4
   EXPECT_NEAR(0.03 * std::sqrt(9 * f * f + 1 - 2 * 2.4 * f), 0.05, 1e-10);
 }
 
-// With one uniform number three standard deviations are beyond the zone.
+// With a single uniform number three standard deviations would be beyond the zone.
 TEST(ToleranceBands, AreNeverBeyondTheWorstCase) {
   const Model model = model_of(kCam + std::string(R"(
 [tolerances]
@@ -152,7 +152,7 @@ TEST(ToleranceVariantsOf, ALinearResultAgreeWithItsBands) {
   EXPECT_NEAR(seen.median, bands[0].center, 0.05 * bands[0].deviation);
   EXPECT_NEAR(seen.low, bands[0].low, 0.3 * bands[0].deviation);
   EXPECT_NEAR(seen.high, bands[0].high, 0.3 * bands[0].deviation);
-  // Of the normal distribution about 40.02: within 40 ± 0.05.
+  // A normal distribution about 40.02: the part within 40 ± 0.05.
   const auto below = [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; };
   EXPECT_NEAR(seen.share_within, below(0.03 / bands[0].deviation) - below(-0.07 / bands[0].deviation), 0.005);
 }
@@ -186,7 +186,7 @@ TEST(ToleranceVariantsOf, AreTheSameOnAnyNumberOfThreadsAndOthersWithAnotherSeed
   EXPECT_NE(low(1, 1), low(1, 2));
 }
 
-// A pivot in the middle of its offset changes the stroke to second order alone: no slope sees it.
+// With zero offset the pivot changes the stroke to second order only, which no slope shows.
 TEST(ToleranceVariantsOf, AResultThatBendsSayThatItDoes) {
   const Model model =
       model_of(kSlider + std::string(R"(

@@ -10,14 +10,14 @@ namespace {
 
 using namespace higherpair::testing;
 
-// ∫ |dp/dt| dt of the textbook parametrisation, adaptively; 61 nodes whose error is estimated as 1e-10 are
-// good to rounding.
+// ∫ |dp/dt| dt of the textbook parametrisation by adaptive quadrature; with 61 nodes and an estimated error
+// of 1e-10 it is accurate to rounding.
 double quadrature(const NaturalConic& conic, double from, double to) {
   const auto speed = [&](double t) { return conic.first(t).norm(); };
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(speed, from, to, 6, 1e-10);
 }
 
-// The parameter of the vertex by which the curve is held.
+// The parameter of the vertex to which the curve refers.
 double vertex_parameter(const NaturalConic& conic, const Curve& curve) {
   if (conic.kind == CurveKind::kParabola || conic.kind == CurveKind::kHyperbola) return 0;
   const Vector2d r =
@@ -41,7 +41,7 @@ TEST(ArcLength, IsTheIntegralOverTheTextbookCurve) {
     const double t = t0 + (curve.q > 0 ? random.between(-3.1, 3.1) : random.between(-2, 2));
     const double expected = quadrature(conic, t0, t);
     const double psi = psi_at(conic, curve, t);
-    // A rounding of ψ is a length of ρ times as much.
+    // A rounding of ψ changes the length by ρ times as much.
     error.see(std::abs(arc_length(curve, psi) - expected) / (1 + std::abs(conic.radius(t))));
     EXPECT_EQ(expected > 0, psi > 0);
   }
@@ -61,15 +61,14 @@ TEST(ArcLength, OfAWholeEllipseIsItsCircumference) {
     EXPECT_NEAR(arc_length(ellipse, 2 * kPi) / expected, 1, 4e-15);
     EXPECT_NEAR(arc_length(ellipse, -2 * kPi) / expected, -1, 4e-15);
     EXPECT_NEAR(arc_length(ellipse, 6 * kPi) / expected, 3, 1.2e-14);
-    // A quarter ends where the radius is a²/b: double's π/2 is 6e-17 short of a quarter turn.
+    // A quarter ends where the radius is a²/b: the double nearest to π/2 is 6e-17 short of a quarter turn.
     const double missing = 6.1e-17 * major * major / minor;
     EXPECT_NEAR((arc_length(ellipse, kPi / 2) + missing) / expected, 0.25, 1e-15 + 0.01 * missing / expected);
   }
 }
 
 TEST(ArcLength, OfTheEllipseOfSemiAxesTwoAndOneIsThePublishedNumber) {
-  // 8 E(m = 3/4), the decimal expansion found in tables of elliptic integrals: E
-  // = 1.211056027568459524803562.
+  // 8 E(m = 3/4), from tables of elliptic integrals: E = 1.211056027568459524803562.
   const Curve ellipse = make_ellipse({0.3, 0.1}, {2, 1}, 0.4).value();
   EXPECT_NEAR(arc_length(ellipse, 2 * kPi), 8 * 1.211056027568459524803562, 4e-15);
 }
@@ -85,12 +84,12 @@ TEST(ArcLength, OfACircleIsTheAngleTimesTheRadius) {
 }
 
 TEST(ArcLength, OfAParabolaIsTheClosedForm) {
-  // At y = 2 f t: s = f (t √(1 + t²) + asinh t), the normal turned by atan t.
+  // At y = 2 f t: s = f (t √(1 + t²) + asinh t), and the normal is rotated by atan t.
   const double f = 0.31;
   const Curve parabola = make_parabola({0.3, 0.1}, f, 0.7).value();
   for (const double t : {-50.0, -3.0, -1.0, -1e-8, 0.0, 1e-8, 0.5, 1.0, 10.0, 1000.0}) {
     const double expected = f * (t * std::hypot(1, t) + std::asinh(t));
-    // ds = ρ dψ, ρ = 2f (1 + t²)^{3/2}: what rounding of the angle does.
+    // ds = ρ dψ with ρ = 2f (1 + t²)^{3/2}: the effect of the angle's rounding.
     const double bound = 4e-16 * f * (1 + std::pow(1 + t * t, 1.5));
     EXPECT_NEAR(arc_length(parabola, std::atan(t)), expected, bound) << t;
   }
@@ -102,7 +101,7 @@ TEST(ArcLength, OfWideAndNarrowHyperbolasIsTheIntegral) {
     const Curve curve = conic.curve();
     for (const double t : {1e-3, 0.1, 1.0, 4.0}) {
       const double expected = quadrature(conic, 0, t);
-      // dψ = ds/ρ: what a rounding of ψ = atan of a slope does to the length.
+      // ds = ρ dψ: the effect of the rounding of ψ = atan of a slope.
       const double bound = 5e-15 * expected + 4e-16 * conic.radius(t);
       EXPECT_NEAR(arc_length(curve, psi_at(conic, curve, t)), expected, bound) << ratio << " " << t;
     }

@@ -13,7 +13,7 @@ namespace {
 
 using testing::Worst;
 
-// Centre and radius from the chord and the angle that the bulge stands for.
+// Distance of a point from an arc, whose centre and radius follow from its chord and bulge.
 double distance_from_arc(const Vector2d& p, const ArcVertex& a, const Vector2d& to) {
   const Vector2d chord = to - a.p_B;
   const Vector2d middle = (a.p_B + to) / 2;
@@ -105,7 +105,7 @@ TEST(ArcPolyline, TakesTenTimesAsManyArcsForAThousandthOfTheTolerance) {
 }
 
 TEST(ArcPolyline, LeavesLinesAndArcsWhatTheyAre) {
-  // A slot of two half discs and two straight sides, run through counter-clockwise.
+  // A slot of two half discs and two straight sides, traversed counter-clockwise.
   const double r = 0.0127;
   const double l = 0.031;
   const Boundary slot =
@@ -120,7 +120,7 @@ TEST(ArcPolyline, LeavesLinesAndArcsWhatTheyAre) {
     EXPECT_NEAR(line.vertices[quarter].bulge, std::tan(kPi / 8), 1e-14);
   }
   EXPECT_AT_MOST(worst_distance(slot, line), 1e-16);
-  // A hollow arc bends clockwise.
+  // A concave arc bends clockwise.
   const ArcPolyline hollow =
       arc_polyline(testing::boundary({span_of(ArcPiece{{l, 0}, r, 1.1, -0.9})}, false), 1e-3);
   ASSERT_EQ(hollow.vertices.size(), 2U);

@@ -1,5 +1,5 @@
 // Curves through measured points: exact points of known curves, copies of them, closed forms of linear
-// problems, noise against its covariance, and points that have no such curve.
+// problems, noise compared with its covariance, and points that have no such curve.
 #include "higherpair/geometry/boundary_fit.hpp"
 
 #include "geometry/geometry_testing.hpp"
@@ -53,7 +53,7 @@ TEST(BoundaryFit, ExactPointsOfACircleGiveItAtAnyPlaceAndScale) {
       const Vector2d center = radius * at;
       const auto fit = fit_circle(circle_points(center, radius, 0.3, 5.1, 23));
       ASSERT_TRUE(fit);
-      // What rounding of the points allows.
+      // The error that rounding of the points allows.
       const double bound = 1e-15 * (10 * radius + 4 * center.norm());
       EXPECT_NEAR(fit->parameters[0], center.x(), bound);
       EXPECT_NEAR(fit->parameters[1], center.y(), bound);
@@ -78,7 +78,7 @@ TEST(BoundaryFit, ThreePointsGiveTheCircleThroughThem) {
   EXPECT_TRUE(std::isnan(fit->covariance(0, 0)));
 }
 
-// Where points stand alike about a centre the circle has the mean distance as its radius.
+// Points distributed equally about a centre give a circle with their mean distance as its radius.
 TEST(BoundaryFit, ACircleThroughTwoConcentricRingsHasTheMeanRadius) {
   Points points = circle_points({5, 2}, 3, 0, 2 * kPi * 11 / 12, 12);
   const Points outer = circle_points({5, 2}, 4, 0, 2 * kPi * 11 / 12, 12);
@@ -95,7 +95,7 @@ TEST(BoundaryFit, ACircleThroughTwoConcentricRingsHasTheMeanRadius) {
   EXPECT_NEAR(fit->covariance(0, 0), 6.0 / 21 / 12, 1e-12);
 }
 
-// The slope of a line whose points err in y alone by little: ordinary least squares of small slopes.
+// A line whose points have small errors in y only: its slope is that of ordinary least squares.
 TEST(BoundaryFit, ALineIsThatOfTotalLeastSquares) {
   Random random(3);
   Points points;
@@ -167,7 +167,7 @@ TEST(BoundaryFit, ExactPointsOfParabolasAndHyperbolasGiveThem) {
   EXPECT_AT_MOST(worst.value(), 1e-9);
 }
 
-// No factor of the coordinates, turn or shift makes a difference but that of the answer.
+// Scaling, rotating or shifting the points does the same to the answer and changes nothing else.
 TEST(BoundaryFit, CopiesOfNoisyPointsGiveCopiesOfTheCurve) {
   std::mt19937_64 engine(11);
   const Points points = with_noise(ellipse_points({2, 1}, 3, 1.4, 0.4, 0, 5.5, 41), 0.03, engine);
@@ -202,7 +202,8 @@ TEST(BoundaryFit, CopiesOfNoisyPointsGiveCopiesOfTheCurve) {
   }
 }
 
-// The least sum of squares: no neighbour has a smaller one, worked out by sampling the curve densely.
+// The fit has the least sum of squares: no neighbour has a smaller one, computed by dense sampling of the
+// curve.
 TEST(BoundaryFit, NoNeighbourOfAFittedEllipseIsNearerToThePoints) {
   std::mt19937_64 engine(13);
   const Points points = with_noise(ellipse_points({-1, 4}, 2.5, 1, -0.3, 0.2, 6, 37), 0.05, engine);
@@ -226,7 +227,7 @@ TEST(BoundaryFit, NoNeighbourOfAFittedEllipseIsNearerToThePoints) {
   }
 }
 
-// The distance to many points of the curve, of which none may be nearer.
+// Compares with the distances to many points of the curve, none of which may be nearer.
 TEST(BoundaryFit, TheNearestPointOfAConicIsNearestOfAll) {
   Random random(17);
   Worst off, far;
@@ -236,7 +237,7 @@ TEST(BoundaryFit, TheNearestPointOfAConicIsNearestOfAll) {
     const bool is_ellipse = trial % 2 == 0;
     const Curve curve = is_ellipse ? make_ellipse(center, {a, b}, rotation).value()
                                    : make_parabola(center, a, rotation).value();
-    // Also on the axes, beyond the centre of curvature.
+    // Also points on the axes, beyond the centre of curvature.
     const Vector2d p = trial % 5 == 0   ? Vector2d(center + random.between(-2, 2) * axis)
                        : trial % 7 == 0 ? center
                                         : Vector2d(center + random.vector(4));

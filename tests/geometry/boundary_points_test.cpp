@@ -18,7 +18,7 @@ Boundary rounded_square() {
 }
 
 TEST(BoundaryPoints, LengthsAreThoseOfClosedForms) {
-  // Of an ellipse by Carlson's integrals, of an involute r φ²/2.
+  // The length of an ellipse by Carlson's integrals, of an involute r φ²/2.
   const Curve ellipse = *make_ellipse({0.004, -0.001}, {0.031, 0.0127}, 0.3);
   EXPECT_NEAR(length_of(boundary_of(ellipse, 1)) / arc_length(ellipse, 2 * kPi), 1, 1e-11);
   const Involute involute = {{0.003, -0.002}, 0.0231, 0.7, Hand::kLeft, {0.05, 1.31}};
@@ -37,7 +37,7 @@ TEST(BoundaryPoints, AtEqualArcsAreOneStepApart) {
     EXPECT_NEAR((round[next].point.p_B - round[i].point.p_B).norm(), 2 * r * std::sin(kPi / 7), 1e-16);
     EXPECT_NEAR(round[i].arc, 2 * kPi * r * static_cast<double>(i) / 7, 1e-15);
   }
-  // Roll angles φ at equal steps of r φ²/2, both ends included.
+  // Roll angles φ at equal steps of r φ²/2, including both ends.
   const Involute involute = {{0, 0}, r, 0, Hand::kRight, {0.2, 1.4}};
   const auto along = points_at_equal_arcs(testing::boundary({involute_span(involute)}, false), 5);
   ASSERT_EQ(along.size(), 5U);
@@ -53,7 +53,7 @@ TEST(BoundaryPoints, WithinAToleranceHaveTheEndsOfAllSpans) {
   const auto points = points_within(rounded_square(), tolerance);
   double arc = -1;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_GT(points[i].arc, arc);  // no place twice: all joints are smooth
+    EXPECT_GT(points[i].arc, arc);  // no point twice: all joints are smooth
     arc = points[i].arc;
     const SpanPoint& a = points[i].point;
     const SpanPoint& b = points[(i + 1) % points.size()].point;
@@ -83,8 +83,8 @@ TEST(BoundaryPoints, CornersAndNotchesHaveBothNormals) {
     };
     EXPECT_TRUE(same((i + 1) % 8) || same((i + 7) % 8)) << i;
   }
-  EXPECT_EQ(rounds, 6);  // the notch is none
-  // An open one ends where it ends.
+  EXPECT_EQ(rounds, 6);  // the notch is not rounded
+  // An open outline ends at its end points.
   spans.pop_back();
   const auto open = points_within(testing::boundary(spans, false), 1e-6);
   ASSERT_EQ(open.size(), 6U);

@@ -1,4 +1,4 @@
-// Numbers that make no curve are refused, each with its reason.
+// Numbers that define no curve are refused, each with its reason.
 #include "geometry/geometry_testing.hpp"
 
 #include <limits>
@@ -75,7 +75,7 @@ TEST(ConicErrors, LinesAreRefusedThoughTheirCoefficientsAreRounded) {
     const double d = i % 6 == 0 ? c : size * random.between(-2, 2);
     const auto curve = make_conic(product(a, c, b, d), Side::kInside, random.vector(3));
     ASSERT_FALSE(curve) << "number " << i << ": semi_latus " << curve->semi_latus << ", q " << curve->q;
-    // A line counted twice may be rounded to one without a point, nearly parallel lines to anything.
+    // A double line may be rounded to a conic without points, and nearly parallel lines to anything.
     if (i % 6 != 0 && std::abs(cross(a, b)) > 1e-6) {
       EXPECT_EQ(curve.error(), CurveError::kLines) << i;
     }
@@ -170,7 +170,7 @@ TEST(ConicErrors, AnySixNumbersMakeASoundCurveOrNone) {
   Random random(53);
   int made = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double reach = i % 2 == 0 ? 320 : 8;  // up to the smallest and the largest numbers that there are
+    const double reach = i % 2 == 0 ? 320 : 8;  // exponents up to the smallest and largest doubles
     Six k{};
     for (double& value : k) {
       value = random.index(4) == 0 ? 0 : random.sign() * std::pow(10, random.between(-reach, reach - 12));
@@ -221,7 +221,7 @@ TEST(ConicErrors, EachHasItsOwnReadableText) {
     texts.insert(text);
   }
   EXPECT_EQ(texts.size(), words.size());
-  // What to write instead is said where there is something.
+  // Where there is an alternative, the message says what to write instead.
   EXPECT_THAT(std::string(describe(CurveError::kLines)), HasSubstr("type \"line\""));
   EXPECT_THAT(std::string(describe(CurveError::kSinglePoint)), HasSubstr("type \"point\""));
 }

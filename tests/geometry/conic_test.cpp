@@ -1,4 +1,4 @@
-// Conics from their six coefficients, held against the constructors by natural parameters.
+// Conics from their six coefficients, compared with the constructors by natural parameters.
 #include "geometry/geometry_testing.hpp"
 
 namespace higherpair {
@@ -6,13 +6,13 @@ namespace {
 
 using namespace higherpair::testing;
 
-// Any point in front of the branch's vertex.
+// A point near the branch's vertex.
 Vector2d near_the_branch(const NaturalConic& conic) {
   return conic.point(0.3);
 }
 
-// How far the second curve is from the first as a point set near its vertex: lengths in units of `size`. An
-// ellipse may be held by either vertex and a circle by any, so centre and axes are compared as well as those.
+// Difference of the two curves as point sets near the vertex, with lengths in units of `size`. An ellipse may
+// be given by either vertex and a circle by any of its points, so that centre and axes are compared instead.
 double difference(const Curve& curve, const NaturalConic& conic, double size) {
   Worst worst;
   if (conic.kind == CurveKind::kParabola) {
@@ -45,7 +45,7 @@ TEST(Conic, ConstructorsMeanTheTextbookCurve) {
     EXPECT_EQ(curve.kind, conic.kind);
     EXPECT_EQ(curve.side, conic.side);
     error.see(difference(curve, conic, 1));
-    // On the curve f = 0 with |∇f| = 1 at the vertex: f is the distance, up to how the gradient grows.
+    // The curve is f = 0 with |∇f| = 1 at the vertex: f is the distance, up to the growth of the gradient.
     const std::array<double, 6> k = implicit_coefficients(curve);
     const Vector2d p = conic.point(random_parameter(random, conic));
     error.see(1e-2 * std::abs(value_at(k, p)) / (1 + gradient_at(k, p).norm()));
@@ -76,13 +76,14 @@ TEST(Conic, SixCoefficientsGiveTheSameCurveWhateverTheirFactorAndScale) {
       for (double& value : k) value *= factor;
       const auto curve = make_conic(k, conic.side, near_the_branch(conic));
       ASSERT_TRUE(curve) << describe(curve.error()) << " " << ::testing::PrintToString(conic);
-      // A circle whose A and B are rounded apart is an ellipse with an axis ratio of 1 - 1e-16.
+      // A circle whose A and B are rounded differently is an ellipse with an axis ratio of 1 - 1e-16.
       if (conic.kind != CurveKind::kCircle || curve->q > 1 - 1e-14) {
         EXPECT_TRUE(curve->kind == conic.kind || conic.kind == CurveKind::kCircle);
       }
       EXPECT_EQ(curve->side, conic.side);
-      // Coefficients are rounded: axes whose squares differ by a factor of 100 lose as much, nearly equal
-      // ones their direction; a parabola its axis by the distance from the origin over its focal length.
+      // Effect of rounded coefficients: axes whose squares differ by a factor of 100 lose that factor in
+      // accuracy, and nearly equal ones lose their direction; a parabola's axis loses the ratio of the
+      // distance from the origin to the focal length.
       const double spread = std::abs(conic.a - conic.b) / size;
       if (conic.kind == CurveKind::kEllipse && spread < 0.05) continue;
       error.see(difference(*curve, conic, size));
@@ -181,7 +182,8 @@ TEST(Conic, AHugeCircleKeepsItsPlaceNearTheOrigin) {
     conic.origin_B = (conic.a + offset) * axis;
     const auto circle = make_conic(conic.coefficients());
     ASSERT_TRUE(circle);
-    // The centre is rounded by 1e-10 and so is the place; from coefficients the vertex is as good as from it.
+    // The centre is rounded by 1e-10, and so is the vertex; from coefficients the vertex is as accurate as
+    // from the centre.
     error.see(circle->vertex_B - offset * axis);
     error.see(conic.curve().vertex_B - offset * axis);
     EXPECT_NEAR(circle->semi_latus / conic.a, 1, 1e-14);
@@ -212,7 +214,7 @@ TEST(Conic, AThinEllipseKeepsItsTips) {
       const auto found = make_conic(conic.coefficients());
       ASSERT_TRUE(found) << ratio << " " << describe(found.error());
       EXPECT_EQ(found->kind, CurveKind::kEllipse);
-      // The coefficients hold the squared ratio only to 1e-16: that is what is lost of the length.
+      // The coefficients hold the squared ratio only to 1e-16, which limits the accuracy of the length.
       const double rounding = 1e-15 / (ratio * ratio);
       length.see(std::abs(semi_axes(*found)[0] - 1) / rounding);
       width.see(std::abs(semi_axes(*found)[1] - ratio) / (ratio * rounding));
@@ -233,7 +235,7 @@ TEST(Conic, NearPicksTheBranchOfAHyperbola) {
     const auto k = conic.coefficients();
     const Vector2d axis = unit_vector(conic.rotation);
     for (const double sense : {1.0, -1.0}) {
-      // Anything on that side of the middle: far beyond, or just off it.
+      // Any point on that side of the centre: far away, or only just off it.
       for (const double distance : {1e-6, 0.3, 1e3}) {
         const Vector2d near = conic.origin_B + sense * distance * axis + random.between(-5, 5) * perp(axis);
         const auto branch = make_conic(k, Side::kInside, near);
@@ -246,7 +248,7 @@ TEST(Conic, NearPicksTheBranchOfAHyperbola) {
 }
 
 TEST(Conic, AHyperbolaAlongItsAsymptotesTurnsWithTheSignOfItsFactor) {
-  // x y = 1/2 and x y = -1/2, each by either sign; A and B are zeros of either sign.
+  // x y = 1/2 and x y = -1/2, each with either sign; A and B are zeros of either sign.
   for (const double sign : {1.0, -1.0}) {
     for (const double zero : {0.0, -0.0}) {
       for (const double factor : {1.0, -1.0}) {

@@ -180,7 +180,7 @@ TEST(SelfCrossing, OfAFigureOfEightIsItsMiddle) {
   EXPECT_LE((boundary.at(crossing->first).p_B - boundary.at(crossing->second).p_B).norm(), 1e-9);
 }
 
-// The crossing may be where the spline begins, on one of its samples, or on a vertex of both ways.
+// The crossing may be at the beginning of the spline, on one of its samples, or at a vertex of both branches.
 TEST(SelfCrossing, IsFoundWhereTheWayBeginsOrHasACorner) {
   for (const int first : {0, 7, 10, 20}) {
     std::vector<Vector2d> points;
@@ -232,7 +232,7 @@ TEST(Offset, OfCornersHasArcs) {
   const auto inner = offset_spans(rectangle, -0.002);
   ASSERT_FALSE(inner.has_value());
   EXPECT_EQ(inner.error().kind, OffsetFault::Kind::kCorner);
-  // The ring around the rectangle: its corners are notches.
+  // The ring around the rectangle: the corners of the rectangle are its notches.
   const Boundary hole = boundary_of(reversed(kRectangle));
   EXPECT_EQ(offset_spans(hole, 0.002).error().kind, OffsetFault::Kind::kCorner);
   const auto hollow = offset_spans(hole, -0.002);
@@ -240,7 +240,7 @@ TEST(Offset, OfCornersHasArcs) {
   EXPECT_EQ(Boundary::make(*hollow, true, 1e-12)->spans().size(), 8U);
 }
 
-// A rounded plate less its rounding is one with corners.
+// Offsetting a rounded plate inwards by its rounding radius gives a plate with corners.
 TEST(Offset, ByTheRadiusOfItsArcsHasCornersInTheirPlace) {
   const std::vector<ContourPiece> plate = {LinePiece{{0, 0}, {0.03, 0}}, LinePiece{{0.03, 0}, {0.03, 0.02}},
                                            LinePiece{{0.03, 0.02}, {0, 0.02}}, LinePiece{{0, 0.02}, {0, 0}}};

@@ -1,4 +1,4 @@
-// A conic that is moved, turned, mirrored or scaled has moved, turned, mirrored or scaled answers.
+// A conic that is moved, rotated, mirrored or scaled has moved, rotated, mirrored or scaled answers.
 #include "geometry/curvature.hpp"
 #include "geometry/geometry_testing.hpp"
 #include "higherpair/geometry/arc_length.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace higherpair::testing;
 
-// x -> scale * R * M * x + shift, M the mirror at the x axis if `mirrored`.
+// x -> scale * R * M * x + shift, where M is the reflection in the x axis if `mirrored`.
 struct Similarity {
   double scale = 1;
   bool mirrored = false;
@@ -22,7 +22,7 @@ struct Similarity {
   [[nodiscard]] Vector2d point(const Vector2d& p) const { return scale * direction(p) + shift; }
   [[nodiscard]] double sense() const { return mirrored ? -1 : 1; }
 
-  // The coefficients of f(image⁻¹(p)), up to a factor, in one more half of a double's digits.
+  // The coefficients of f(image⁻¹(p)), up to a factor, with half as many digits again as a double.
   [[nodiscard]] std::array<double, 6> coefficients(const std::array<double, 6>& k) const {
     const double c = std::cos(angle) / scale;
     const double s = std::sin(angle) / scale;
@@ -46,7 +46,8 @@ Similarity random_similarity(Random& random, double scale) {
 
 class Copies : public ::testing::TestWithParam<double> {};
 
-// Two curves by what they do: the point of a normal, its radius, and the arc from there to another normal.
+// Compares two curves by their behaviour: the point of a normal, its radius, and the arc from there to
+// another normal.
 TEST_P(Copies, HaveTheImageOfEverySupportPointRadiusAndCenter) {
   Random random(91);
   const double scale = GetParam();
@@ -70,7 +71,8 @@ TEST_P(Copies, HaveTheImageOfEverySupportPointRadiusAndCenter) {
     center.see((shape.center - image.point(expected.p_W - expected.rho * n)) / scale /
                (1 + std::abs(expected.rho)));
   }
-  // Coefficients that are rounded twice, of curves up to 20 times longer than wide and their size away.
+  // Coefficients are rounded twice; the curves are up to 20 times longer than wide, and about their size
+  // away.
   EXPECT_AT_MOST(point.value(), 3e-13);
   EXPECT_AT_MOST(radius.value(), 3e-13);
   EXPECT_AT_MOST(center.value(), 3e-13);
@@ -90,7 +92,8 @@ TEST_P(Copies, HaveArcsOfTheSameLengthTimesTheScale) {
     moved.rotation = image.angle + image.sense() * conic.rotation;
     const Curve original = conic.curve();
     const Curve copy = moved.curve();
-    // Either may be held by the other vertex, half a turn on: arcs between two normals do not care.
+    // The two may refer to different vertices, half a turn apart; arcs between two normals do not depend on
+    // that.
     const auto arc = [](const Curve& curve, const Vector2d& from, const Vector2d& to) {
       const double start = std::remainder(angle_of(from) - vertex_normal_angle(curve), 2 * kPi);
       const double way = std::atan2(cross(from, to), from.dot(to));

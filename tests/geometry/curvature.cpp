@@ -20,7 +20,7 @@ CurvePointShape shape_by_slope(const std::array<double, 6>& k, const Vector2d& p
   const Vector2d grad = gradient(k, p);
   assert(grad.norm() > 0);
   const bool steep = std::abs(grad.x()) > std::abs(grad.y());
-  // As y(x), or, where steep, as x(y): then A and B, D and E have changed places.
+  // As y(x) or, where steep, as x(y): then A and B, and D and E, are exchanged.
   const double f_along = steep ? grad.y() : grad.x();
   const double f_across = steep ? grad.x() : grad.y();
   const double square_along = steep ? k[1] : k[0];
@@ -28,7 +28,7 @@ CurvePointShape shape_by_slope(const std::array<double, 6>& k, const Vector2d& p
   const double slope = -f_along / f_across;
   const double second = -((2 * square_across * slope + 2 * k[2]) * slope + 2 * square_along) / f_across;
   const double length = std::hypot(1.0, slope);
-  // The body lies on the side of -∇f: bending to that side (y'' against f_across) is convex.
+  // The body lies on the side of -∇f: a curve that bends to that side (y'' against f_across) is convex.
   const double kappa = std::copysign(1.0, f_across) * -second / (length * length * length);
   return shape(p, grad.normalized(), kappa);
 }

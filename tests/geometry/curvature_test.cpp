@@ -8,7 +8,7 @@ namespace {
 
 using namespace higherpair::testing;
 
-// Curvature of a conic at a parameter, by each way.
+// Curvature of a conic at a parameter, by each of three methods.
 struct ThreeWays {
   CurvePointShape slope;
   CurvePointShape gradient;
@@ -43,7 +43,7 @@ TEST(Curvature, ThreeWaysAgreeWithTheTextbookCurve) {
   }
   EXPECT_GT(steep, 8000);
   EXPECT_LT(steep, 12000);
-  // Rounded points of flat stretches far from the vertex: 1e-16 times coefficients up to 100.
+  // Rounded points on flat stretches far from the vertex: 1e-16 times coefficients up to 100.
   EXPECT_AT_MOST(normal.value(), 2e-13);
   EXPECT_AT_MOST(kappa.value(), 1e-12);
   EXPECT_AT_MOST(center.value(), 1e-12);
@@ -57,7 +57,7 @@ TEST(Curvature, VerticalAndHorizontalTangentsAreNothingSpecial) {
       const double b = kind == CurveKind::kCircle ? 0.7 : 0.3;
       for (int quarter = 0; quarter < 4; ++quarter) {
         const NaturalConic conic{kind, {0, 0}, 0.7, b, quarter * kPi / 2, side};
-        // The vertices, and the neighbourhood of exactly 45°.
+        // The vertices, and the neighbourhood of a slope of exactly 45°.
         for (const double t :
              {0.0, kPi / 2, kPi, 1e-200, 1e-9, std::atan(0.3 / 0.7), std::atan(0.3 / 0.7) + 1e-12}) {
           if (t > 3 && conic.kind != CurveKind::kCircle && conic.kind != CurveKind::kEllipse) continue;

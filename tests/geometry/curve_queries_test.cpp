@@ -107,7 +107,7 @@ TEST(ArcToNormal, IsThatOfTheSameCurveByItsSupport) {
   }
   Curve ring = kOval;
   ring.side = Side::kOutside;
-  // The other way round, with the normal turned.
+  // With reversed sense and normal.
   EXPECT_NEAR(arc_to_normal(ring, 1 + kPi), -arc_to_normal(kOval, 1), 1e-16);
   const testing::InvoluteBySupport involute(0.02, {0, 3});
   EXPECT_NEAR(arc_to_normal(make_curve(involute), 2), 0.02 * 2, 1e-17);
@@ -129,8 +129,8 @@ TEST(AngleBetween, IsThatOfTheArcTangentNearAndFar) {
   }
 }
 
-// Of y² = 2 ℓ x: s = (y √(1 + y²) + asinh y)/2 in units of ℓ, at the vertex with whatever rounding makes of
-// it.
+// y² = 2 ℓ x: s = (y √(1 + y²) + asinh y)/2 in units of ℓ; near the vertex also for points that rounding has
+// moved off the curve.
 TEST(ArcToPoint, OfAParabolaIsThatOfItsClosedForm) {
   constexpr double kSemiLatus = 0.06;
   const Curve parabola = make_parabola(Vector2d::Zero(), kSemiLatus / 2, 0).value();
@@ -147,7 +147,7 @@ TEST(ArcToPoint, OfAHyperbolaIsThatToItsNormal) {
   const Curve hyperbola = make_hyperbola(Vector2d::Zero(), {0.03, 0.02}, 0).value();
   for (const double y : {0.0, -1e-9, 1e-4, -0.01, 0.02, -0.5, 20.0}) {
     const Vector2d p(0.03 * std::sqrt(1 + y * y / 4e-4), -y);
-    // The gradient of y²/b² - x²/a² leads out of the body.
+    // The gradient of y²/b² - x²/a² points out of the body.
     const Vector2d n(-p.x() / 9e-4, p.y() / 4e-4);
     const double arc = arc_to_normal(hyperbola, nearest_turn(angle_of(n), kPi));
     EXPECT_NEAR(arc_to_point(hyperbola, p), arc, 1e-9 * y * y + 1e-15) << y;

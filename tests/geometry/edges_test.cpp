@@ -9,7 +9,7 @@ namespace higherpair {
 namespace {
 
 TEST(Edges, GoOnFromTheNormalsAtBothEndsAwayFromTheMaterial) {
-  // Up along a wall whose material is on the left, then over an arc to the left.
+  // Up along a wall with the material on its left, then along an arc to the left.
   const Boundary open = *Boundary::make(
       {face_span({0.03, -0.02}, {0.03, 0.01}), conic_span(*make_circle({0.023, 0.01}, 0.007), 0, 1.1)}, false,
       1e-12);
@@ -49,7 +49,7 @@ TEST(Edges, AreWhereACurveEndsAndNowhereElse) {
 TEST(Edges, AreNotWhereTheFlankOfAToothEnds) {
   const SpanPtr flank = involute_span({{0, 0}, 0.02, 0.1, Hand::kRight, {0.2, 0.6}});
   EXPECT_EQ(with_edges(*Boundary::make({flank}, false, 0)).spans().size(), 1U);
-  // From its root a straight foot leads to it, which has an end of its own.
+  // A straight foot, which has an end of its own, leads to the root of the flank.
   const SpanPoint root = flank->at(flank->range().low);
   const Vector2d t = perp(root.n_B);
   const Boundary tooth =
@@ -59,7 +59,7 @@ TEST(Edges, AreNotWhereTheFlankOfAToothEnds) {
   EXPECT_FALSE(is_edge(tooth, 2));
 }
 
-// Several curves of a body.
+// A boundary of several curves of one body.
 TEST(Edges, AreThoseOfEveryPart) {
   const Boundary one = with_edges(*Boundary::make({face_span({0, 0}, {0.01, 0})}, false, 0));
   const Boundary two = with_edges(*Boundary::make({face_span({0.02, 0}, {0.03, 0})}, false, 0));

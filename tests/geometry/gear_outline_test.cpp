@@ -37,8 +37,8 @@ TEST(GearOutline, IsOneClosedBoundaryBetweenRootAndTipCircle) {
   EXPECT_NEAR(least, pitch - (1.25 - 0.17) * 0.0021, 1e-15);
 }
 
-// Along the pitch circle a tooth is as thick as half the pitch, more by the shift's 2 x m tan α, less by the
-// backlash; its middle is where the gear says.
+// On the pitch circle a tooth is as thick as half the pitch, plus 2 x m tan α for the profile shift, less the
+// backlash; its middle is at the angle given by the gear.
 TEST(GearOutline, HasTeethOfTheThicknessOfTheTextbook) {
   const GearShape gear = shape();
   const double pitch = 0.0021 * 23 / 2;
@@ -59,7 +59,7 @@ TEST(GearOutline, HasTeethOfTheThicknessOfTheTextbook) {
   }
 }
 
-// The material is within: every normal of a tip or a root points away from the centre.
+// The material is inside: every normal of a tip or a root points away from the centre.
 TEST(GearOutline, HasItsMaterialInside) {
   const GearShape gear = shape();
   const auto spans = gear_outline(gear);

@@ -42,14 +42,14 @@ TEST(GearPair, TheTipOfALargeWheelInterferesWithASmallPinion) {
   EXPECT_TRUE(path.interferes());
   EXPECT_NEAR(path.past_base[0], 0.306157, 5e-7);
   EXPECT_LT(path.past_base[1], 0);
-  // The other way round it is the same place.
+  // With the gears exchanged the place is the same.
   EXPECT_NEAR(path_of_contact(pair(40, 13)).past_base[1], path.past_base[0], 1e-14);
 }
 
 TEST(GearPair, ARackUndercutsFewTeeth) {
   EXPECT_NEAR(least_teeth(kAlpha), 17.0973, 5e-5);
   EXPECT_NEAR(least_teeth(kAlpha, 1 - 0.3), 0.7 * least_teeth(kAlpha), 1e-12);
-  // Where the rack begins to cut at the base circle.
+  // The number of teeth for which the rack begins to cut at the base circle.
   EXPECT_NEAR(roll_at_root(tooth(least_teeth(kAlpha))), 0, 1e-15);
   EXPECT_NEAR(roll_at_root(tooth(least_teeth(kAlpha, 0.7), 0.3)), 0, 1e-15);
 }
@@ -63,14 +63,14 @@ TEST(GearPair, TeethOfAClosePairHaveNoPlay) {
   EXPECT_EQ(close_pair(tooth(17), tooth(31)).distance, 24);
 }
 
-// Moving the centres apart opens both flanks by about tan α each.
+// Moving the centres apart opens the gap at each flank by about tan α per unit.
 TEST(GearPair, PlayGrowsWithTheDistanceOfTheCentres) {
   GearPair apart = pair(17, 31);
   const double more = 1e-5;
   apart.distance += more;
   EXPECT_NEAR(backlash(apart) / (2 * more * std::tan(kAlpha)), 1, 1e-4);
-  // By the flanks themselves: turning the second wheel until its other flank touches is a way of j cos α_w
-  // along the other line of action.
+  // Checked with the flanks themselves: turning the second wheel until its other flank touches is a distance
+  // of j cos α_w along the other line of action.
   apart.distance += 0.1;
   const double alpha_w = working_pressure_angle(apart);
   const double pitch = 2 * kPi * std::cos(kAlpha) / 2;  // of the base circles

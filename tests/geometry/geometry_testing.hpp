@@ -49,7 +49,7 @@ private:
 };
 
 /// A conic by its textbook parametrisation, which shares nothing with the vertex form of Curve: the reference
-/// for everything about curves. It runs counter-clockwise about the convex side.
+/// for all tests of curves. It runs counter-clockwise about the convex side.
 ///   ellipse (a cos t, b sin t), parabola (a t², -2a t), hyperbola (a cosh t, -b sinh t) about `origin_B`,
 /// turned by `rotation`.
 struct NaturalConic {
@@ -110,7 +110,7 @@ struct NaturalConic {
   }
 };
 
-/// Sizes 0.1 … 1 in units of `size`, up to `size` from the origin; every kind in turn.
+/// Sizes 0.1 … 1 and positions up to 1, both in units of `size`; the kinds take turns.
 inline NaturalConic random_conic(Random& random, int number, double size = 1) {
   static constexpr std::array kKinds{CurveKind::kCircle, CurveKind::kEllipse, CurveKind::kParabola,
                                      CurveKind::kHyperbola};
@@ -124,7 +124,7 @@ inline NaturalConic random_conic(Random& random, int number, double size = 1) {
   return conic;
 }
 
-/// A parameter on the whole ellipse, or not far beyond the size of an open curve.
+/// A parameter on the whole ellipse; on an open curve, not far beyond its size.
 inline double random_parameter(Random& random, const NaturalConic& conic) {
   return conic.kind == CurveKind::kCircle || conic.kind == CurveKind::kEllipse ? random.angle()
                                                                                : random.between(-2, 2);

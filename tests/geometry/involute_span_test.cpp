@@ -18,7 +18,7 @@ TEST(InvoluteSpan, ItsRadiusOfCurvatureIsTheStringThatIsUnwound) {
       const SpanPoint point = span->at(sense * roll);
       const double rho = involute.base_radius * roll;
       EXPECT_NEAR(point.kappa * rho, 1, 1e-14);
-      // The centre of curvature lies on the base circle, where the string leaves it.
+      // The centre of curvature is on the base circle, where the string leaves it.
       const Vector2d foot = point.p_B - rho * point.n_B - involute.center_B;
       EXPECT_NEAR(foot.norm(), involute.base_radius, 1e-16);
       EXPECT_NEAR(foot.dot(point.n_B), 0, 1e-16);

@@ -9,7 +9,7 @@
 namespace higherpair {
 namespace {
 
-// Against the cosine and sine in long double.
+// Compared with the cosine and sine in long double.
 double error_of(const Rotation<double>& R, double angle) {
   const long double exact = angle;
   return static_cast<double>(std::max(std::abs(R.cos - std::cos(exact)), std::abs(R.sin - std::sin(exact))));
@@ -53,7 +53,7 @@ TEST(KnownRotation, FollowsATurningBodyThroughManyTurnsWithoutDrift) {
     ASSERT_LE(error_of(R, angle), 2e-16) << k;
     ASSERT_NEAR(known.angle_of(R, angle - step), angle, 3e-16 * (1 + angle)) << k;
   }
-  // A jump is followed as well, and the turn asked for is given.
+  // A jump is followed as well, to the turn that is asked for.
   EXPECT_NEAR(known.angle_of(Rotation<double>::from_angle(1), 7), 1 + 2 * kPi, 1e-15);
 }
 

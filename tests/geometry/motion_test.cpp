@@ -6,7 +6,7 @@ namespace {
 
 using namespace higherpair::testing;
 
-// A body that turns and translates at once, with rates written out by hand.
+// A body that rotates and translates at once, with its rates written out by hand.
 struct Tumble {
   Vector2d amplitude;
   double swing;
@@ -24,7 +24,7 @@ struct Tumble {
     body.a_WB = {-4 * amplitude.x() * std::cos(2 * t), amplitude.y() * std::exp(-t)};
     return body;
   }
-  // Where a body point is, by complex numbers and no rates.
+  // Position of a body point, by complex numbers and without rates.
   [[nodiscard]] Vector2d place(double t, const Vector2d& p_B) const {
     const std::complex<double> z =
         std::complex<double>(amplitude.x() * std::cos(2 * t), amplitude.y() * std::exp(-t)) +
@@ -106,8 +106,8 @@ TEST(BodyMotionFromPoints, LosesOnlyTheLeverWhereThePointsAreFarAway) {
         body_motion_from_points(p_A, point_motion(body, p_A), far, point_motion(body, far));
     near_rates.see(difference(found, body, 1));
 
-    // Both far, close to each other: every place is rounded by 1e-10, so are the rates; and at the origin
-    // that is a million times worse.
+    // Two far points close to each other: every position is rounded by 1e-10, and so are the rates; at the
+    // origin the error is a million times larger.
     const Vector2d next = far + unit_vector(random.angle());
     const BodyMotion from_afar =
         body_motion_from_points(far, point_motion(body, far), next, point_motion(body, next));

@@ -15,7 +15,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 struct Found {
   std::optional<double> root;
   int calls = 0;
-  double last = kNaN;  // place of the last call
+  double last = kNaN;  // argument of the last call
 };
 
 Found find(const std::function<ValueAndSlope(double)>& f, double h) {
@@ -56,7 +56,7 @@ TEST(NewtonRoot, IsFoundAtAKinkFromEitherSide) {
   }
 }
 
-// As where a contact leaves a flat: beyond the root there is another number, or none.
+// As where a contact leaves a flat: beyond the root f has a jump, or is NaN.
 TEST(NewtonRoot, IsApproachedFromOneSideWhereFJumpsBeyondIt) {
   for (const double beyond : {5.0, kNaN}) {
     const auto f = [&](double x) {

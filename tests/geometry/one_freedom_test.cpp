@@ -23,7 +23,7 @@ OneFreedom sliding(Random& random, double size = 1) {
   return freedom;
 }
 
-// An uneven run of the coordinate and its rates.
+// A non-uniform motion of the coordinate, and its rates.
 double coordinate(double t) {
   return 0.3 + 1.1 * t + 0.4 * std::sin(1.7 * t);
 }
@@ -84,7 +84,8 @@ TEST(OneFreedom, RatesAreTheDerivativesOfThePose) {
     angle.see(std::abs(body.omega - omega));
     angle.see(1e-2 * std::abs(body.alpha - alpha));
   }
-  // Differences over 0.005: rounding / h = 1e-13 and rounding / h² = 3e-11, and as much truncation.
+  // Differences with h = 0.005: rounding / h = 1e-13, rounding / h² = 3e-11, and truncation errors of the
+  // same size.
   EXPECT_AT_MOST(velocity.value(), 3e-12);
   EXPECT_AT_MOST(acceleration.value(), 5e-10);
   EXPECT_AT_MOST(angle.value(), 3e-12);

@@ -80,7 +80,7 @@ TEST(SpanBounds, OfOffsetAndReversedSpansHold) {
   }
 }
 
-// Bounds alone say nothing of a kind that does not give them.
+// A kind of span that defines no bounds has none.
 TEST(SpanBounds, AreNotGivenByAKindThatHasNone) {
   class Plain final : public Span {
     [[nodiscard]] SpanPoint at(double t) const override { return {{t, 0}, {0, -1}, 0, 0, 1}; }

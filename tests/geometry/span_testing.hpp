@@ -9,13 +9,13 @@
 
 namespace higherpair::testing {
 
-/// Of spans that fit together.
+/// A boundary of spans that join up.
 inline Boundary boundary(std::vector<SpanPtr> spans, bool closed) {
   return *Boundary::make(std::move(spans), closed, 1e-9);
 }
 
-/// Normal, speed, curvature and its slope of a span are the derivatives of its points, by central differences
-/// at uneven places; errors relative to the size and the largest curvature there.
+/// Checks normal, speed, curvature and its slope against derivatives of the span's points, by central
+/// differences at random parameters; errors relative to the size and to the largest curvature there.
 inline void expect_span_laws(const Span& span, double size, double tolerance) {
   const Bounds range = span.range();
   const double h = 1e-5 * range.width();
@@ -41,8 +41,8 @@ inline void expect_span_laws(const Span& span, double size, double tolerance) {
   EXPECT_AT_MOST(slope.value(), tolerance);
 }
 
-/// Over random intervals of all lengths speed and turn of a span lie within its bounds, which close up as
-/// fast as the interval shrinks.
+/// Checks over random intervals of all lengths that speed and turn of a span lie within its bounds, and that
+/// the bounds narrow in proportion to the interval.
 inline void expect_bounds(const Span& span, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> share(0, 1);

@@ -35,7 +35,7 @@ SpanPtr spline(const Points& points, const SplineOptions& options) {
   return *span;
 }
 
-// Largest errors of a spline through points of the ellipse: distance from it, and curvature, relative.
+// Largest relative errors of a spline through points of the ellipse, in distance and in curvature.
 struct Errors {
   double distance = 0;
   double curvature = 0;
@@ -138,7 +138,7 @@ TEST(SplineSpan, GoesThroughItsPointsHoweverUnevenlyTheyLie) {
   const SpanPtr span = spline(points, {});
   Worst worst;
   for (const Vector2d& p : points) {
-    // The foot by bisection of (p(t) - p).t
+    // The foot of the perpendicular, by bisection of (p(t) - p)·t.
     double low = span->range().low - 1e-9;
     double high = span->range().high + 1e-9;
     for (int i = 0; i < 80; ++i) {

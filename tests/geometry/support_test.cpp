@@ -7,8 +7,8 @@ namespace {
 
 using namespace higherpair::testing;
 
-// Two conics of the same kind may differ in condition: a hyperbola's w vanishes at the ends of its cone.
-// Every comparison is taken at parameters up to ±2, where cosh is 4 and w is above 0.05.
+// Conics differ in condition: a hyperbola's w vanishes at the ends of its cone of normals. All comparisons
+// use parameters up to ±2, where cosh is 4 and w is above 0.05.
 struct Placed {
   NaturalConic conic;
   Curve curve;
@@ -32,7 +32,8 @@ TEST(SupportPoint, IsThePointOfTheTextbookCurveWithThatNormal) {
     const double rho = body.conic.radius(t);
     EXPECT_TRUE(has_point(place(body.curve, body.X_WB), n_W));
     EXPECT_GT(found.w2, 0);
-    // A rounding of the normal moves the point by rho as much, one of w near the end of the cone rho by more.
+    // A rounding of the normal moves the point by rho times as much; a rounding of w near the end of the cone
+    // changes rho by more.
     point.see((found.p_W - expected_W) / (1 + std::abs(rho)));
     radius.see(std::abs(found.rho - rho) / std::abs(rho) * found.w2);
     EXPECT_EQ(found.rho > 0, body.conic.side == Side::kInside);
@@ -50,7 +51,7 @@ TEST(SupportPoint, LiesOnTheCurveAndHasTheNormalByTheEquation) {
     const auto placed = place(body.curve, body.X_WB);
     if (!has_point(placed, n_W)) continue;
     const auto found = support_point(placed, n_W);
-    // Close to the end of its cone a point is arbitrarily far away.
+    // Close to the end of its cone a point may be arbitrarily far away.
     if ((found.p_W - placed.vertex_W).norm() > 10) continue;
     const Vector2d p_B = body.X_WB.inverse_times(found.p_W);
     const std::array<double, 6> k = implicit_coefficients(body.curve);
@@ -161,7 +162,7 @@ TEST(HasPoint, OfAHyperbolaIsTheConeOfNormalsOfItsAsymptotes) {
     const Curve hyperbola = make_hyperbola({0.1, 0.2}, {a, b}, 0.4, side).value();
     const auto placed = place(hyperbola, Pose<double>{});
     const double vertex = 0.4 + (side == Side::kInside ? kPi : 0);
-    const double cone = std::atan2(a, b);  // an asymptote rises b on a, its normal leans as much
+    const double cone = std::atan2(a, b);  // an asymptote rises b per a, and its normal leans as much
     for (const double angle : {0.0, 0.9 * cone, -0.9 * cone, cone - 1e-9, 1e-9 - cone}) {
       EXPECT_TRUE(has_point(placed, unit_vector(vertex + angle))) << angle;
       EXPECT_TRUE(support_point(placed, unit_vector(vertex + angle)).p_W.allFinite());
@@ -191,7 +192,8 @@ TEST(SupportPoint, PassesThroughTheParabolaWithoutAJump) {
       const Vector2d n = unit_vector(0.4 + kPi + angle);
       const auto limit = support_point(place(parabola, Pose<double>{}), n);
       const auto near = support_point(place(nearly, Pose<double>{}), n);
-      // d/dq of ℓ N_y/w is ℓ N_y³/(2 w³), of the others as much: below 3 ℓ/|N_x|⁵ = 640 for |angle| <= 1.3.
+      // d/dq of ℓ N_y/w is ℓ N_y³/(2 w³), the other derivatives are similar: below 3 ℓ/|N_x|⁵ = 640 for
+      // |angle| <= 1.3.
       EXPECT_AT_MOST((near.p_W - limit.p_W).norm(), 700 * std::abs(q) + 2e-14);
       EXPECT_AT_MOST(std::abs(near.rho / limit.rho - 1), 30 * std::abs(q) + 2e-14);
     }

@@ -1,4 +1,4 @@
-// No file carries a note of unfinished work or the path of somebody's machine.
+// No file contains a note of unfinished work or a path of somebody's machine.
 #include "house/tree.hpp"
 
 #include <regex>

@@ -11,10 +11,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The room whose private headers are for all rooms.
+// The room whose private headers every room may include.
 constexpr const char* kShared = "numeric";
 
-// The house: each room and the rooms below it, whose headers it may include.
+// The rooms (folders) of the library, each with the rooms below it, whose headers it may include.
 const std::map<std::string, std::vector<std::string>>& rooms() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"numeric", {}},
@@ -38,7 +38,7 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
   return table;
 }
 
-// Libraries that some rooms have for themselves; none: the tools.
+// Libraries that only the listed rooms may include; an empty list: only the tools.
 const std::map<std::string, std::vector<std::string>>& owned_libraries() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"CGAL", {"contact"}},     {"CLI", {}},
@@ -62,13 +62,13 @@ std::vector<std::string> parts(const fs::path& path) {
   return names;
 }
 
-// Of include/, which is installed, or of src/include, which rooms share with each other.
+// In include/, which is installed, or in src/include, which all rooms share.
 bool is_public(const fs::path& file) {
   const std::vector<std::string> names = parts(file);
   return !names.empty() && (names[0] == "include" || (names.size() > 1 && names[1] == "include"));
 }
 
-// The room of a file of the library, "" if it is in none; nothing for a file outside the library.
+// The room of a file of the library, "" if it is in none; nullopt for a file outside the library.
 std::optional<std::string> room_of(const fs::path& file) {
   const std::vector<std::string> names = parts(file);
   const std::size_t at = !is_public(file) ? 1 : names[0] == "include" ? 2 : 3;
@@ -98,7 +98,7 @@ std::vector<Include> includes_of(std::string_view text) {
   return found;
 }
 
-// Our own header as a path in the tree; nothing for a header of somebody else's.
+// The path in the tree of a header of the project; nullopt for any other header.
 std::optional<fs::path> own_header(const fs::path& file, const Include& include) {
   const fs::path header = include.header;
   if (*header.begin() == "higherpair") {
@@ -155,7 +155,7 @@ std::vector<std::string> include_violations(const fs::path& file, std::string_vi
     return {};
   }
   if (file == "include/higherpair/higherpair.hpp") {
-    return {};  // the front door itself, which only collects headers
+    return {};  // the umbrella header itself, which only collects headers
   }
   if (!rooms().contains(*room)) {
     return {file.generic_string() + ": the file stands in no room that we know"};

@@ -32,7 +32,7 @@ TEST(IncludeRules, TheTreeKeepsThem) {
   EXPECT_GT(sources, 10) << "the tree was not found";
 }
 
-// What is installed is what the front door shows; all else is private.
+// The installed headers are those that the umbrella header includes; all others are private.
 TEST(IncludeRules, PublicHeadersAreThoseThatTheFrontDoorIncludes) {
   const std::string folder = "include/";
   std::set<std::string> found;

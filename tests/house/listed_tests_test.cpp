@@ -1,4 +1,4 @@
-// A test that its folder does not list would never run, and never fail.
+// A test file that its folder's CMakeLists.txt does not list would never run, and never fail.
 #include "house/tree.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// A type of a name shared with another one would be taken for it by the linker, where a function of either is
-// not inlined: the library has one type of a name in a namespace.
+// The linker would confuse two types with the same name where a function of either is not inlined: a type's
+// name may occur only once per namespace in the library.
 #include "house/tree.hpp"
 
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// The types that a formatted source defines where other sources could mean them, with their namespaces.
+// The types that a formatted source defines outside unnamed namespaces, with their namespaces.
 std::set<std::string> shared_types(const std::string& text) {
   static const std::regex opens(R"((?:inline )?namespace ?([\w:]*) ?\{.*)");
   static const std::regex closes(R"(\}  // namespace.*)");

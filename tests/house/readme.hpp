@@ -27,7 +27,7 @@ struct Command {
 /// that follows it.
 [[nodiscard]] std::vector<Command> commands_of(const Block& block);
 
-/// Whether `actual` reads as `expected`, in which a line that consists of … stands for any number of lines.
+/// Whether `actual` reads as `expected`, in which a line consisting of … stands for any number of lines.
 [[nodiscard]] bool matches_with_gaps(const std::string& actual, const std::string& expected);
 
 }  // namespace higherpair::house

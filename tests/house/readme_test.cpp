@@ -1,10 +1,10 @@
-// Whatever the README and the pages of docs/ show is real: commands run, profiles are analysed, the README's
-// C++ is the program that the install test compiles, paths and links lead somewhere. Blocks are told apart by
-// their language:
-//   sh, console    commands; those of higherpair are run, in console with the output that is shown
+// Everything that the README and the pages of docs/ show is real: commands run, profiles are analysed, the
+// README's C++ is the program that the install test compiles, and paths and links lead somewhere. Blocks are
+// distinguished by their language:
+//   sh, console    commands; those of higherpair are run, in console blocks with the output shown
 //   toml           a whole profile
-//   toml fragment  a part of one
-//   cpp, cmake     in the README parts of tests/install; the programs of docs/library.md run in tests/library
+//   toml fragment  part of a profile
+//   cpp, cmake     README: parts of tests/install; the programs of docs/library.md run in tests/library
 //   text           nothing to run
 #include "house/readme.hpp"
 
@@ -79,7 +79,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-// A folder in which the commands of the pages work as in the root of the tree, but leave nothing there.
+// A folder in which the commands of the pages work as in the root of the tree without leaving anything there.
 class ReadmeCommands : public testing::Test {
 protected:
   void SetUp() override {
@@ -150,7 +150,7 @@ TEST(Pages, HaveBlocksOfAKindThatIsChecked) {
   }
 }
 
-// But for the sign that stands for left-out lines.
+// Except for the character that marks omitted lines.
 TEST(Pages, ShowAsciiInTheirBlocks) {
   for (const ShownBlock& block : all_blocks()) {
     std::istringstream lines(block.text);
@@ -209,7 +209,7 @@ TEST(Readme, ShowsCMakeLinesThatTheInstallTestRuns) {
   }
 }
 
-// What `pattern` catches on the pages, with the page.
+// The matches of `pattern` on the pages, with the page.
 std::vector<std::pair<fs::path, std::string>> catches(const std::regex& pattern) {
   std::vector<std::pair<fs::path, std::string>> caught;
   for (const fs::path& page : pages()) {

@@ -1,6 +1,6 @@
-// docs/profiles.md and docs/results.md are complete: every key that the reader takes and every column,
-// status, event and JSON key that can come out is named there. What there is, the library and the program
-// themselves say.
+// docs/profiles.md and docs/results.md are complete: they name every key that the reader accepts, and every
+// column, status, event and JSON key of the output. The library and the program themselves list what there
+// is.
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
@@ -29,7 +29,7 @@ using testing::SizeIs;
 
 using Strings = std::vector<std::string>;
 
-// What stands between single backticks on a page; of `a = 1` and `[a]` the word a as well.
+// The texts between single backticks on a page; for `a = 1` and `[a]` also the word a.
 std::set<std::string> words_on(const std::string& page) {
   const std::string text = read_file(root() / page);
   const std::regex quoted("`([^`\n]+)`");
@@ -69,7 +69,7 @@ between = ["ground.O", "b.O"]
 joint = "j"
 )";
 
-// The list that follows `words` in what the reader says about the profile with these changes.
+// The list that follows `words` in the reader's message about the profile with these changes.
 Strings list_after(const std::string& words, const Strings& overrides) {
   const auto profile = read_profile_text(kProfile, "test.toml", overrides);
   if (profile) {
@@ -84,7 +84,7 @@ Strings list_after(const std::string& words, const Strings& overrides) {
   return {};
 }
 
-// No key is like this one, so that the reader lists those that there are.
+// Resembles no key, so that the reader lists those that exist.
 const std::string kNoKey = "qqqqqqqqqqqq";
 
 Strings keys_of(const std::string& table, Strings overrides = {}) {
@@ -96,7 +96,7 @@ Strings types_of(const std::string& thing) {
   return list_after("expected one of ", {thing + ".type=" + kNoKey});
 }
 
-// Every key that the reader asks for, table by table.
+// Every key that the reader knows, table by table.
 std::vector<Strings> all_keys() {
   std::vector<Strings> tables = {
       keys_of(""),
@@ -171,7 +171,8 @@ bool has_name(const Things& things, const std::string& name) {
   return std::any_of(things.begin(), things.end(), [&](const auto& thing) { return thing.name == name; });
 }
 
-// How the page writes a column: "B.P.vx" for "follower.E.vx". Names that things share give several.
+// The way in which the page writes a column: "B.P.vx" for "follower.E.vx". Names that several things share
+// give several patterns.
 Strings patterns_of(const Column& column, const Mechanism& mechanism) {
   const std::size_t dot = column.name.rfind('.');
   if (dot == std::string::npos || column.name.starts_with("driver.")) {
@@ -207,7 +208,7 @@ TEST(ReferenceOfResults, ExplainsEveryColumn) {
   std::set<std::string> seen;
   for (const Profile& profile : shipped_profiles()) {
     for (const Column& column : all_columns(profile)) {
-      // A driver may be the name of a body, and several drivers have a name of their own.
+      // A driver may have the name of a body, and with several drivers each has a name of its own.
       const Strings patterns = patterns_of(column, profile.mechanism);
       const bool explained = std::any_of(patterns.begin(), patterns.end(),
                                          [&](const std::string& pattern) { return words.contains(pattern); });
@@ -259,7 +260,7 @@ std::string output_of(const std::string& command) {
   return output;
 }
 
-// Of which every assembly names the joints of the profile.
+// Keys that are names of the profile's joints: every assembly lists its joints by name.
 const std::set<std::string>& own_names() {
   static const std::set<std::string> names = {"cam_pivot", "follower_pivot"};
   return names;

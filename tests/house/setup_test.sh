@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# tools/setup on made-up systems: dpkg-query, apt-get, sudo and id are stand-ins that record how they are called.
+# tools/setup on simulated systems: dpkg-query, apt-get, sudo and id are stand-ins that record how they are
+# called.
 #   setup_test.sh path/to/tools/setup
 set -euo pipefail
 setup=$1
@@ -7,13 +8,13 @@ bash=$(command -v bash)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# stand_in NAME BODY: a program of that name on the made-up system.
+# stand_in NAME BODY: creates a program of that name on the simulated system.
 stand_in() {
   printf '#!%s\n%s\n' "$bash" "$2" >"$folder/bin/$1"
   chmod +x "$folder/bin/$1"
 }
 
-# An empty system: only what any system has. $1 = packages that are not installed, $2 = the user's id.
+# A bare system with the basics only. $1 = packages that are not installed, $2 = the user's id.
 new_system() {
   rm -rf "$folder/bin" "$folder/calls"
   mkdir "$folder/bin"

@@ -1,5 +1,6 @@
-// The small numbers that decide something stand in the header of tolerances of their room, each under a name
-// of its own: rooms see each other's, and two of a name would be one to the linker.
+// Small numbers that decide something are defined in the header of tolerances of their room, each under a
+// name of its own: rooms see each other's headers, and the linker would confuse two constants with the same
+// name.
 #include "house/tree.hpp"
 
 #include <map>
@@ -59,7 +60,7 @@ bool is_source_of_rooms(const std::string& path) {
 }
 
 TEST(Tolerances, StandInTheHeaderOfTheirRoom) {
-  // Public ones, and what is no tolerance.
+  // Public ones, and those that are not tolerances.
   const std::set<std::string> others = {"kConstraintTolerance", "kDefaultExportTolerance", "kUnlikely",
                                         "kQuarterPiRest", "kPrecisePi"};
   for (const auto& file : project_files()) {
@@ -73,7 +74,8 @@ TEST(Tolerances, StandInTheHeaderOfTheirRoom) {
 }
 
 TEST(Tolerances, HaveNames) {
-  // Where the shortest digits of a number need an exponent, and what π and π/4 are more than their doubles.
+  // The limit below which the shortest digits of a number need an exponent, and the differences of π and π/4
+  // from their doubles.
   const std::set<std::string> others = {"1e-99", "1.2246467991473532e-16", "3.061616997868383e-17"};
   for (const auto& file : project_files()) {
     const std::string path = file.generic_string();

@@ -12,8 +12,8 @@ namespace higherpair::house {
 /// The whole text of a file; throws std::runtime_error when it cannot be read.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
-/// Every file of the project below `root()`, relative to it and sorted: without build/, out/ and the hidden
-/// folders of tools (.ci is ours).
+/// Every file of the project below `root()`, relative to it and sorted, without build/, out/ and hidden
+/// folders of tools (.ci belongs to the project).
 [[nodiscard]] std::vector<std::filesystem::path> project_files();
 
 }  // namespace higherpair::house

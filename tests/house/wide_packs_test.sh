@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Usage: wide_packs_test.sh NM OBJECT...
-# Objects for machines with wide registers define one function each and nothing that the linker may take for other
-# objects too: their code must run nowhere else.
+# Objects that are compiled for machines with wide registers may define only their one function and nothing
+# that the linker could use for other objects: their code must not run anywhere else.
 set -euo pipefail
 nm=$1
 shift

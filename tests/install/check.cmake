@@ -19,7 +19,7 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}/installed --config ${CONFIG})
 file(RENAME ${work}/installed ${work}/moved)
 
-# The package knows nothing of the machine that built it.
+# The package must not contain paths of the machine that built it.
 file(GLOB_RECURSE package_files ${work}/moved/*.cmake)
 if(NOT package_files)
   message(FATAL_ERROR "no package files are installed")
@@ -52,7 +52,7 @@ if(NOT output MATCHES "^361 rows, the whole path is good\nhighest at driver = ")
   message(FATAL_ERROR "the second project printed: ${output}")
 endif()
 
-# The program, where it was built, runs from where it is installed.
+# If the program was built, it runs from its installed place.
 if(EXISTS ${work}/moved/bin/higherpair)
   run(${work}/moved/bin/higherpair --version)
 endif()

@@ -7,7 +7,7 @@
 
 namespace higherpair::testing {
 
-/// Profiles with files beside them, in a folder of their own.
+/// Reads profiles that refer to files beside them, in a folder of their own.
 class ProfileWithFiles : public ::testing::Test {
 protected:
   ProfileWithFiles() {
@@ -37,13 +37,13 @@ protected:
     return profile->mechanism.bodies[1].curves[0];
   }
 
-  /// The messages, the folder left out of them.
+  /// The messages, without the name of the folder.
   [[nodiscard]] std::vector<std::string> messages_of(const std::string& table) const {
     const auto profile = read_curve(table);
     return profile ? std::vector<std::string>{} : lines(profile.error());
   }
 
-  /// The notes but for those that no contact names a curve.
+  /// The notes, without those about curves that no contact uses.
   [[nodiscard]] std::vector<std::string> notes_of(const std::string& table) const {
     const auto profile = read_curve(table);
     std::vector<std::string> found;

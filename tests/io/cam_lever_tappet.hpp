@@ -2,7 +2,7 @@
 
 namespace higherpair::testing {
 
-/// An elliptic cam turns a lever by a roller, and an ellipse on the lever lifts a flat tappet.
+/// An elliptic cam turns a lever through a roller, and an ellipse on the lever lifts a flat tappet.
 inline constexpr const char* kCamLeverTappet = R"(
 [bodies.ground]
 points = { O = [0, 0], P = [80, 0], Q = [80, 100] }

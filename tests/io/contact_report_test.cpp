@@ -75,7 +75,7 @@ TEST(ContactForceReport, OfListedPositionsIsThatOfTheWayThroughThem) {
   ASSERT_EQ(there.openings.size(), 1U);
   EXPECT_NEAR(kDegrees * there.openings[0].what.driver, opening_at(900), 1e-12);
   EXPECT_NEAR(there.openings[0].row, 2 + (opening_at(900) - 11) / 189, 1e-12);
-  // There and back it opens from both sides.
+  // On the way there and back it opens from both sides.
   profile.programs[0].positions = {0, 180, 0};
   const ContactForceReport back = report(profile);
   ASSERT_EQ(back.openings.size(), 2U);
@@ -149,7 +149,7 @@ TEST(ContactForceReport, AdvisesAnEffortWhereThereIsNoSpring) {
   EXPECT_THAT(opened.openings[0].cause, HasSubstr(" N acts on joints.guide"));
 }
 
-// Two arms in a row. A torsion spring on the second one presses the second contact and lifts the first.
+// Two arms in series. A torsion spring on the second one presses the second contact and lifts the first.
 Overrides arms(double first, double second) {
   return {"bodies.arm.mass=0.3",
           "bodies.arm.center_of_mass=[0, 0]",

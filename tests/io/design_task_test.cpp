@@ -1,4 +1,4 @@
-// [design] of a profile: what it means, and every mistake with its place.
+// [design] of a profile: what it means, and every mistake with its position.
 #include "higherpair/io/design_task.hpp"
 
 #include "io/profile_testing.hpp"
@@ -180,7 +180,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{kObjective + "[design]\nmethod = \"newton\"", "slsqp"},
         Wrong{kObjective + "[design]\nstarts = 0", "from 1"}));
 
-// One slip, one message: a limit that cannot be read is not missing, nor has an absent file too few points.
+// One mistake, one message: an unreadable limit is not reported as missing, nor an absent file as having too
+// few points.
 TEST(DesignTask, ASlipIsReportedOnce) {
   for (const char* goal :
        {"[[design.objectives]]\npath = { point = \"crank.A\", file = \"none.csv\", free = [\"position\"] }",

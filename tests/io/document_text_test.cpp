@@ -1,4 +1,4 @@
-// A profile's text with other numbers in it: nothing else changes, not a space.
+// Replacing numbers in a profile's text changes nothing else, not even a space.
 #include "higherpair/io/profile_document.hpp"
 
 #include <gmock/gmock.h>
@@ -52,7 +52,7 @@ TEST(TextOfADocument, HasNoPlaceForWhatItDoesNotHave) {
     ASSERT_FALSE(text) << path;
     EXPECT_THAT(text.error(), ::testing::HasSubstr(std::string(path) + ": the text has no such value"));
   }
-  // What an override has set stands nowhere in the text.
+  // A value that was set by an override is not in the text.
   EXPECT_FALSE(changed("[bodies.a]\nmass = 1\n", {{"bodies.a.mass", "3"}}, {"bodies.a.mass=2"}));
 }
 

@@ -171,15 +171,15 @@ TEST(StepSchedule, TakesTheTimeStepForTheDecimalNumberThatItIs) {
   EXPECT_EQ(coarse.time(3), 5.1e28);
 }
 
-// start + 20 t - 10 t² is 9 beyond the start at 1 - √0.1 and 1 + √0.1: before and after the driver turns
-// back.
+// start + 20 t - 10 t² is 9 beyond the start at 1 - √0.1 and 1 + √0.1: before and after the driver's turning
+// point.
 TEST(StepSchedule, TellsTheTimeOfAPassageOnTheRightSideOfTheTurningPoint) {
   const DriverSchedule schedule = step(
       crank_profile("start = 29.2\nvelocity = 20\nacceleration = -20\nduration = 2.1\ntime_step = 0.7\n"));
   EXPECT_NEAR(schedule.passing_time(1, 38.2, 0.99), 1 - std::sqrt(0.1), 1e-14);
   EXPECT_NEAR(schedule.passing_time(2, 38.2, 0.1), 1 + std::sqrt(0.1), 1e-14);
   EXPECT_NEAR(schedule.passing_time(3, 29.2, 0.9), 2, 1e-14);
-  // At the turning point itself, and beyond it by rounding.
+  // At the turning point itself, and beyond it by a rounding.
   EXPECT_NEAR(schedule.passing_time(2, 39.2, 0.4), 1, 1e-7);
   EXPECT_NEAR(schedule.passing_time(2, 39.2000000000001, 0.4), 1, 1e-7);
   const auto turning = schedule.turning_points(2);
@@ -269,7 +269,7 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
   const std::string drivers =
       "[drivers.a]\njoint = \"one\"\nduration = 2\n[drivers.b]\njoint = \"two\"\ntime_step = 1\n";
   EXPECT_THAT(times(step(kTwoDrivers + drivers)), ElementsAre(0, 1, 2));
-  EXPECT_EQ(step(kTwoDrivers + drivers).state(2, 1).profile.position, -29);  // drawn at -31 mm, 1 mm/s
+  EXPECT_EQ(step(kTwoDrivers + drivers).state(2, 1).profile.position, -29);  // its pose is at -31 mm; 1 mm/s
   EXPECT_THAT(
       lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
       ElementsAre("test.toml:18:1: drivers.b.duration differs from that of another driver: all move in the "

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Each word on a line of its own.
+// Puts each word on a line of its own.
 std::string in_lines(const std::string& words) {
   std::istringstream stream(words);
   std::string text;
@@ -23,7 +23,7 @@ std::string in_lines(const std::string& words) {
   return text;
 }
 
-// A drawing of these entities; "0 LINE" is on line 5 where there is no header.
+// A drawing with these entities; without a header "0 LINE" is on line 5.
 std::string drawing(const std::string& entities, const std::string& header = "") {
   return in_lines((header.empty() ? "" : "0 SECTION 2 HEADER " + header + " 0 ENDSEC ") +
                   "0 SECTION 2 ENTITIES " + entities + " 0 ENDSEC 0 EOF");
@@ -33,7 +33,7 @@ std::string line(double x, double y, double to_x, double to_y, const std::string
   return fmt::format("0 LINE 8 {} 10 {} 20 {} 30 0 11 {} 21 {} 31 0 ", layer, x, y, to_x, to_y);
 }
 
-// A triangle, one of its sides the other way round.
+// A triangle with one side in the opposite direction.
 const std::string kTriangle = line(0, 0, 7, 0) + line(7, 3, 7, 0) + line(7, 3, 0, 0);
 
 class Dxf : public testing::ProfileWithFiles {
@@ -103,7 +103,7 @@ TEST_F(Dxf, ArcsGoCounterClockwiseAndSeenFromBelowClockwise) {
 }
 
 TEST_F(Dxf, EllipsesHaveEnds) {
-  // A quarter of x²/25 + y²/9 = 1 about (1, 2), turned by 90 degrees, and the two legs.
+  // A quarter of x²/25 + y²/9 = 1, moved to (1, 2) and rotated by 90 degrees, with two straight sides.
   const NamedCurve quarter =
       of(line(1, 2, 1, 7) + line(-2, 2, 1, 2) +
          "0 ELLIPSE 8 0 10 1 20 2 11 0 21 5 40 0.6 41 0 42 1.5707963267948966 210 0 220 0 230 1");

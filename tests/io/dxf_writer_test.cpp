@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Codes and values, one pair a line.
+// Codes and values, one pair per line.
 std::vector<std::string> pairs_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> pairs;
@@ -83,7 +83,7 @@ TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
   EXPECT_NEAR(number(2), 10, 1e-14);
   EXPECT_NEAR(number(3), 10, 1e-14);
   EXPECT_NEAR(number(5), 20, 1e-14);
-  // Three quarters of it are no circle, nor are four arcs of two.
+  // Three quarters of a circle are not a circle, nor are four arcs of two circles.
   ArcPolyline open = circle;
   open.closed = false;
   EXPECT_THAT(dxf_text({{"b", open}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));

@@ -1,4 +1,4 @@
-// [fit] of a profile and the tables that it is fitted to.
+// [fit] of a profile, and the tables that it is fitted to.
 #include "higherpair/io/measured_table.hpp"
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/profile_reader.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The profile of a cam with these parts in it.
+// A profile of a cam that contains these parts.
 struct Parts {
   std::string flank = R"({ type = "cam", law = "lift", contact = "touch" })";
   std::string more_curves;
@@ -21,7 +21,7 @@ struct Parts {
   std::string height = "50";
   std::string rising_law = "cycloidal";
   std::string rise = "20";
-  std::string law;  // in place of four segments with that rise
+  std::string law;  // replaces the four segments with the rise above
   std::string joint = R"(type = "prismatic"
 between = ["ground.O", "follower.P"]
 direction = [0, 1])";
@@ -92,7 +92,7 @@ curves.further = { type = "offset", of = "inner", by = -2 })";
   EXPECT_NEAR((flank.p_B - further.p_B).norm(), 7e-3, 1e-15);
 }
 
-// A harmonic lift of 2 mm as a table of 3 degrees' steps, rounded.
+// A harmonic lift of 2 mm as a rounded table in steps of 3 degrees.
 std::string table_of_lifts() {
   std::string text = "points = [";
   for (int x = 0; x <= 360; x += 3) {
@@ -117,7 +117,7 @@ TEST(Flanks, MoveTheFollowerByTheSplineOfATableInSiUnits) {
   }
 }
 
-// What is said of a table does not depend on what uses it.
+// The notes about a table do not depend on what uses it.
 TEST(Flanks, NoteTheRoundingOfATableInTheProfilesUnits) {
   Parts parts;
   parts.law = table_of_lifts();
@@ -143,7 +143,7 @@ follow = "lift"
   EXPECT_EQ(note_of(profile_with(parts) + design), of_flank);
 }
 
-// The number behind these words of the message [mm].
+// The number that follows these words in the message [mm].
 double number_behind(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
@@ -190,7 +190,8 @@ TEST(Flanks, ThatWouldBeUndercutSayWhatWouldDo) {
   EXPECT_EQ(mistakes_in(higher), "");
 }
 
-// So steep that on a small base circle the centre of the roller goes back round the cam's pivot for a while.
+// So steep that on a small base circle the roller's centre moves backwards around the cam's pivot for a
+// while.
 TEST(Flanks, ThatWouldBeUndercutSayWhichBaseCircleWouldDoHoweverSteepTheLaw) {
   Parts parts;
   parts.law = R"(segments = [ { over = 20, law = "parabolic", rise = 20 }, { over = 40, law = "dwell" },
@@ -209,7 +210,7 @@ TEST(Flanks, ThatWouldBeUndercutSayWhichBaseCircleWouldDoHoweverSteepTheLaw) {
   }
 }
 
-// A roller small enough for the rise would still have a gap in the flank where the return begins.
+// A roller small enough for the rise would still leave a gap in the flank where the return begins.
 TEST(Flanks, ThatWouldBeUndercutNameAJumpOfVelocityFirst) {
   Parts parts;
   parts.law = R"(segments = [ { over = 20, law = "parabolic", rise = 20 }, { over = 40, law = "dwell" },
@@ -253,7 +254,7 @@ between = ["ground.Q", "follower.pivot"])";
   Parts open;
   open.rise = "19";
   EXPECT_THAT(mistakes_in(open), HasSubstr("lift"));
-  Parts close;  // in degrees they differ by one unit in the last place, in radians not at all
+  Parts close;  // these differ by one unit in the last place in degrees, and not at all in radians
   close.law = "points = [[0, 0], [90, 1], [127, 2], [127.00000000000001, 2], [200, 1], [360, 0]]";
   EXPECT_THAT(mistakes_in(close), HasSubstr("has the same x as the point before"));
   Parts loose;

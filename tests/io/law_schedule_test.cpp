@@ -22,7 +22,7 @@ std::string slider(const std::string& driver, const std::string& law) {
   return slider_profile("law = \"lift\"\n" + driver + "[laws.lift]\n" + law);
 }
 
-// Up by 8 mm with constant acceleration and deceleration, a rest, down with constant velocity.
+// A rise of 8 mm with constant acceleration and deceleration, a dwell, and a return with constant velocity.
 const std::string kLaw =
     "segments = [{ over = 2, law = \"parabolic\", rise = 8 }, { over = 1, law = \"dwell\" }, { over = 2, law "
     "= "
@@ -45,7 +45,7 @@ TEST(LawSchedule, StepsTakeTheLawAsItIs) {
     EXPECT_EQ(state.si.position, state.profile.position / 1000);
   }
   EXPECT_THAT(positions, ElementsAre(0, 1, 4, 7, 8, 8, 8, 7, 6, 5, 4));
-  // At the joins 1, 2 and 3 what comes after; in the last row what was before.
+  // At the joins 1, 2 and 3 the values after them; in the last row the values before its end.
   EXPECT_THAT(velocities, ElementsAre(0, 4, 8, 4, 0, 0, -2, -2, -2, -2, -2));
   EXPECT_THAT(accelerations, ElementsAre(8, 8, -8, -8, 0, 0, 0, 0, 0, 0, 0));
 }
@@ -102,7 +102,7 @@ TEST(LawSchedule, ReportsJumps) {
   EXPECT_EQ(jumps[0].position, 8);
   EXPECT_EQ(jumps[0].join.before[1], 0);
   EXPECT_EQ(jumps[0].join.after[1], -2);
-  // Not where the run ends.
+  // There is no jump at the end of the run.
   const auto whole = DriverSchedule::step(read(slider("time_step = 1\n", kLaw))).value();
   EXPECT_THAT(whole.law_jumps(5), IsEmpty());
   EXPECT_THAT(whole.breaks(), ElementsAre(1, 2, 3));

@@ -1,4 +1,4 @@
-// [laws.NAME] as profiles have them, and the mistakes that can be made in them.
+// [laws.NAME] in profiles, and the mistakes that can be made in it.
 #include "higherpair/io/profile_reader.hpp"
 #include "io/profile_testing.hpp"
 
@@ -53,7 +53,7 @@ segments = [
   EXPECT_FALSE(law.repeats());
   EXPECT_EQ(profile.programs[0].law_name, "laws.lift");
   EXPECT_EQ(profile.programs[0].start, 10);
-  // The description has it in SI units.
+  // The description has them in SI units.
   ASSERT_EQ(profile.mechanism.laws.size(), 1U);
   EXPECT_EQ(profile.mechanism.laws[0].name, "lift");
   const MotionLaw si = MotionLaw::make(profile.mechanism.laws[0].law).value();
@@ -118,7 +118,7 @@ protected:
     return path;
   }
 
-  // A profile beside the table.
+  // Writes a profile beside the table.
   std::string profile(const std::string& more = "") const {
     return write("profile.toml", slider("file = \"lift.csv\"\n" + more));
   }
@@ -220,8 +220,8 @@ TEST_F(LawFiles, SayWhatTheirRoundingDoesToAcceleration) {
   EXPECT_THAT(read_profile_file(profile("smoothing = 0.0005\n"))->notes, IsEmpty());
 }
 
-// The coordinate of a law may be an angle as well, as of a cam; the reader of what uses it says so. Without a
-// use the quantities are unknown, but mistakes are found.
+// The coordinate of a law may also be an angle, as for a cam; what uses the law determines it. Without a use
+// the quantities are unknown, but mistakes are still found.
 TEST(Laws, ThatNothingUsesAreReadAllTheSame) {
   const std::string unused =
       "[laws.spare]\nsegments = [{ over = \"120 deg\", law = \"cycloidal\", rise = \"2 mm\" }]\n";

@@ -93,7 +93,7 @@ TEST(Limits, ThatAreUnknownGetASuggestion) {
               ElementsAre(HasSubstr("there is no joint `pivot`")));
   EXPECT_THAT(messages_with("[limits.bodies.can]\npoisson_ratio = 0.3\n"),
               ElementsAre(HasSubstr("there is no body `can`")));
-  // A joint that turns has no limit of a length, a body none of an angle.
+  // A joint that turns has no limits of lengths, and a body none of angles.
   EXPECT_THAT(messages_with("[limits.joints.cam_pivot]\nmax_jerk = 30\n"),
               ElementsAre(HasSubstr("limits.joints.cam_pivot.max_jerk")));
   EXPECT_THAT(messages_with("[limits.bodies.cam]\nmax_pressure_angle = 30\n"),
@@ -152,7 +152,7 @@ TEST(PressureUnits, AreMultiplesOfNewtonsBySquareMetres) {
   EXPECT_EQ(si("206 GPa"), 206e9);
   EXPECT_EQ(si("206000 N/mm^2"), 206e9);
   EXPECT_EQ(parse_quantity("206 GPa", kPressure, Units()).value().profile, 206000);
-  // Powers, and other units beside them.
+  // Powers, and other units next to them.
   EXPECT_EQ(parse_quantity("2 MPa mm^2", dimension::kForce, Units()).value().si, 2);
   EXPECT_EQ(parse_quantity("4 N/MPa", dimension::kLength * dimension::kLength, Units()).value().profile, 4);
   EXPECT_THAT(parse_quantity("4 MPa", dimension::kForce, Units()).error(), HasSubstr("MPa"));

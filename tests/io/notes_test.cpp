@@ -207,7 +207,7 @@ TEST(Notes, ARowTooFewForRoundSteps) {
   EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
 }
 
-// The lever of a crank rocker, its pose on the other side of the frame.
+// The lever of a crank-rocker, with its pose on the other side of the frame.
 TEST(Notes, AStartFarFromThePoses) {
   const Profile profile = testing::read(R"([bodies.ground]
 points.A = [0, 0]
@@ -240,12 +240,12 @@ joint = "a"
 TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
   const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
   ASSERT_TRUE(profile);
-  // The limits are at 65.83442067466342 and 360 less that.
+  // The limits are at ±65.83442067466342.
   EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9), "; it can be with driver.start from -65.8 to 65.8 deg");
   EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
 }
 
-// The coupler and the rocker reach the crank's pin where all links are in line, and nowhere else.
+// Coupler and rocker reach the crank's pin only where all links are in line.
 TEST(StartAdvice, NamesTheOnePositionInWhichItCanBeAssembled) {
   const std::vector<std::string> short_coupler = {"bodies.coupler.points.B=[1, 0]"};
   const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml", short_coupler);

@@ -8,7 +8,7 @@
 
 namespace higherpair::testing {
 
-/// The only message about `text`; more or none fail the test.
+/// The single message about `text`; the test fails if there are more, or none.
 inline std::string only_message(const std::string& text, const Overrides& overrides = {}) {
   const auto all = messages(text, overrides);
   EXPECT_EQ(all.size(), 1U) << ::testing::PrintToString(all);

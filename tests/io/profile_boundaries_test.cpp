@@ -63,7 +63,7 @@ TEST_F(ProfileBoundaries, ASegmentHasItsMaterialOnTheLeft) {
 }
 
 TEST_F(ProfileBoundaries, AChainGoesThroughItsArcsAsItsSegmentsNeed) {
-  // A slot's end: the arc is hollow where the material is around it.
+  // The end of a slot: the arc is concave where the material is around it.
   const std::string spans =
       "spans = [{ type = \"segment\", from = [-20, -5], to = [0, -5] }, "
       "{ type = \"arc\", center = [0, 0], radius = 5, from = -90, to = 90 }, "

@@ -9,13 +9,13 @@
 namespace higherpair {
 namespace {
 
-// A curve from its inline table, in the crank's frame.
+// Reads a curve from its inline table, in the crank's frame.
 Curve curve(const std::string& table, const std::string& above = "") {
   const Profile profile = testing::read(testing::crank_profile("[bodies.crank.curves]\nc = " + table, above));
   return profile.mechanism.bodies[1].curves[0].curve;
 }
 
-// f(p) of the curve's equation, which is scaled to be the distance near a vertex.
+// f(p) of the curve's equation, scaled so that it is the distance near a vertex.
 double equation(const Curve& curve, const Vector2d& p) {
   const auto k = implicit_coefficients(curve);
   return k[0] * p.x() * p.x() + k[1] * p.y() * p.y() + k[2] * p.x() * p.y() + k[3] * p.x() + k[4] * p.y() +

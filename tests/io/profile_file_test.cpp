@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using testing::messages;
 using testing::read;
 
-// A folder of our own that goes away again.
+// A temporary folder of its own.
 class ProfileFile : public ::testing::Test {
 protected:
   ProfileFile()

@@ -9,7 +9,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing::messages;
 
-// An arm on ground carries a planet; a sun turns about the arm's pivot. `gears` is at line 22.
+// An arm on ground carries a planet; a sun turns about the arm's pivot. `gears` begins at line 22.
 std::string planetary(const std::string& gears) {
   return R"([bodies.ground]
 points.O = [0, 0]
@@ -45,7 +45,7 @@ TEST(ProfileGears, FindTheArmThatCarriesBothWheels) {
   EXPECT_EQ(joint.type, JointType::kGears);
   EXPECT_EQ(profile.mechanism.bodies[static_cast<std::size_t>(joint.carrier)].name, "arm");
   EXPECT_EQ(joint.turning_ratio, -1.5);
-  // As the poses stand.
+  // As in the poses.
   EXPECT_NEAR(joint.relative_angle, 10 * kPi / 180, 1e-16);
 }
 
@@ -156,7 +156,7 @@ TEST(ProfileGears, NotePartsOfTeeth) {
                   "`module`"));
 }
 
-// No carrier is looked for: it may hang on the pin that is wrong.
+// No carrier is looked for, because it may depend on the pin that is wrong.
 TEST(ProfileGears, WaitForPinsWhoseNamesAreRight) {
   std::string profile = planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n");
   profile.replace(profile.find("[\"ground.O\""), 11, "[\"ground.X\"");

@@ -15,12 +15,12 @@ using ::testing::IsEmpty;
 using testing::messages;
 using testing::slider_profile;
 
-// The messages about the crank's profile with more text behind it; that begins at line 12.
+// The messages about the crank's profile with text appended to it from line 12 on.
 std::vector<std::string> about(const std::string& more) {
   return messages(crank_profile(more));
 }
 
-// A curve in the crank, its table at line 13, column 5.
+// The messages about a curve of the crank whose table is at line 13, column 5.
 std::vector<std::string> about_curve(const std::string& table) {
   return about("[bodies.crank.curves]\nc = " + table + "\n");
 }
@@ -105,7 +105,7 @@ TEST(ProfileMessages, UnknownKeysGetTheNearestOne) {
               ElementsAre("test.toml:13:1: bodies.crank.pose.z: unknown key; did you mean `x` or `y`?"));
 }
 
-// What textbooks and other programs call things.
+// Names that textbooks and other programs use.
 TEST(ProfileMessages, WordsOfTheFieldGetOurs) {
   const std::string types = ": expected one of revolute, prismatic, slot, gears, belt; did you mean ";
   const std::string between = "\nbetween = [\"ground.B\", \"crank.P\"]\n";
@@ -439,7 +439,7 @@ TEST(ProfileMessages, NormalsAndDirectionsMustPointSomewhere) {
               ElementsAre("test.toml:10:13: joints.slide.direction = [0, 0]: must not be the zero vector"));
 }
 
-// A second joint, its keys beginning at line 13.
+// The messages about a second joint, whose keys begin at line 13.
 std::vector<std::string> about_joint(const std::string& keys) {
   return about("[joints.j]\n" + keys);
 }
@@ -500,7 +500,7 @@ TEST(ProfileMessages, EveryTypeOfJointHasItsKeys) {
   }
 }
 
-// A contact between two curves: one on ground and one on the crank; `between` is at line 18, column 11.
+// The messages about a contact of a curve on ground and one on the crank; `between` is at line 18, column 11.
 std::vector<std::string> about_contact(const std::string& on_ground, const std::string& on_crank) {
   return about("[bodies.ground.curves]\na = " + on_ground + "\n[bodies.crank.curves]\nb = " + on_crank +
                "\n[contacts.k]\n" + "rolling = false\n" + "between = [\"ground.a\", \"crank.b\"]\n");
@@ -582,7 +582,7 @@ TEST(ProfileMessages, DriversDriveRevoluteOrPrismaticJoints) {
               ElementsAre("test.toml:1:1: driver.joint is missing: expected the name of a joint"));
 }
 
-// A driver asks where its joint is; that of this one has no place.
+// A driver needs the position of its joint, and this joint has none.
 TEST(ProfileMessages, AJointOnAPointThatGroundLacksMayBeDriven) {
   EXPECT_THAT(messages(R"([bodies.slide]
 points.P = [0, 0]

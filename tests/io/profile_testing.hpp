@@ -11,7 +11,7 @@ namespace higherpair::testing {
 
 using Overrides = std::vector<std::string>;
 
-/// The profile in `text`; where it has mistakes, they fail the test and an empty profile is returned.
+/// The profile in `text`. Any mistake in it fails the test, and an empty profile is returned.
 inline Profile read(const std::string& text, const Overrides& overrides = {}) {
   auto profile = read_profile_text(text, "test.toml", overrides);
   if (!profile) {
@@ -21,7 +21,7 @@ inline Profile read(const std::string& text, const Overrides& overrides = {}) {
   return *profile;
 }
 
-/// The messages about `text`, as the user sees them; none for a right profile.
+/// The messages about `text`, as the user sees them; none for a correct profile.
 inline std::vector<std::string> messages(const std::string& text, const Overrides& overrides = {}) {
   std::vector<std::string> lines;
   const auto profile = read_profile_text(text, "test.toml", overrides);
@@ -31,12 +31,12 @@ inline std::vector<std::string> messages(const std::string& text, const Override
   return lines;
 }
 
-/// `text` with the first `old` in it replaced; it must be there.
+/// `text` with the first occurrence of `old` replaced; there must be one.
 inline std::string replaced(std::string text, const std::string& old, const std::string& with) {
   return text.replace(text.find(old), old.size(), with);
 }
 
-/// The example of the format's description: a disc cam and an oscillating follower, every kind of table.
+/// The example of the format's description: a disc cam and an oscillating follower, with every kind of table.
 inline constexpr const char* kCamProfile = R"(format  = 1
 title   = "Eccentric disc cam, oscillating disc follower"
 gravity = [0, -9810]
@@ -101,7 +101,7 @@ s2 = { joint = "follower_pivot", stiffness = 30, free_angle = 0, damping = 0 }
 anything = { goes = ["here", 1, true] }
 )";
 
-/// A crank of 31 mm on ground, driven: the least that is a profile. `more` goes behind, before it `above`.
+/// The smallest valid profile: a driven crank of 31 mm on ground. `above` is put before it, `more` after it.
 inline std::string crank_profile(const std::string& more = "", const std::string& above = "") {
   return above + R"([bodies.ground]
 points.A = [0, 0]
@@ -117,7 +117,7 @@ joint = "pivot"
 )" + more;
 }
 
-/// The crank and a slider on the ground's line through B in the given direction, which is driven.
+/// The crank and a slider on ground, along the line through B in the given direction; the slider is driven.
 inline std::string slider_profile(const std::string& more = "", const std::string& direction = "[1, 0]") {
   return R"([bodies.ground]
 points.A = [0, 0]

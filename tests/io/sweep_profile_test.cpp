@@ -1,4 +1,4 @@
-// What [sweep] of a profile says, and every message about it.
+// The meaning of [sweep] in a profile, and every message about it.
 #include "higherpair/io/tasks.hpp"
 #include "io/only_message.hpp"
 
@@ -33,7 +33,7 @@ SweepTask task_of(const Overrides& overrides, const std::string& sweep = kSweep)
   return profile.sweep ? *profile.sweep : SweepTask();
 }
 
-// What is said behind the place, of one mistake.
+// The message about a single mistake, without its position.
 std::string message(const Overrides& overrides, const std::string& sweep = kSweep) {
   const std::string all = testing::only_message(cam(sweep), overrides);
   const std::size_t at = all.find(": sweep");

@@ -20,7 +20,7 @@ TEST_P(SyntaxMessages, SayWhatWasDoneAndWhatToDo) {
   EXPECT_THAT(all, ::testing::ElementsAre("test.toml:" + std::string(GetParam().message))) << GetParam().text;
 }
 
-// Texts: quotation marks, and the words that need them.
+// Strings: quotation marks, and the words that need them.
 INSTANTIATE_TEST_SUITE_P(
     Texts, SyntaxMessages,
     ::testing::Values(
@@ -192,7 +192,7 @@ TEST(Encoding, AMarkTabsAndTheLineEndsOfWindowsAreFine) {
   EXPECT_THAT(messages(text), ::testing::IsEmpty());
 }
 
-// Whatever is cut off or put in: one line, and a place within the text.
+// Whatever is cut off or inserted, the message is a single line with a position within the text.
 TEST(SyntaxMessages, AreOneLineForEveryProfileCutAnywhere) {
   const std::string text = testing::kCamProfile;
   for (std::size_t length = 0; length <= text.size(); length += 7) {

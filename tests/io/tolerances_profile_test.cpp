@@ -1,4 +1,4 @@
-// What [tolerances] of a profile says, and every message about it; all quantities of a profile.
+// The meaning of [tolerances] in a profile, and every message about it; all quantities of a profile.
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "io/only_message.hpp"

@@ -79,8 +79,8 @@ TEST(Units, NamesLeadBackToTheirUnits) {
   EXPECT_EQ(find_unit(""), std::nullopt);
 }
 
-// The nearest double to a decimal fraction is what the compiler makes of the literal; dividing integers that
-// are exact rounds to the same.
+// The compiler turns a decimal literal into the nearest double; dividing two exact integers gives the same
+// rounding.
 TEST(Units, MillimetresBecomeTheNearestDoubles) {
   const Scaling scaling = to_si(dimension::kLength, Units{});
   for (int i = -20'000; i <= 20'000; ++i) {
@@ -100,7 +100,7 @@ TEST(Units, QuarterTurnsAreExact) {
   EXPECT_EQ(back.apply(2 * kPi), 360);
 }
 
-// Degrees to radians against an arithmetic with more digits.
+// Degrees in radians, compared with an arithmetic of more digits.
 TEST(Units, DegreesAreRoundedCorrectly) {
   if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "no longer type to compare with";
   constexpr long double kLongPi = 3.14159265358979323846264338327950288L;
@@ -109,13 +109,13 @@ TEST(Units, DegreesAreRoundedCorrectly) {
     const double angle = i / 100.0;
     const long double exact = angle * kLongPi / 180;
     const double converted = scaling.apply(angle);
-    // Half a spacing, and the rounding of the comparison itself.
+    // Half a spacing of doubles, and the rounding of the comparison itself.
     ASSERT_LE(std::abs(static_cast<double>(converted - exact)), 0.501 * spacing(converted)) << angle;
   }
 }
 
-// Two neighbouring numbers in profile units may have to share one SI double where those lie less dense; where
-// they do not, every value must come back.
+// Two neighbouring numbers in profile units may have to share one SI double where doubles are spaced more
+// widely; everywhere else every value must be restored exactly.
 TEST(Units, ThereAndBackIsTheIdentityWhereverTheDoublesLieDenseEnough) {
   std::mt19937_64 random(20240817);
   std::uniform_real_distribution<double> uniform(-1000, 1000);

@@ -14,7 +14,7 @@ struct AngleMotion {
   double alpha = 0;  ///< [rad/s²]
 };
 
-/// Motion of a length that changes: a slider along its guide.
+/// Motion of a variable length: a slider along its guide.
 struct SlideMotion {
   double r = 0;       ///< [m]
   double r_dot = 0;   ///< [m/s]
@@ -42,15 +42,16 @@ struct DriverRange {
 };
 
 /// The range of an angle theta = centre + ψ that can be assembled iff stretch(ψ) >= 0 and fold(ψ) >= 0.
-/// stretch falls from ψ = 0 to ±π, fold rises, and their sum is positive. Limits are `root_angle`s.
+/// stretch falls from ψ = 0 to ±π, fold rises, and their sum is positive. The limits are computed by
+/// `root_angle`.
 [[nodiscard]] DriverRange angle_range(const CosineLine<double>& stretch, const CosineLine<double>& fold,
                                       double centre);
 
 /// The range of a length r that can be assembled iff inner <= r² <= outer.
 [[nodiscard]] DriverRange slide_range(double inner, double outer);
 
-/// The status at a driver's angle that was given in ground: the difference theta - theta1 carries a rounding
-/// of each of the two, and so more noise than the kernel, which gets it as a unit vector, can know.
+/// The status at a driver's angle that was given in ground. The difference theta - theta1 carries a rounding
+/// error of each, which the kernel cannot know because it receives the angle as a unit vector.
 [[nodiscard]] LinkageStatus status_at_angle(Reach<double> reach, double theta, double theta1);
 
 }  // namespace higherpair

@@ -9,7 +9,7 @@ namespace higherpair::testing {
 namespace {
 
 constexpr int kDyads = 1000;
-constexpr double kRounding = 1e-12;  // of moments of the order of 1, sines being above 0.1
+constexpr double kRounding = 1e-12;  // for moments of about 1 and sines above 0.1
 
 TEST(DyadStatics, TwoLinksTurnEachOtherNowhere) {
   Random random(5);
@@ -31,7 +31,7 @@ TEST(DyadStatics, ALinkOnALineCarriesWhatIsAlongIt) {
     if (std::abs(arm.dot(u)) < 0.1) continue;
     const Vector2d C = rrp_inner_force(arm, u, moment, along);
     EXPECT_NEAR(cross(arm, C) + moment, 0, kRounding);
-    // On the slider acts -C, and nothing else along u but `along`.
+    // The force -C acts on the slider, and along u nothing else but `along`.
     EXPECT_NEAR(along - C.dot(u), 0, kRounding);
   }
 }
@@ -45,8 +45,8 @@ TEST(DyadStatics, AGuideBetweenTwoPinsPassesOnWhatTurnsThem) {
     const double on_a = random.between(-1, 1), on_b = random.between(-1, 1);
     if (std::abs(s) < 0.1) continue;
     const Vector2d N = rpr_inner_force(s, on_a, on_b) * perp(u);
-    // At any place p of the guide, with the moment that the link then needs about A, the slider is in
-    // balance.
+    // With the guide's force at any point p of the guide, and with the moment that the link then needs about
+    // A, the slider is in balance.
     const double passed = -on_a - cross(Vector2d(p - A), N);
     EXPECT_NEAR(on_b - cross(Vector2d(p - B), N) - passed, 0, kRounding);
   }

@@ -66,7 +66,7 @@ TEST(FourBarLimits, AreTheEndsOfTheRangeOfTheLinkAsADriver) {
       }
     }
   }
-  // Where a limit is nearly in line with the ground link, its angle is a root of something small.
+  // Where a limit is nearly in line with the ground link, its angle is the square root of a small number.
   EXPECT_AT_MOST(worst.value(), 1e-12);
 }
 
@@ -89,8 +89,8 @@ TEST(FourBarLimits, TheLinkStandsStillInTheModeTheyName) {
     }
   }
   EXPECT_GT(count, 5000);
-  // The transmission angle is above 0.1 rad: roundings of the crank come out up to a few hundred times larger
-  // with a long crank.
+  // The transmission angle is above 0.1 rad: with a long crank, roundings of the crank are magnified up to a
+  // few hundred times.
   EXPECT_AT_MOST(angle.value(), 1e-12);
   EXPECT_AT_MOST(rate.value(), 1e-12);
 }
@@ -119,7 +119,8 @@ TEST(FourBarLimits, ReproduceTheSwingOfTheArmsInTheTextbookExercise) {
   const auto limits = four_bar_limits(linkage, FourBarLink::kCrank);
   ASSERT_EQ(limits.size(), 4U);
   for (const FourBarLimit& limit : limits) {
-    // Folded (coupler and arm 4 the same way) the short side 6 opens the smaller angle.
+    // In the folded limit (coupler and arm 4 in the same direction) the short side 6 subtends the smaller
+    // angle.
     EXPECT_AT_MOST(std::abs(std::abs(limit.theta2) - (limit.same_direction ? low : high)), 1e-15);
   }
   EXPECT_TRUE(four_bar_limits(linkage, FourBarLink::kCoupler).empty());
@@ -136,8 +137,8 @@ TEST(FourBarLimits, MarkChangePoints) {
       EXPECT_AT_MOST(std::abs(std::sin(limit.theta3 - 0.4)), 1e-15);
     }
   }
-  // The coupler turns back in the crossed assembly, its cranks opposite; with cranks the same way it stands
-  // still in all positions, and can leave where all is in line.
+  // In the crossed assembly, with the cranks opposite, the coupler has limits. With parallel cranks it does
+  // not turn in any position, and can leave this assembly where all links are in line.
   const auto limits = four_bar_limits(parallelogram, FourBarLink::kCoupler);
   EXPECT_EQ(limits.size(), 4U);
   for (const FourBarLimit& limit : limits) {
@@ -152,8 +153,8 @@ TEST(FourBarLimits, MarkChangePoints) {
   }
 }
 
-// A kite folds where its two long and its two short links lie on each other; coupler and rocker then swing
-// about together while the crank rests on the frame.
+// A kite is folded where its two long and its two short links coincide; coupler and rocker can then swing
+// together while the crank lies on the frame.
 TEST(FourBarLimits, OfAKiteAndARhombusHaveTheFoldedPositions) {
   const auto kite = four_bar_limits({5, 5, 3, 3, 0}, FourBarLink::kCrank);
   ASSERT_EQ(kite.size(), 4U);
@@ -161,7 +162,7 @@ TEST(FourBarLimits, OfAKiteAndARhombusHaveTheFoldedPositions) {
   for (const FourBarLimit& limit : kite) {
     folded += limit.change_point ? 1 : 0;
     EXPECT_AT_MOST(angle_error(limit.theta2, limit.change_point ? 0 : limit.theta2), 1e-15);
-    // The short links stretched: an isosceles triangle 5, 5, 6.
+    // The short links in line: an isosceles triangle 5, 5, 6.
     EXPECT_AT_MOST(limit.change_point ? 0 : std::abs(std::sin(std::abs(limit.theta2) / 2) - 0.6), 1e-15);
   }
   EXPECT_EQ(folded, 2);

@@ -26,7 +26,7 @@ struct FourBarMotion {
 };
 
 /// Driven by the crank. kSingular: links 3 and 4 are parallel to within rounding (a limit position of the
-/// crank or a change point); if A is on O4 besides, one of infinitely many positions is given.
+/// crank or a change point); if A also coincides with O4, one of infinitely many positions is returned.
 [[nodiscard]] FourBarMotion four_bar_by_crank(const FourBar& linkage, const AngleMotion& link2,
                                               AssemblyMode mode);
 
@@ -34,7 +34,7 @@ struct FourBarMotion {
 [[nodiscard]] FourBarMotion four_bar_by_coupler(const FourBar& linkage, const AngleMotion& link3,
                                                 AssemblyMode mode);
 
-/// The angles θ2 (θ3) that can be assembled. Limits: the diagonal is r3 + r4 or |r3 - r4| (r2 ± r4).
+/// The angles θ2 (θ3) that can be assembled. At a limit the diagonal is r3 + r4 or |r3 - r4| (r2 ± r4).
 [[nodiscard]] DriverRange four_bar_crank_range(const FourBar& linkage);
 [[nodiscard]] DriverRange four_bar_coupler_range(const FourBar& linkage);
 
@@ -54,7 +54,7 @@ template <class T>
                                                    T sigma) {
   using std::copysign;
   const Reach<T> reach = reach_at(loop.stretch, loop.fold, u_M);
-  // r1 - r_M cos, without cancelling where the driven link lies on the ground link.
+  // r1 - r_M cos, without cancellation where the driven link lies on the ground link.
   const T r_M = copysign(loop.r_M, u_M.cos);
   const Vector2<T> D((loop.r1 - r_M) + r_M * versine_of(u_M), -loop.r_M * u_M.sin);
   return {rrr_position(D, loop.r_J, loop.r4, reach, -sigma), reach};

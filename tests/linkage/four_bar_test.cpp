@@ -27,7 +27,7 @@ double closure_error(const FourBar& linkage, const FourBarMotion& motion) {
   return std::abs(gap) / size_of(linkage);
 }
 
-/// Angle at O4 between its diagonal and link 4, by the law of cosines in long double.
+/// θ4 from the angle at O4 between the diagonal and link 4, by the law of cosines in long double.
 long double reference_theta4(const FourBar& linkage, double theta2, int sigma) {
   const long double delta = static_cast<long double>(theta2) - linkage.theta1;
   const long double r1 = linkage.r1, r2 = linkage.r2, r3 = linkage.r3, r4 = linkage.r4;
@@ -60,7 +60,7 @@ TEST(FourBar, ReproducesTheTextbookVelocitiesAndAccelerations) {
     ASSERT_TRUE(motion.rates);
     EXPECT_AT_MOST(relative_error(motion.rates->omega3, number(row["omega3"])), 1e-15);
     EXPECT_AT_MOST(relative_error(motion.rates->omega4, number(row["omega4"])), 1e-15);
-    // alpha3 is a difference of terms of some 300: their rounding is what is left.
+    // alpha3 is a difference of terms of about 300, whose rounding remains.
     EXPECT_AT_MOST(relative_error(motion.rates->alpha3, number(row["alpha3"])), 2e-14);
     EXPECT_AT_MOST(relative_error(motion.rates->alpha4, number(row["alpha4"])), 2e-14);
   }
@@ -181,7 +181,7 @@ TEST(FourBar, RatesAreTheDerivativesOfPositions) {
         return by_coupler ? four_bar_by_coupler(linkage, at, mode) : four_bar_by_crank(linkage, at, mode);
       };
       const FourBarMotion motion = solve(driver);
-      // Far enough from dead points for differences to mean something.
+      // Keep far enough from dead points for differences to be meaningful.
       const double between = by_coupler ? motion.theta2 - motion.theta4 : motion.theta3 - motion.theta4;
       if (motion.status != LinkageStatus::kOk || std::abs(std::sin(between)) < 0.5) continue;
       const auto values_at = [&](double t) {
@@ -332,7 +332,7 @@ TEST(FourBar, IsAsAccurateAsItsInputNearDeadPoints) {
           ASSERT_EQ(motion.status, LinkageStatus::kOk);
           const auto expected =
               static_cast<double>(reference_theta4(linkage, theta2, mode == AssemblyMode::kPlus ? 1 : -1));
-          // What one rounding of θ2 does to θ4, and one rounding of θ4 itself.
+          // The effect of a rounding of θ2 on θ4, and the rounding of θ4 itself.
           const double forced = 2.3e-16 * (std::abs(motion.rates->omega4) * std::abs(theta2) + kPi);
           worst.see(angle_error(motion.theta4, expected) / forced);
           ++checked;
@@ -381,7 +381,7 @@ TEST(FourBar, ParallelogramHasFullAccuracyNextToItsChangePoint) {
 }
 
 TEST(FourBar, ChangePointOfDecimalLengthsStaysOne) {
-  // 0.1 + 0.4 = 0.2 + 0.3 holds in decimal only.
+  // 0.1 + 0.4 = 0.2 + 0.3 holds in decimal numbers only.
   const FourBar linkage{0.4, 0.1, 0.3, 0.2, 0};
   EXPECT_EQ(four_bar_by_crank(linkage, {kPi, 1, 0}, AssemblyMode::kPlus).status, LinkageStatus::kSingular);
   EXPECT_EQ(four_bar_crank_range(linkage).reach, DriverReach::kFullTurn);
@@ -399,7 +399,7 @@ TEST(FourBar, KiteWithItsPinOnTheGroundPivotIsSingular) {
     EXPECT_EQ(next.status, LinkageStatus::kOk);
     EXPECT_AT_MOST(closure_error(linkage, next), 1e-15);
   }
-  // The same pivots with unequal links never reach this angle.
+  // With the same pivots but unequal links this angle is out of reach.
   EXPECT_EQ(four_bar_by_crank({2.3, 2.3, 1.9, 1.7, 0.4}, {0.4, 1, 0}, AssemblyMode::kPlus).status,
             LinkageStatus::kNotAssemblable);
 }
@@ -422,7 +422,7 @@ TEST(FourBar, StaysClosedAndFiniteWithLengthsOfVeryDifferentSize) {
   for (int i = 0; i < 50000; ++i) {
     const auto length = [&] { return std::pow(10.0, random.between(-6, 6)); };
     FourBar linkage{length(), length(), length(), length(), random.angle()};
-    // Two long links of nearly equal length are what lets two short ones close.
+    // Two long links of nearly equal length allow two short ones to close the loop.
     if (i % 2 == 0) linkage.r3 = linkage.r1 * (1 + 1e-3 * random.between(-1, 1));
     if (i % 3 == 0) linkage.r4 = linkage.r2 * (1 + 1e-6 * random.between(-1, 1));
     for (const AssemblyMode mode : kModes) {

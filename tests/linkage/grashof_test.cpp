@@ -73,7 +73,7 @@ TEST(Grashof, ALinkTurnsFullyIfItsRangeIsAFullTurn) {
 }
 
 TEST(Grashof, LengthsThatBalanceInDecimalsAreChangePoints) {
-  // 0.3, 0.7, 1.1: decimals whose sums are not exact in binary.
+  // 0.3, 0.7, 1.1: decimal numbers whose sums are not exact in binary.
   for (const double coupler : {0.1, 0.7, 1.5, 2.1}) {
     EXPECT_EQ(classify_grashof({0.7, 0.3, coupler, 1.1, 0}), GrashofClass::kChangePoint) << coupler;
     EXPECT_NE(classify_grashof({0.7, 0.3, coupler + 1e-13, 1.1, 0}), GrashofClass::kChangePoint);
@@ -137,7 +137,7 @@ TEST(Transmission, ExtremesAreAtTheCrankAnglesTheyNameOnBothSidesOfTheFrame) {
                           random.between(0.2, 3), random.angle()};
     const auto range = transmission_range(linkage);
     if (!range) continue;
-    // Near 0 the angle goes like the root of the distance from the limit, known to 1e-15.
+    // Near 0 the angle behaves like the square root of the distance from the limit, which is known to 1e-15.
     const double tolerance = range->smallest > 0.01 ? 1e-12 : 3e-7;
     for (const double side : {1.0, -1.0}) {
       const auto mirrored = [&](double theta2) { return linkage.theta1 + side * (theta2 - linkage.theta1); };
@@ -167,7 +167,7 @@ TEST(Transmission, ExtremesOfACrankRockerAreWithTheCrankInLineWithTheFrame) {
   EXPECT_AT_MOST(std::abs(acute->smallest - std::acos(37.25 / 44)), 1e-15);
   EXPECT_AT_MOST(std::abs(acute->largest - std::acos(21.25 / 44)), 1e-15);
   EXPECT_FALSE(transmission_range({7, 1, 2, 3, 0}));
-  // A triple rocker reaches its dead points.
+  // A triple rocker reaches its dead points, where the transmission angle is 0.
   EXPECT_EQ(transmission_range({7, 4, 5, 3, 0})->smallest, 0);
 }
 

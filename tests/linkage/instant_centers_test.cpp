@@ -34,8 +34,8 @@ const InstantCenter& find(const std::vector<InstantCenter>& centers, std::size_t
   throw std::logic_error("no such pair");
 }
 
-/// Distance of the middle one of three points from the line of the outer two, in units of their distance;
-/// with a direction instead of a point, of the two others' line from that direction.
+/// Distance of the middle one of three points from the line through the outer two, relative to their
+/// distance. If one centre is a direction: deviation of the line through the other two from that direction.
 double off_line(const InstantCenter& a, const InstantCenter& b, const InstantCenter& c) {
   const auto row = [](const InstantCenter& center) {
     const bool point = center.kind == InstantCenterKind::kPoint;
@@ -117,8 +117,8 @@ TEST(InstantCenters, OfEveryThreeBodiesOfASixBarLieOnALine) {
     worst.see(worst_triple(centers, 6));
     ++count;
   }
-  // Two bodies may happen to turn almost alike (1e-3 of the fastest): then their centre is far and less
-  // sharp.
+  // Two bodies may happen to turn almost equally (to 1e-3 of the fastest); then their centre is far away and
+  // less accurate.
   EXPECT_AT_MOST(worst.value(), 1e-11);
 }
 
@@ -148,7 +148,7 @@ TEST(InstantCenters, OfAParallelogramAreAtInfinityWhereItsBodiesTurnAlike) {
   EXPECT_EQ(find(centers, 0, 2).kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(find(centers, 1, 3).kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(find(centers, 0, 1).kind, InstantCenterKind::kPoint);
-  // Coupler against ground: along the cranks; crank against crank: along the frame.
+  // Coupler and ground: along the cranks; crank and crank: along the frame.
   EXPECT_AT_MOST(std::abs(cross(find(centers, 0, 2).u_W, unit_vector(1.4))), 1e-14);
   EXPECT_AT_MOST(std::abs(cross(find(centers, 1, 3).u_W, unit_vector(0.2))), 1e-14);
   EXPECT_AT_MOST(worst_triple(centers, 4), 1e-14);
@@ -162,7 +162,7 @@ TEST(InstantCenters, AreUndefinedForBodiesThatMoveAsOne) {
   const auto centers = instant_centers(bodies, 1);
   EXPECT_EQ(find(centers, 1, 2).kind, InstantCenterKind::kUndefined);
   EXPECT_AT_MOST((find(centers, 0, 1).p_W - find(centers, 0, 2).p_W).norm(), 1e-14);
-  // Rounding of a body that only slides is no rotation.
+  // The rounding of a body that only slides does not count as rotation.
   std::vector<BodyMotion> sliding(2);
   sliding[1].v_WB = {0, 1};
   sliding[1].omega = 1e-15;

@@ -38,7 +38,7 @@ InvertedSliderCrankMotion inverted_slider_crank_by_crank(const InvertedSliderCra
 
 InvertedSliderCrankMotion inverted_slider_crank_by_slot(const InvertedSliderCrank& linkage,
                                                         const AngleMotion& link3, AssemblyMode mode) {
-  // Seen from the slot, ground turns backwards: an arm from O2 to O1, and the crank is the leg.
+  // Relative to the slot, ground turns backwards: the arm leads from O2 to O1, and the crank is the leg.
   const RrpLoop<double> loop = slot_loop(linkage);
   const Rotation<double> u3 = Rotation<double>::from_angle(link3.theta - linkage.theta1);
   const Rotation<double> u_arm{-u3.cos, u3.sin};

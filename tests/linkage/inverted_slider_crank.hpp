@@ -27,7 +27,8 @@ struct InvertedSliderCrankMotion {
 };
 
 /// Driven by the crank. kSingular: r3 = 0 to within rounding (the slot is perpendicular to the line from O2
-/// to the pin). With r4 = 0 this is where the pin meets O2: then one of infinitely many positions is given.
+/// to the pin). With r4 = 0 this is where the pin meets O2: then one of infinitely many positions is
+/// returned.
 [[nodiscard]] InvertedSliderCrankMotion inverted_slider_crank_by_crank(const InvertedSliderCrank& linkage,
                                                                        const AngleMotion& link2,
                                                                        AssemblyMode mode);
@@ -68,7 +69,7 @@ template <class T>
 [[nodiscard]] RprPosition<T> slot_position(const SlotLoop<T>& loop, const Rotation<T>& u2, T sigma) {
   using std::copysign;
   const Reach<T> reach = reach_at(loop.square, loop.square, u2);
-  // r2 cos - r1, without cancelling where the crank lies on the ground link.
+  // r2 cos - r1, without cancellation where the crank lies on the ground link.
   const T r2 = copysign(loop.r2, u2.cos);
   const Vector2<T> D((r2 - loop.r1) - r2 * versine_of(u2), loop.r2 * u2.sin);
   return rpr_position(D, loop.r4, reach, sigma);

@@ -20,7 +20,7 @@ namespace higherpair::testing {
 
 inline constexpr std::array<AssemblyMode, 2> kModes{AssemblyMode::kPlus, AssemblyMode::kMinus};
 
-/// The reference for accuracy tests needs digits beyond double.
+/// The references of accuracy tests need more digits than double has.
 inline constexpr bool kLongDoubleIsLonger =
     std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits;
 
@@ -29,7 +29,7 @@ inline nlohmann::json read_data(const std::string& name) {
   return nlohmann::json::parse(file);
 }
 
-/// One entry of the textbook's numbers, as a value: a part of a temporary would not outlive it.
+/// One entry of the textbook's numbers, by value: a reference into a temporary would dangle.
 inline nlohmann::json textbook(const std::string& entry) {
   return read_data("textbook.json").at(entry);
 }
@@ -48,12 +48,12 @@ inline AssemblyMode mode_of(int sigma) {
   return sigma > 0 ? AssemblyMode::kPlus : AssemblyMode::kMinus;
 }
 
-/// One mode, then the other.
+/// The two modes in turn.
 inline AssemblyMode alternating(int i) {
   return mode_of(i % 2 == 0 ? 1 : -1);
 }
 
-/// Distance of two angles, whole turns aside.
+/// Distance between two angles, up to whole turns.
 inline double angle_error(double angle, double expected) {
   return std::abs(std::remainder(angle - expected, 2 * kPi));
 }
@@ -64,7 +64,7 @@ inline double relative_error(double value, double expected) {
 }
 
 /// First and second derivative at t = 0 of sampled values, by seven-point central differences (sixth order).
-/// `angle[i]` says that value i is an angle, to be made continuous first.
+/// `angle[i]` marks value i as an angle, to be made continuous first.
 template <std::size_t N>
 struct Derivatives {
   std::array<double, N> first;
@@ -92,11 +92,11 @@ Derivatives<N> differentiate(const F& values_at, const std::array<bool, N>& angl
   return result;
 }
 
-/// Compares rates with differences of positions, in units of the fastest rate (and its square).
+/// Compares rates with differences of positions, relative to the fastest rate (and its square).
 ///
-/// Half-way to its dead point (determinant 0.5) a linkage has derivatives that grow like those of a square
-/// root some 0.1 rad from its branch point: steps of 0.002 rad of the fastest link leave a truncation below
-/// 1e-8 in the second derivative, and rounding 1e-9.
+/// Halfway to its dead point (determinant 0.5) a linkage has derivatives that grow like those of a square
+/// root about 0.1 rad from its branch point: with steps of 0.002 rad of the fastest link the truncation error
+/// of the second derivative is below 1e-8, and rounding is 1e-9.
 class RatesCheck {
 public:
   template <std::size_t N, class F>
@@ -127,9 +127,9 @@ inline std::complex<double> direction(double angle) {
   return std::polar(1.0, angle);
 }
 
-/// Every end of every range of an angle: `status_at(angle)` must be assembled inside and not outside. A reach
-/// falls through its noise within 8 roundings of a radian and one of each angle (here up to 3π and π); the
-/// limit itself carries as much again: 42 roundings.
+/// Checks both ends of every range of an angle: by `status_at(angle)` the linkage can be assembled inside and
+/// not outside. The reach falls through its noise within 8 roundings of a radian and one of each angle (here
+/// up to 3π and π); the limit itself has the same error again: 42 roundings in all.
 template <class F>
 void expect_limits_bound(const DriverRange& range, const F& status_at) {
   const double margin = 2e-14;
@@ -146,7 +146,8 @@ void expect_limits_bound(const DriverRange& range, const F& status_at) {
   }
 }
 
-/// The ends of a range, as cosines or sines would give them: each must be one of the expected angles.
+/// The distance of an end of a range from the nearest expected angle: cosines or sines give the ends only up
+/// to their order.
 inline double distance_to_nearest(double angle, const std::vector<double>& expected) {
   double nearest = 10;
   for (const double candidate : expected) nearest = std::min(nearest, angle_error(angle, candidate));

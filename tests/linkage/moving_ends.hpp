@@ -14,7 +14,7 @@ inline Rotation<double> random_direction(Random& random) {
   return Rotation<double>::from_angle(random.angle());
 }
 
-/// A point with constant acceleration: its position at t needs no formula of the library.
+/// A point with constant acceleration: its position at t is known without the library's formulas.
 struct MovingPoint {
   PointMotion start;
 
@@ -66,14 +66,15 @@ inline MovingGuide random_guide(Random& random) {
   return {body, p_B, random_direction(random)};
 }
 
-/// A body at rest, its axes those of ground.
+/// A body at rest, with its axes parallel to ground's.
 inline BodyMotion resting(const Vector2d& p_W = Vector2d::Zero()) {
   BodyMotion body;
   body.X_WB.p_WB = p_W;
   return body;
 }
 
-/// What moves by `point` in the frame of a moving body, in ground (with Coriolis' term).
+/// The motion in ground of a point that moves by `point` in the frame of a moving body (with the Coriolis
+/// term).
 inline PointMotion carried(const BodyMotion& body, const PointMotion& point) {
   const PointMotion fixed = point_motion(body, point.p_W);
   const Vector2d v = body.X_WB.R_WB * point.v_W, a = body.X_WB.R_WB * point.a_W;

@@ -15,7 +15,7 @@ TEST(MovingGuide, SeesAPointMoveByTheDerivativesOfWhereItSeesIt) {
     const MovingPoint point = random_point(random);
     const auto values_at = [&](double t) {
       const BodyMotion body = guide.body.at(t);
-      // Positions only: undo the pose of the body, then that of the guide on it.
+      // From positions only: the inverse of the body's pose, then of the guide's pose on it.
       const Vector2d p_B = body.X_WB.inverse_times(point.at(t).p_W);
       const Vector2d p_G = guide.u_B.inverse() * Vector2d(p_B - guide.p_B);
       return std::array<double, 2>{p_G.x(), p_G.y()};

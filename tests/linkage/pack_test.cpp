@@ -8,7 +8,8 @@
 
 namespace higherpair::testing {
 
-/// A plain pack of three configurations: just what scalar.hpp asks of a scalar, found by its namespace.
+/// A plain pack of three configurations with just what scalar.hpp requires of a scalar, found by
+/// argument-dependent lookup.
 struct Pack {
   std::array<double, 3> lane{};
   Pack() = default;
@@ -78,7 +79,7 @@ namespace {
 
 using namespace higherpair::testing;
 
-// Lanes: an ordinary position, a change point, one that cannot be assembled.
+// Lanes: an ordinary position, a change point, and one that cannot be assembled.
 constexpr std::array<double, 3> kTheta{0.7, 0.0, 0.2};
 
 Rotation<Pack> directions() {
@@ -92,7 +93,7 @@ Pack pack(double a, double b, double c) {
   return result;
 }
 
-/// Lane by lane the same as one at a time, to the rounding that a fused multiply-add may change.
+/// Each lane is the same as a scalar computation, up to the rounding that a fused multiply-add may change.
 void expect_lane(const Pack& value, std::size_t lane, double expected) {
   EXPECT_TRUE(std::isfinite(value.lane[lane])) << "lane " << lane;
   EXPECT_AT_MOST(relative_error(value.lane[lane], expected), 1e-14) << "lane " << lane;

@@ -15,7 +15,7 @@ struct PistonMotion {
   double a = 0;  ///< [m/s²]
 };
 
-/// By the chain rule, from x(θ) and its derivatives.
+/// Rates by the chain rule, from x(θ) and its derivatives.
 PistonMotion with_rates(double x, double x_1, double x_2, const AngleMotion& crank) {
   return {x, x_1 * crank.omega, x_2 * crank.omega * crank.omega + x_1 * crank.alpha};
 }
@@ -26,7 +26,7 @@ double versine(double theta) {
   return 2 * half * half;
 }
 
-// The formulas of the header.
+// The formulas of the library's header, evaluated directly.
 PistonMotion exact_piston_motion(double r, double l, const AngleMotion& crank) {
   const double lambda = r / l;
   const double s = std::sin(crank.theta), c = std::cos(crank.theta);
@@ -121,7 +121,7 @@ TEST(Piston, NoAngleHasALargerErrorThanTheOneNamed) {
 }
 
 TEST(Piston, TinyErrorsKeepTheirDigits) {
-  // Leading terms for a long rod: λ³/8, λ³ 3√3/32 at 60°, λ³/2; the next ones are λ² smaller.
+  // Leading terms for a long rod: λ³/8, λ³ 3√3/32 at 60°, λ³/2; the next terms are smaller by λ².
   const double lambda = 1e-6, cube = lambda * lambda * lambda;
   const HarmonicError error = harmonic_error(lambda);
   EXPECT_AT_MOST(std::abs(error.x.error / (cube / 8) - 1), 4e-12);

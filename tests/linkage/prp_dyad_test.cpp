@@ -52,7 +52,7 @@ TEST(PrpDyad, DoesNotCareWhichGuideIsNamedFirst) {
 }
 
 TEST(PrpDyad, OnAMovingFrameIsTheSplitOfAVectorThatMovesInIt) {
-  // An RPP group: a crank pin, a block in the yoke's slot, the yoke on its guide.
+  // An RPP group: a crank pin, a block in the yoke's slot, and the yoke on its guide.
   Random random(83);
   for (int i = 0; i < 3000; ++i) {
     const double beta = random.between(0.3, kPi - 0.3), theta1 = random.angle();
@@ -76,8 +76,8 @@ TEST(PrpDyad, OnAMovingFrameIsTheSplitOfAVectorThatMovesInIt) {
 }
 
 TEST(PrpDyad, IsTheEllipticTrammelInItsFixedCross) {
-  // Both guides turn together about the origin at ω; the pin that a fixed ruler would carry stays put: a
-  // cross through the pivot keeps its centre, whatever its motion.
+  // Both guides turn together about the origin at ω: a cross through the pivot keeps its centre, so that the
+  // pin stays in place whatever the motion.
   for (const double angle : {0.3, 1.9, -2.2}) {
     const BodyMotion cross_body = turning({angle, 1.7, -0.4});
     const PrpMotion motion =

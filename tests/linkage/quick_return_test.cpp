@@ -16,7 +16,7 @@ InvertedSliderCrankMotion at(const InvertedSliderCrank& linkage, double theta2) 
   return inverted_slider_crank_by_crank(linkage, {theta2, 1, 0}, AssemblyMode::kPlus);
 }
 
-// The crank angle between two rows at which `value` of the motion crosses 0.
+// The crank angle between two given ones at which `value` of the motion crosses 0.
 template <class Value>
 double root_between(const InvertedSliderCrank& linkage, double low, double high, const Value& value) {
   const bool rises = value(at(linkage, low)) < 0;
@@ -27,7 +27,7 @@ double root_between(const InvertedSliderCrank& linkage, double low, double high,
   return (low + high) / 2;
 }
 
-// The crank angles of a turn at which `value` crosses 0.
+// All crank angles of a turn at which `value` crosses 0.
 template <class Value>
 std::vector<double> roots(const InvertedSliderCrank& linkage, const Value& value) {
   std::vector<double> found;
@@ -75,7 +75,8 @@ TEST(QuickReturn, OfWhitworthsHasTheTimeRatioOfTheHalfTurnsAcrossTheFrame) {
   }
 }
 
-// Of a textbook: crank half as long as the frame, the lever swings 60 degrees and comes back twice as fast.
+// From a textbook: with a crank half as long as the frame the lever swings by 60 degrees and returns twice as
+// fast.
 TEST(QuickReturn, ComesBackTwiceAsFastWithACrankOfHalfTheFrame) {
   const auto result = quick_return({0.062, 0.031, 0, 0});
   ASSERT_TRUE(result);

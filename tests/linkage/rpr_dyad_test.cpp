@@ -23,7 +23,8 @@ TEST(RprDyad, JoinsTwoMovingPinsAndMovesByTheDerivatives) {
     closure.see((D - motion.s * u - e * perp(u)).norm());
     closure.see(std::abs(u.norm() - 1));
     EXPECT_GT(sign(mode) * motion.s, 0);
-    // The direction's branch point is at D = 0: keep the steps of the differences small beside it.
+    // The direction has a branch point at D = 0: the steps of the differences have to be small compared with
+    // D.
     if (std::abs(motion.s) < 0.5 * D.norm() || D.norm() < 0.3) continue;
 
     const auto values_at = [&](double t) {

@@ -38,12 +38,12 @@ TEST(RrpDyad, JoinsAMovingPointToAMovingGuideAndMovesByTheDerivatives) {
                      {rates.omega, rates.s_dot, rates.v_WC.x(), rates.v_WC.y()},
                      {rates.alpha, rates.s_ddot, rates.a_WC.x(), rates.a_WC.y()});
   }
-  // s itself can be a few m, and its rounding enters twice.
+  // s itself can be several metres, and its rounding enters twice.
   EXPECT_AT_MOST(closure.value(), 1e-14);
   check.expect_small();
 }
 
-/// Tolerance in units of what the rate could be at most, for a linkage at least half-way from a dead point.
+/// Tolerance relative to the largest possible rate of a linkage at least halfway from a dead point.
 void expect_rates(double omega, double expected_omega, double alpha, double expected_alpha) {
   EXPECT_AT_MOST(relative_error(omega, expected_omega), 2e-13);
   EXPECT_AT_MOST(relative_error(alpha, expected_alpha), 2e-12);
@@ -85,7 +85,7 @@ TEST(RrpDyad, IsAnInvertedSliderCrankDrivenByItsSlot) {
     if (!expected.rates || std::abs(std::cos(expected.theta2 - expected.theta3)) < 0.5) continue;
     ++compared;
 
-    // The slot's body turns about O2, the origin; its foot is r4 to the left.
+    // The slot's body turns about O2, the origin; the foot of the slot's line is r4 to the left.
     const GuideMotion guide = guide_motion(turning(slot), Vector2d(0, linkage.r4), {1, 0});
     const PointMotion O1 = point_motion(resting(), -linkage.r1 * unit_vector(linkage.theta1));
     const RrpMotion motion = rrp_dyad(O1, guide, linkage.r2, alternating(i));
@@ -160,7 +160,7 @@ TEST(RrpDyad, TellsEachStatus) {
   EXPECT_EQ(limit.status, LinkageStatus::kSingular);
   EXPECT_FALSE(limit.rates);
   EXPECT_AT_MOST((limit.p_WC - foot).norm(), 4e-15);
-  // Half of the digits are lost in the direction along which the link may still move.
+  // Half of the digits are lost in the direction in which the link may still move.
   EXPECT_AT_MOST(std::abs(limit.s - 2.5), 1e-7);
 }
 

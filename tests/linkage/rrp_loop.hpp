@@ -4,10 +4,10 @@
 
 namespace higherpair {
 
-/// A link to a line whose other end A is the end of an arm that turns about a point beside the line.
+/// A link from a line to the end A of an arm that turns about a point beside the line.
 ///     arm u_arm + leg u_leg = (along, offset).
-/// The slider-crank is this; the inverted slider-crank driven by its slot is this seen from the slot. The
-/// reach is linear in sin φ = cos ψ, φ the arm's angle, ψ = φ - 90°.
+/// This is the slider-crank, and the inverted slider-crank driven by its slot as seen from the slot. The
+/// reach is linear in sin φ = cos ψ, where φ is the arm's angle and ψ = φ - 90°.
 template <class T>
 struct RrpLoop {
   T arm{0};
@@ -16,7 +16,7 @@ struct RrpLoop {
   CosineLine<T> fold;
 };
 
-/// \pre arm >= 0, leg > 0; `offset` has a sign: positive on the left of the line's direction.
+/// \pre arm >= 0, leg > 0; `offset` is signed: positive on the left of the line's direction.
 template <class T>
 [[nodiscard]] RrpLoop<T> make_rrp_loop(T arm, T leg, T offset) {
   const T none(0);

@@ -7,7 +7,7 @@ namespace {
 
 using namespace higherpair::testing;
 
-/// The Watt six-bar of the reference data: a four-bar A B C E, and from the point H of its rocker a dyad to
+/// The Watt six-bar of the reference data: a four-bar A B C E, and a dyad from the point H of its rocker to
 /// F.
 class WattSixBar : public ::testing::Test {
 protected:
@@ -20,7 +20,7 @@ protected:
     return value.is_array() ? number(value[0]) : number(value);  // points lie on the x axis
   }
 
-  /// C left of the way from B to E is σ = -1 of the four-bar.
+  /// C to the left of the line from B to E is σ = -1 of the four-bar.
   FourBarMotion first_loop(double theta2_deg, int s1) const {
     return four_bar_by_crank(loop, {theta2_deg * kDegree, 1, 0}, mode_of(-s1));
   }

@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// What hangs between two moving points.
+/// Motion of a dyad between two moving points.
 struct RrrMotion {
   struct Rates {
     double omega_a = 0;  ///< [rad/s]
@@ -24,10 +24,10 @@ struct RrrMotion {
   std::optional<Rates> rates;        ///< with kOk only
 };
 
-/// Links of lengths a (from A) and b (from B) [m] that meet at C.
-/// kSingular: their directions are parallel to within rounding, or A and B coincide (then one of infinitely
-/// many positions is given). Near a change point this knows less than `four_bar.hpp`: |AB| alone is held
-/// against a ± b. \pre a > 0, b > 0.
+/// Links of lengths a (from A) and b (from B) [m] that meet at C. kSingular: their directions are parallel to
+/// within rounding, or A and B coincide (then one of infinitely many positions is returned). Near a change
+/// point this is less precise than `four_bar.hpp`, because only |AB| is compared with a ± b.
+/// \pre a > 0, b > 0.
 [[nodiscard]] RrrMotion rrr_dyad(const PointMotion& A, const PointMotion& B, double a, double b,
                                  AssemblyMode mode);
 

@@ -9,10 +9,10 @@ namespace higherpair {
 /// A Scotch yoke: the pin of crank 2 runs in a straight slot of a yoke that slides along θ1,
 ///     r2 e^{iθ2} = r1 e^{iθ1} + r3 e^{i(θ1 + β)}.
 /// r1 is the yoke's coordinate: where its slot crosses the line through O along θ1. r3 is the pin's
-/// coordinate along the slot from there. β is the slot's direction seen from θ1, 90° in the common yoke.
+/// coordinate along the slot from there. β is the angle from θ1 to the slot, 90° in the common yoke.
 ///
 /// Driven by the crank there is one assembly. Driven by the yoke, mode σ = +1 is cos(θ2 - θ1 - β) > 0: of the
-/// two points in which the pin's circle meets the slot the one ahead.
+/// two points in which the pin's circle meets the slot, the one farther along it.
 ///
 /// \pre r2 finite and >= 0 (driven by the yoke > 0). The slot must cross the direction of sliding: sin β !=
 /// 0.
@@ -59,7 +59,8 @@ struct YokePosition {
   T r3{0};
 };
 
-/// A vector p = r1 (1, 0) + r3 (cos β, sin β): also its first and second derivative are split by this.
+/// Splits a vector p = r1 (1, 0) + r3 (cos β, sin β) into r1 and r3; also used for its first and second
+/// derivative.
 template <class T>
 [[nodiscard]] YokePosition<T> yoke_components(const Rotation<T>& slot, const Vector2<T>& p) {
   const T r3 = p.y() / slot.sin;
@@ -71,7 +72,7 @@ template <class T>
 struct YokeDrivenPosition {
   Rotation<T> u2_slot;  ///< the crank's direction seen from the slot
   T r3{0};
-  Reach<T> reach;  ///< stretch = r2 + r1 sin β, fold = r2 - r1 sin β: the slot is that far inside the circle
+  Reach<T> reach;  ///< stretch = r2 + r1 sin β, fold = r2 - r1 sin β: distances of the slot inside the circle
 };
 
 template <class T>

@@ -40,7 +40,7 @@ SliderChain solve(const RrpLoop<double>& loop, double theta1, const AngleMotion&
   return chain;
 }
 
-/// The range of the arm: its reach is measured from 90° to the line.
+/// The range of the arm, whose reach is measured from the direction at 90° to the line.
 DriverRange range_of(const RrpLoop<double>& loop, double theta1) {
   return angle_range(loop.stretch, loop.fold, theta1 + kPi / 2);
 }

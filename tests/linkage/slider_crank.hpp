@@ -34,8 +34,8 @@ struct SliderCrankMotion {
 [[nodiscard]] SliderCrankMotion slider_crank_by_coupler(const SliderCrank& linkage, const AngleMotion& link3,
                                                         AssemblyMode mode);
 
-/// Driven by the slider. kSingular: crank and coupler are parallel to within rounding; if the slider is on O2
-/// besides (r2 = r3, r4 = 0, r1 = 0), one of infinitely many positions is given, the limit for r1 > 0.
+/// Driven by the slider. kSingular: crank and coupler are parallel to within rounding; if the slider is also
+/// at O2 (r2 = r3, r4 = 0, r1 = 0), one of infinitely many positions is returned, the limit for r1 > 0.
 [[nodiscard]] SliderCrankMotion slider_crank_by_slider(const SliderCrank& linkage, const SlideMotion& slider,
                                                        AssemblyMode mode);
 
@@ -48,7 +48,7 @@ struct SliderCrankMotion {
 /// \name Kernel in the frame of the guide (x along θ1). Driven by crank or coupler: `rrp_dyad.hpp`.
 /// @{
 
-/// Lengths of a slider-crank driven by its slider and what does not change with r1.
+/// Lengths of a slider-crank driven by its slider, and quantities that do not depend on r1.
 template <class T>
 struct SliderLoop {
   T r2{0};

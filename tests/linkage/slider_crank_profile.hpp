@@ -6,8 +6,9 @@
 
 namespace higherpair::testing {
 
-/// A profile's tables of a slider-crank on the x axis, crank at 0°, without a driver: bodies crank (O, A),
-/// rod (A, B) and piston (B); joints main, big_end, small_end and cylinder. Lengths in the profile's unit.
+/// The tables of a profile of a slider-crank on the x axis, with the crank at 0° and no driver: bodies crank
+/// (O, A), rod (A, B) and piston (B); joints main, big_end, small_end and cylinder. Lengths in the profile's
+/// unit.
 /// \param piston    further keys of the piston
 /// \param cylinder  further keys of the cylinder
 inline std::string slider_crank_profile(double crank, double rod, const std::string& piston = "",

@@ -9,7 +9,7 @@ namespace {
 using namespace higherpair::testing;
 
 TEST(SliderCrankStroke, HasKnownValuesWhereTheTrianglesAreInWholeNumbers) {
-  // Crank 12, coupler 25, offset 12: (37, 12, 35) and (13, 12, 5).
+  // Crank 12, coupler 25, offset 12: right triangles (37, 12, 35) and (13, 12, 5).
   const auto stroke = slider_crank_stroke({12, 25, 12, 0.2}, AssemblyMode::kPlus);
   ASSERT_TRUE(stroke);
   EXPECT_EQ(stroke->outer.r1, 35);

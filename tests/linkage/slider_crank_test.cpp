@@ -32,7 +32,7 @@ SliderCrankMotion solve(const SliderCrank& linkage, By by, double q, double q_do
   }
 }
 
-/// The determinant of the closure, dimensionless.
+/// The determinant of the closure equations, dimensionless.
 double determinant(const SliderCrank& linkage, By by, const SliderCrankMotion& motion) {
   switch (by) {
     case By::kCrank:
@@ -87,7 +87,7 @@ TEST(SliderCrank, ReproducesTheTextbookLinkageDrivenByItsCoupler) {
     const SliderCrankMotion motion = slider_crank_by_coupler(
         row.linkage, {row.theta3, row.omega3, row.alpha3}, mode_of(cosine > 0 ? 1 : -1));
     ASSERT_TRUE(motion.rates);
-    // The coupler's rounding reaches the crank enlarged by dθ2/dθ3.
+    // The coupler's rounding is magnified by dθ2/dθ3 in the crank.
     const double gain = std::max(1.0, std::abs(row.omega2 / row.omega3));
     EXPECT_AT_MOST(angle_error(motion.theta2, row.theta2), 4e-15 * gain);
     EXPECT_AT_MOST(relative_error(motion.r1, row.r1), 4e-15 * gain);
@@ -102,7 +102,7 @@ TEST(SliderCrank, ReproducesTheTextbookLinkageDrivenByItsCoupler) {
 
 TEST(SliderCrank, ReproducesTheTextbookLinkageDrivenByItsSlider) {
   for (const TextbookRow& row : textbook_rows()) {
-    // Mode: is the crank counter-clockwise of the line from O2 to the slider?
+    // The mode follows from whether the crank is counter-clockwise of the line from O2 to the slider.
     const auto slider = row.r1 + std::complex<double>(0, row.linkage.r4);
     const double side = std::imag(std::conj(slider) * direction(row.theta2 - row.linkage.theta1));
     const SliderCrankMotion motion =
@@ -310,7 +310,7 @@ TEST(SliderCrank, IsAsAccurateAsItsInputNearDeadPoints) {
 TEST(SliderCrank, SaysSingularWithoutRatesExactlyAtADeadPoint) {
   const SliderCrank linkage{5, 3, 2, 0};
   const SliderCrankMotion across = slider_crank_by_crank(linkage, {kPi / 2, 1, 0}, AssemblyMode::kPlus);
-  EXPECT_EQ(across.status, LinkageStatus::kSingular);  // 5 - 2 = 3: the coupler stands across the line
+  EXPECT_EQ(across.status, LinkageStatus::kSingular);  // 5 - 2 = 3: the coupler is square to the line
   EXPECT_FALSE(across.rates);
   EXPECT_AT_MOST(closure_error(linkage, across), 1e-15);
 
@@ -330,7 +330,7 @@ TEST(SliderCrank, InLineWithEqualLinksMovesTheSliderByTwiceTheCosine) {
     EXPECT_AT_MOST(std::abs(motion.rates->omega3 + 2), 1e-13);
     EXPECT_AT_MOST(std::abs(motion.rates->r1_dot + 6.8 * std::sin(theta2)), 1e-13);
   }
-  // On the other side of the change point this mode leaves the slider on the crank's pivot.
+  // Beyond the change point this mode leaves the slider at the crank's pivot.
   EXPECT_AT_MOST(std::abs(slider_crank_by_crank(linkage, {2.1, 2, 0}, AssemblyMode::kPlus).r1), 1e-15);
   EXPECT_EQ(slider_crank_by_crank(linkage, {kPi / 2, 2, 0}, AssemblyMode::kPlus).status,
             LinkageStatus::kSingular);

@@ -6,27 +6,28 @@
 
 namespace higherpair {
 
-/// A mechanism drawn in ground coordinates: all frames lie on the ground's, so that it is assembled as drawn.
+/// A mechanism drawn in ground coordinates: all body frames coincide with the ground's, so that it is
+/// assembled as drawn.
 class DrawnMechanism {
 public:
   DrawnMechanism();
 
-  /// A new body; its index.
+  /// Adds a body; returns its index.
   int body(const std::string& name);
-  /// A pin of two bodies at a place; the index of the joint.
+  /// Adds a pin between two bodies; returns the index of the joint.
   int pin(int first, int second, const Vector2d& p_W);
   /// The second body slides on the first along a direction.
   int slide(int first, int second, const Vector2d& p_W, const Vector2d& direction_W);
   /// A point of the second body runs in a straight slot of the first.
   int slot(int first, int second, const Vector2d& p_W, const Vector2d& direction_W);
-  /// Curves as bodies' boundaries touch.
+  /// Adds a contact between two curves, the boundaries of the bodies.
   int touch(int first, const Curve& curve1, int second, const Curve& curve2, bool rolling = false);
   void drive(int joint, const std::string& name = "");
 
-  /// A body on a ground pin at O with its end at A.
+  /// Adds a body on a ground pin at O with its end at A.
   int crank(const std::string& name, const Vector2d& O);
-  /// Two links from a pin A of body a and a pin B of body b to their common pin C. Returns the first; the
-  /// second is the next body.
+  /// Adds two links from a pin A of body a and a pin B of body b to their common pin C. Returns the first;
+  /// the second is the next body.
   int dyad(const std::string& name, int a, const Vector2d& A, int b, const Vector2d& B, const Vector2d& C);
 
   Mechanism mechanism;

@@ -1,4 +1,4 @@
-// Gears and belts: counts, and motion against Willis' equation.
+// Gears and belts: mobility, and motion compared with Willis' equation.
 #include "drawn_mechanism.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Wheels about the pins of two joints, the first end of both being on the carrier.
+// Couples two wheels about the pins of two joints, both of which name the carrier first.
 int couple(DrawnMechanism& drawn, int carrier, int wheel1, int wheel2, const Vector2d& at, double ratio) {
   const int index = drawn.pin(wheel1, wheel2, at);
   Joint& joint = drawn.mechanism.joints.back();

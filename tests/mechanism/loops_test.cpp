@@ -20,7 +20,7 @@ TEST(FourBars, AreFoundWithTheirLengths) {
   EXPECT_EQ(found[0].crank, 1);
   EXPECT_EQ(found[0].coupler, 2);
   EXPECT_EQ(found[0].rocker, 3);
-  // Rounding of the drawing.
+  // To within the rounding of the drawing.
   EXPECT_NEAR(found[0].linkage.r1, 0.071, 1e-16);
   EXPECT_NEAR(found[0].linkage.r2, 0.023, 1e-16);
   EXPECT_NEAR(found[0].linkage.r3, 0.059, 1e-15);
@@ -42,7 +42,7 @@ TEST(FourBars, AreFoundAlsoOnAMovingBody) {
   drawn.pin(2, arm, {0.05, 0.11});
   drawn.dyad("upper", 3, {0.08, 0.03}, arm, {0.07, 0.12}, {0.11, 0.09});
   const auto found = find_four_bars(drawn.mechanism);
-  // crank, coupler, rocker, ground; coupler and rocker with the upper three would be a ring of five.
+  // crank, coupler, rocker, ground; coupler and rocker with the upper three bodies would be a loop of five.
   ASSERT_EQ(found.size(), 1U);
   drawn.pin(2, 5, {0.03, 0.08});
   const auto more = find_four_bars(drawn.mechanism);
@@ -51,7 +51,7 @@ TEST(FourBars, AreFoundAlsoOnAMovingBody) {
 }
 
 TEST(FourBars, AreFoundThroughAPinOfThreeBodiesWhicheverJointsHoldIt) {
-  // Coupler and rocker both on a third link, not on each other.
+  // Coupler and rocker are both pinned to a third link, not to each other.
   DrawnMechanism drawn;
   const Vector2d C(0.05, 0.06);
   const int crank = drawn.crank("crank", Vector2d::Zero());
@@ -85,7 +85,7 @@ TEST(SliderCranks, AreFoundWithTheSignOfTheOffset) {
     EXPECT_EQ(found[0].slider, slider);
     EXPECT_EQ(found[0].inversion, SliderCrankInversion::kGuide);
     EXPECT_NEAR(found[0].linkage.r2, 0.03, 1e-16);
-    // The line lies left of the direction of sliding.
+    // The line is to the left of the direction of sliding.
     EXPECT_NEAR(found[0].linkage.r4, 0.013, 1e-16);
   }
 }
@@ -102,7 +102,7 @@ TEST(SliderCranks, AreFoundWithASlotAndInverted) {
   EXPECT_EQ(found[0].guide, arm);
   EXPECT_EQ(found[0].coupler, crank);
   EXPECT_EQ(found[0].inversion, SliderCrankInversion::kCrank);
-  // The line goes through its pivot.
+  // The line passes through the arm's pivot.
   EXPECT_NEAR(found[0].linkage.r4, 0, 1e-17);
 
   DrawnMechanism slotted;

@@ -37,7 +37,7 @@ TEST(Mobility, IsTheSameForMechanismsOfEverySize) {
 }
 
 TEST(Mobility, AtAChangePointIsLargerAtTheStartOnly) {
-  // A parallelogram folded flat: crank and rocker along the ground.
+  // A parallelogram folded flat: crank and rocker lie along the ground link.
   DrawnMechanism drawn;
   const int crank = drawn.crank("crank", Vector2d::Zero());
   drawn.drive(0);
@@ -52,7 +52,7 @@ TEST(Mobility, AtAChangePointIsLargerAtTheStartOnly) {
 }
 
 TEST(Mobility, OfADriverAtItsDeadPointIsThatOfTheMechanism) {
-  // Crank driven where coupler and rocker are stretched: the crank stands, the rest may move.
+  // The crank is driven where coupler and rocker are stretched: the crank cannot move, the rest may.
   DrawnMechanism drawn;
   const Vector2d A(0.04, 0.03);
   const Vector2d O4(0.1, -0.02);
@@ -134,7 +134,7 @@ TEST(Mobility, NamesTheRollerThatSpinsIdly) {
   EXPECT_EQ(mobility.useful(), 1);
   ASSERT_EQ(mobility.idle.size(), 1U);
   EXPECT_EQ(mobility.idle.front().body, 3);
-  // Closed positions are good to 1e-10 of the size.
+  // Assembled positions are accurate to 1e-10 of the size.
   EXPECT_NEAR((mobility.idle.front().p_W - Vector2d(0.06, 0.04)).norm(), 0, 1e-9);
   EXPECT_TRUE(mobility.drivers_fit());
   EXPECT_THAT(idle_texts(drawn.mechanism, mobility), ElementsAre(HasSubstr("roller turns freely")));
@@ -195,7 +195,7 @@ TEST(Mobility, OfALoopOfSlidesAloneIsOneMoreThanTheCount) {
 }
 
 TEST(Mobility, OfEllipsesThatRollAboutTheirFociIsOne) {
-  // Two equal ellipses, axes a = 50, b = 40 mm, pivots at foci 2a apart.
+  // Two equal ellipses with semi-axes a = 50, b = 40 mm, pivoted at foci 2a apart.
   const double a = 0.05;
   const double b = 0.04;
   const double c = 0.03;
@@ -210,7 +210,7 @@ TEST(Mobility, OfEllipsesThatRollAboutTheirFociIsOne) {
     const Mobility mobility = analyse_mobility(drawn.mechanism);
     EXPECT_TRUE(mobility.assembled);
     EXPECT_EQ(mobility.count.mobility(), 0);
-    // About their centres they touch on the line of pivots in the drawing only.
+    // About their centres they touch on the line of pivots only in the drawn position.
     EXPECT_EQ(mobility.freedom, foci ? 1 : 0);
     EXPECT_EQ(mobility.start_freedom, 1);
   }
@@ -274,7 +274,7 @@ TEST(Plan, RefusesLooseBodiesInTheSameWords) {
 
 TEST(Mobility, IsCountedOnlyWhereTheMechanismDoesNotClose) {
   DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
-  // The ground pin of the rocker far away.
+  // The rocker's ground pin is far away.
   drawn.mechanism.bodies.front().points.back().p_B = {1.5, 0};
   const Mobility mobility = analyse_mobility(drawn.mechanism);
   EXPECT_FALSE(mobility.assembled);

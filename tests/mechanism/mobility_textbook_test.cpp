@@ -1,5 +1,5 @@
-// The counts of a textbook's mobility chapter. Its drawings are lost, so each mechanism of n bodies and the
-// given joints is drawn anew from cranks, dyads, followers and rollers.
+// The mobilities in a textbook's chapter. Its drawings are not available, so each mechanism of n bodies and
+// the given joints is composed anew from cranks, dyads, followers and rollers.
 #include "drawn_mechanism.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
 
@@ -20,8 +20,8 @@ json entries(const std::string& key) {
   return json::parse(file).at(key);
 }
 
-// How many of each: a crank brings one freedom, a follower on a contact and a dyad none, a roller on a lever
-// an idle one, a link on two ground pins takes one away.
+// Number of parts of each kind: a crank adds one freedom, a follower on a contact and a dyad none, a roller
+// on a lever an idle one; a link on two ground pins removes one.
 struct Parts {
   int cranks = 0;
   int dyads = 0;
@@ -47,7 +47,7 @@ Parts parts_of(int n, int j1, int j2, int rollers) {
   return parts;
 }
 
-// Places that are nowhere in line or parallel.
+// Positions of which no three are in line and no lines are parallel.
 Vector2d place(int k) {
   return {0.11 * k + 0.013 * std::sin(3.1 * k), 0.05 * std::sin(1.7 * k + 0.4)};
 }
@@ -90,7 +90,7 @@ DrawnMechanism draw(const Parts& parts) {
       follower = drawn.body(fmt::format("roller{}", i));
       drawn.pin(lever, follower, M);
     }
-    // Two discs that touch between their centres; the lower one is fast on a body before.
+    // Two discs that touch between their centres; the lower one is fixed to an earlier body.
     const Vector2d below = M + Vector2d(-0.061, 0.011);
     const double distance = (M - below).norm();
     drawn.touch(last, *make_circle(below, 0.6 * distance), follower, *make_circle(M, 0.4 * distance));
@@ -113,7 +113,8 @@ TEST(TextbookMobility, OfEveryCountThatCanBeDrawnIsFoundByCountAndRank) {
       j2 = entry.at("sf").get<int>() - entry.at("j").get<int>();
       j1 = entry.at("j").get<int>() - j2;
     }
-    // The exceptions have tests of their own; single-pin rules and sums of others are no mechanisms.
+    // The exceptions have tests of their own; rules for a single pin and sums of other entries are not
+    // mechanisms.
     if (j1 == 0 || entry.contains("true_mobility") || label.find("discs") != std::string::npos) {
       continue;
     }
@@ -136,7 +137,7 @@ TEST(TextbookMobility, OfEveryCountThatCanBeDrawnIsFoundByCountAndRank) {
     EXPECT_TRUE(mobility.drivers_fit()) << label;
   }
   // All but the pin rule, the sum, the exceptions, and the first example, whose printed joints leave a body
-  // loose.
+  // unconnected.
   EXPECT_EQ(drawn_ones, 31);
 }
 

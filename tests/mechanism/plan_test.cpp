@@ -1,4 +1,4 @@
-// Which groups the plan makes of known mechanisms.
+// The groups into which the plan divides known mechanisms.
 #include "higherpair/mechanism/plan.hpp"
 
 #include "analysis/mechanism_builder.hpp"
@@ -52,7 +52,7 @@ Mechanism shipped(const std::string& name, const Settings& settings = {}) {
   return profile->mechanism;
 }
 
-// Wheels on an arm that turns on ground; the first is driven against it.
+// Wheels on an arm that turns on ground; the first one is driven relative to the arm.
 TEST(Plan, TurnsAWheelByItsGearsOnceArmAndOtherWheelStand) {
   const auto profile = read_profile_text(R"([bodies.ground]
 points.O = [0, 0]
@@ -118,7 +118,8 @@ TEST(Plan, TakesTheGroupsOfASixBarOneAfterTheOther) {
               ElementsAre("driven: link2", "RRR: link3 link4", "RRR: link5 link6"));
   EXPECT_THAT(groups_of(shipped("toggle_press")),
               ElementsAre("driven: crank", "RRR: rod upper", "RRP: lower ram"));
-  // Driven at the other end the Watt chain is dyads too; driven at its first loop's end it is the same list.
+  // Driven at the other end the Watt chain also consists of dyads; driven at the end of its first loop the
+  // list is the same.
   EXPECT_THAT(groups_of(shipped("watt_sixbar", {"driver.joint=F"})),
               ElementsAre("driven: link6", "RRR: link4 link5", "RRR: link2 link3"));
 }

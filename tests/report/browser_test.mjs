@@ -1,5 +1,5 @@
-// Every shipped profile's report in a real browser: it says nothing on the console and asks nothing of the network,
-// what it draws is where the table of `analyze` says, and its controls move it.
+// Every shipped profile's report in a real browser: it writes nothing to the console and makes no network
+// requests, what it draws agrees with the table of `analyze`, and its controls move it.
 //   node browser_test.mjs PROGRAM PROFILES PAGE_FOLDER OUTPUT_FOLDER [PROFILE …]
 import { execFile, execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, rmSync, statSync } from "node:fs";
@@ -13,14 +13,14 @@ import { checkBrokenLinks, checkDrawing, checkHollow } from "./drawing.mjs";
 import { checkFigures } from "./figures.mjs";
 import { checkFrames, checkLongRun, checkSaving, checkTitle } from "./special.mjs";
 
-const SKIPPED = 77; // of ctest
+const SKIPPED = 77; // exit code for ctest
 const LARGEST_PAGE = 2 * 1024 * 1024;
 /** All controls, dark mode and the size of a phone are tried on these, which are of different kinds. */
 const LOOKED_AT_CLOSELY = [
   "ellipse_cam_roller", "lock_up", "slider_crank", "five_bar", "watt_sixbar_forces", "flat_faced_translating", "planetary_gear",
 ];
 const [program, profiles, pageFolder, output, ...wanted] = process.argv.slice(2);
-const reports = join(output, "reports of profiles"); // names with spaces are names
+const reports = join(output, "reports of profiles"); // the space tests that paths may contain one
 const screens = join(output, "screens");
 
 function findBrowser() {
@@ -28,14 +28,14 @@ function findBrowser() {
     try {
       return execFileSync("which", [name], { encoding: "utf8" }).trim();
     } catch {
-      // the next one
+      // try the next one
     }
   }
   console.log("skipped: there is no chromium here; tools/setup installs it");
   process.exit(SKIPPED);
 }
 
-/** Runs the program; any exit code but those is an error. */
+/** Runs the program; any exit code other than the given ones is an error. */
 function run(args, codes = [0]) {
   return new Promise((done, fail) => {
     execFile(program, args, { encoding: "utf8", maxBuffer: 1 << 28 }, (error, stdout) => {
@@ -51,7 +51,7 @@ async function report(profile, name, ...options) {
   return file;
 }
 
-/** A page that watches itself: what goes wrong in it is a failure. */
+/** A page that reports its own errors as failures. */
 async function open(context, file, checks) {
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
@@ -106,7 +106,7 @@ async function checkProfile(context, name, made, checks) {
   await page.close();
 }
 
-/** Report and table of each profile, so many at a time as there are processors. */
+/** Makes report and table of each profile, as many at a time as there are processors. */
 function makeAll(names) {
   const waiting = new Map(names.map((name) => [name, withResolvers()]));
   const queue = [...names];
@@ -129,7 +129,7 @@ function makeAll(names) {
 function withResolvers() {
   const made = {};
   made.promise = new Promise((resolve, reject) => Object.assign(made, { resolve, reject }));
-  made.promise.catch(() => {}); // whoever waits for it sees it
+  made.promise.catch(() => {}); // whoever awaits it sees the error
   return made;
 }
 

@@ -1,4 +1,4 @@
-// Findings of the browser test: what does not hold is collected, and all of it printed at the end.
+// Findings of the browser test: failures are collected, and all are printed at the end.
 
 export class Checks {
   failures = [];

@@ -1,4 +1,4 @@
-// Slider, keys, layers, plots and the driven body itself move what is shown.
+// Slider, keys, layers, plots and the driven body itself change what is shown.
 
 import { checkRow } from "./drawing.mjs";
 
@@ -11,7 +11,7 @@ export async function checkControls(page, table, checks) {
   await checkPlots(page, table, checks);
   await page.locator("#play").click();
   checks.true((await state(page)).playing, "does not play");
-  // However long a busy machine takes to the next frame.
+  // Waits as long as a busy machine takes for the next frame.
   const moves = page.waitForFunction(() => higherpair.state().row > 0);
   checks.true(await moves.then(() => true, () => false), "stands although it plays");
   await page.keyboard.press("Escape");
@@ -33,7 +33,7 @@ async function checkKeys(page, end, checks) {
   await page.keyboard.press("Home");
 }
 
-/** The slider moves what is drawn to where the table says. */
+/** The slider moves the drawing to where the table says. */
 export async function checkSlider(page, table, checks) {
   const end = table.rows.length - 1;
   const slider = page.locator("#row");
@@ -83,7 +83,7 @@ async function checkPlots(page, table, checks) {
   await page.evaluate(() => higherpair.go(0));
 }
 
-/** Drags the driven body along the way that it takes in the rows that follow: the mechanism follows. */
+/** Drags the driven body along its path in the following rows: the mechanism follows. */
 export async function checkDrag(page, table, checks) {
   const count = table.rows.length;
   const first = Math.round(count / 30);
@@ -99,13 +99,13 @@ export async function checkDrag(page, table, checks) {
   for (const { x, y } of way) await page.mouse.move(x, y);
   const { row } = await state(page);
   await page.mouse.up();
-  // A mouse stands on whole px, and is led back a little by the rows that it comes from.
+  // A mouse is at whole pixels, and lags a little towards the rows that it comes from.
   const pixel = way.length / Math.max(grip.reach, 1e-9);
   checks.near(row, last, 3 + 3 * Math.min(pixel, 3), `dragged from row ${first}`);
   checks.true(row > first, "dragging moves nothing");
 }
 
-// Where the driven body can be taken hold of, far from where it turns; px of the window. Runs in the page.
+// A point at which the driven body can be grabbed, far from its pivot; in px of the window. Runs in the page.
 function findGrip() {
   const { driver } = JSON.parse(document.getElementById("report-data").textContent);
   const drawing = document.getElementById("drawing");
@@ -125,7 +125,7 @@ function findGrip() {
   return found;
 }
 
-// Where that place of the body is drawn in the rows that follow. Runs in the page.
+// Where that point of the body is drawn in the following rows. Runs in the page.
 function wayOf({ grip, first, last }) {
   const { driver } = JSON.parse(document.getElementById("report-data").textContent);
   const frame = document.querySelector(`#drawing [data-frame="${driver.body}"]`);

@@ -1,8 +1,8 @@
-// What is drawn, read back from the page, against the table of `analyze`.
+// What is drawn, read back from the page and compared with the table of `analyze`.
 
-const NEAR = 2e-6; // of the picture: places travel with eight digits
+const NEAR = 2e-6; // relative to the picture: coordinates are stored with eight digits
 
-/** Places of joints and contacts, and that names do not cover each other. */
+/** Positions of joints and contacts, and that names do not cover each other. */
 export async function checkDrawing(page, table, checks) {
   const count = table.rows.length;
   for (const row of [0, Math.round(count / 7), Math.round(count / 2), count - 1]) {
@@ -13,7 +13,7 @@ export async function checkDrawing(page, table, checks) {
   await checkValues(page, table, Math.round(count / 7), checks);
 }
 
-/** That this row is shown, and everything where it says. */
+/** That this row is shown, with everything at its position. */
 export async function checkRow(page, table, row, checks) {
   const scene = await page.evaluate(() => {
     const report = JSON.parse(document.getElementById("report-data").textContent);
@@ -25,7 +25,7 @@ export async function checkRow(page, table, row, checks) {
   checkPlaces(state, table.rows[row], scene, checks);
 }
 
-/** The page's numbers are those of the table, to what is left of them when they are packed. */
+/** The page's numbers are those of the table, to the accuracy that packing leaves. */
 async function checkValues(page, table, row, checks) {
   const columns = await page.evaluate((at) => {
     const { rows, columns: all } = higherpair;
@@ -53,7 +53,7 @@ function checkPlaces(state, row, { joints, size }, checks) {
     checks.near(place[1], Number(row[`${at}.y`]), NEAR * size, `${name} y at driver ${row.driver}`);
   }
   for (const [name, place] of Object.entries(state.contacts)) {
-    const open = lost || row[`${name}.x`] === ""; // a contact that may part has no place while it is open
+    const open = lost || row[`${name}.x`] === ""; // a contact that may separate has no position while open
     checks.equal(place === null, open, `contact ${name} is drawn where the row says ${row.status}`);
     if (place === null) continue;
     checks.near(place[0], Number(row[`${name}.x`]), 10 * NEAR * size, `${name} x at driver ${row.driver}`);
@@ -61,7 +61,7 @@ function checkPlaces(state, row, { joints, size }, checks) {
   }
 }
 
-/** Links that leave the picture are broken off: their texts are the lengths of the table, and within the picture. */
+/** Links that leave the picture are broken off: their labels show the table's lengths, within the picture. */
 export async function checkBrokenLinks(page, table, row, checks) {
   await page.evaluate((shown) => higherpair.go(shown), row);
   const texts = await page.evaluate(() =>

@@ -1,8 +1,8 @@
-// Polygons and contact maps of the row that is shown, against the table of `analyze`.
+// Polygons and contact maps of the row that is shown, compared with the table of `analyze`.
 
-const DIGITS = 2e-3; // lengths are shown with four digits, of what is small against the polygon fewer
+const DIGITS = 2e-3; // lengths are shown with four digits, small ones in a polygon with fewer
 
-/** The velocities that the polygon lists are those of the table, and its arrows are as long as it says. */
+/** The velocities that the polygon lists are those of the table, and its arrows have the lengths that it states. */
 async function checkVelocities(page, table, row, checks) {
   const arrows = await page.evaluate(() => {
     const { polygons } = JSON.parse(document.getElementById("report-data").textContent);
@@ -19,7 +19,7 @@ async function checkVelocities(page, table, row, checks) {
   });
   const speeds_in = (one) => arrows.map(({ item }) => Math.hypot(Number(one[`${item}.vx`]), Number(one[`${item}.vy`])));
   const speeds = speeds_in(row);
-  // What is small against the whole motion is at rest to the page.
+  // The page treats what is small compared with the whole motion as at rest.
   const largest = Math.max(...table.rows.flatMap(speeds_in).filter((speed) => !Number.isNaN(speed)));
   arrows.forEach(({ kind, item, text, drawn }, i) => {
     if (kind !== "absolute" || Number.isNaN(speeds[i])) return;
@@ -29,7 +29,7 @@ async function checkVelocities(page, table, row, checks) {
   });
 }
 
-/** The point is in the picture of the map, on the branch whose number is said; none where the bodies are apart. */
+/** The map shows the point on the branch whose number is given; none where the bodies are apart. */
 async function checkMaps(page, row, checks) {
   const maps = await page.evaluate(() =>
     [...document.querySelectorAll(".map")].map((map) => {

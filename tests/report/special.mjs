@@ -1,8 +1,8 @@
-// Single things that one report is enough for.
+// Single properties for which one report is enough.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
-/** A title that would be a script is a text. */
+/** A title that looks like a script is shown as text. */
 export async function checkTitle({ report, profiles, open }, checks) {
   const title = `<script>document.body.remove()</script></script><!--<script> & "quoted" \\ é`;
   const toml = `title=${JSON.stringify(title)}`;
@@ -13,7 +13,7 @@ export async function checkTitle({ report, profiles, open }, checks) {
   await page.close();
 }
 
-/** Of a long run the page holds a part, says so, and knows the extremes of all. */
+/** The page of a long run contains part of it, says so, and knows the extremes of the whole run. */
 export async function checkLongRun({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));
   const rows = await page.evaluate(() => higherpair.rows.length);
@@ -25,7 +25,7 @@ export async function checkLongRun({ report, profiles, open }, checks) {
   await page.close();
 }
 
-/** How long frames take while the motion plays with forces on; said, since it is the machine's matter. */
+/** How long frames take while the motion plays with forces on; only printed, since it depends on the machine. */
 export async function checkFrames({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "watt_sixbar_forces.toml"), "frames"));
   const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime);
@@ -48,7 +48,7 @@ async function saved(page, button) {
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
 }
 
-/** Frame and table as files; plots against time; a page that plays by itself. */
+/** Frame and table as files; plots over time; a page that plays by itself. */
 export async function checkSaving({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "eccentric_disc_oscillating_roller.toml"), "in time", "--time"));
   const table = await saved(page, "#save-csv");
@@ -75,7 +75,8 @@ export async function checkSaving({ report, profiles, open }, checks) {
   await page.close();
 }
 
-// Times between frames while it plays [ms], and how long the page works on a row, layout included. Runs in the page.
+// Times between frames while it plays [ms], and the time that the page needs for a row, including layout.
+// Runs in the page.
 async function framesOf(length) {
   const slow = 60;
   const began = performance.now();

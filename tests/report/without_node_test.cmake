@@ -1,9 +1,10 @@
-# The step of the build that bundles the page, where that is not possible.
+# The step of the build that bundles the page, in cases where that is not possible.
 set(script ${SOURCES}/cmake/build_report_page.cmake)
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/web)
 
-# expect_page(WHAT RESULT TEXT OPTIONS...): the step ends so, and its output or source has the text.
+# expect_step(WHAT EXPECTED TEXT OPTIONS...): the step ends as expected, and its output or source contains the
+# text.
 function(expect_step what expected text)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -DSOURCES=${SOURCES}/web -DFOLDER=${FOLDER}/web -DOUTPUT=${FOLDER}/page.cpp -DTESTS=OFF

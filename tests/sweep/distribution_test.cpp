@@ -1,4 +1,5 @@
-// Distributions: quantiles against closed forms and known values, moments by integration of the quantile.
+// Distributions: quantiles compared with closed forms and known values, moments by integration of the
+// quantile.
 #include "higherpair/sweep/variants.hpp"
 
 #include <cmath>
@@ -36,7 +37,7 @@ Distribution triangular(double low, double mode, double high) {
   return d;
 }
 
-// The mean of f of the variable: the integral of f of the quantile, by the midpoint rule.
+// The mean of f: the integral of f(quantile), by the midpoint rule.
 double mean_of(const Distribution& d, const std::function<double(double)>& f) {
   constexpr int kParts = 400000;
   double sum = 0;
@@ -74,7 +75,7 @@ TEST(Distributions, HaveTheirMoments) {
   expect_moments(triangular(a, c, b), (a + b + c) / 3, (a * a + b * b + c * c - a * b - a * c - b * c) / 18);
 }
 
-// Mean and variance of a normal distribution of mean 0 and deviation 1 between a and b.
+// Mean and variance of a normal distribution of mean 0 and deviation 1 that is truncated to [a, b].
 TEST(Distributions, CutOffHaveTheMomentsOfTheClosedForm) {
   const auto density = [](double z) {
     return std::isinf(z) ? 0 : std::exp(-z * z / 2) / std::sqrt(2 * std::acos(-1));
@@ -102,7 +103,7 @@ TEST(Distributions, NeverLeaveTheirLimits) {
 }
 
 TEST(Distributions, FarInATailKeepTheirDigits) {
-  // Mirrored, the tail above is the tail below.
+  // By symmetry the upper tail is the mirror image of the lower one.
   for (const double u : {0.001, 0.2, 0.5, 0.9}) {
     EXPECT_DOUBLE_EQ(quantile(normal(0, 1, 8, 9), u), -quantile(normal(0, 1, -9, -8), 1 - u));
   }

@@ -1,5 +1,5 @@
-// Variants: a function of their number; grids and lists in order, draws with the moments of their
-// distributions, Sobol points more even than draws.
+// Variants are functions of their number: grids and lists in order, random draws with the moments of their
+// distributions, Sobol points more even than random draws.
 #include "higherpair/sweep/variants.hpp"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ TEST(Variants, OfAGridCanBeCountedBeyondAllIntegers) {
   EXPECT_NEAR(count_of(plan_of(SweepMethod::kGrid, many)) / 1e120, 1, 1e-12);
 }
 
-// In whatever order they are asked for, and whatever was asked for before.
+// Whatever the order in which they are asked for.
 TEST(Variants, AreFunctionsOfTheirNumber) {
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
     const auto plan = plan_of(method, {between(0, 1), normal_variable(3, 0.2), between(-1, 1)}, 5000, 42);
@@ -107,7 +107,7 @@ TEST(Variants, ChangeWithTheSeed) {
   }
 }
 
-// A variable keeps its draws when others are added behind it.
+// A variable keeps its values when others are added after it.
 TEST(Variants, OfAVariableDoNotHangOnThoseBehindIt) {
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
     const Variants one(plan_of(method, {between(0, 1)}, 100));
@@ -118,8 +118,8 @@ TEST(Variants, OfAVariableDoNotHangOnThoseBehindIt) {
   }
 }
 
-// The first 2^k points have one in each of 2^k equal parts, of every variable, and of pairs one in each box
-// of a grid: (0, m, 2)-net of the first two.
+// The first 2^k points have one point in each of 2^k equal parts of every variable, and for pairs one in each
+// box of a grid: the (0, m, 2)-net of the first two.
 TEST(Variants, OfASobolSequenceLieInEveryPartOnce) {
   constexpr int kPoints = 1024;
   const Variants sobol(
@@ -152,7 +152,7 @@ TEST(Variants, AtRandomHaveTheMomentsOfTheirDistributions) {
     }
     product += z[0] * z[1];
   }
-  // Five deviations of a mean of so many.
+  // Five standard deviations of the mean.
   const double bound = 5 / std::sqrt(static_cast<double>(kPoints));
   for (int k = 0; k < 2; ++k) {
     EXPECT_NEAR(sums[k] / kPoints, 0, bound);
@@ -202,7 +202,7 @@ TEST(Variants, AtRandomAreThoseOfThreefry) {
 }
 
 // The sequence of Joe and Kuo begins 0.5 0.5, 0.75 0.25, 0.25 0.75 after zero; a shift exchanges the same
-// digits of all points, so that differences without carries stay.
+// digits of all points, so that digit-wise differences stay the same.
 TEST(Variants, OfASobolSequenceAreThoseOfJoeAndKuo) {
   const Variants sobol(plan_of(SweepMethod::kSobol, {between(0, 1), between(0, 1)}, 16, 77));
   const auto digits = [&](int point, std::size_t variable) {

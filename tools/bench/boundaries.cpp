@@ -22,7 +22,7 @@ Vector2d point_of(const Oval& oval, double t) {
          Rotation<double>::from_angle(oval.rotation) * Vector2d(oval.a * std::cos(t), oval.b * std::sin(t));
 }
 
-// A cam `curve` about O and a roller on an arm of 60 mm, in mm and degrees.
+// A profile of a cam `curve` about O and a roller on an arm of 60 mm, in mm and degrees.
 std::string profile_with(const std::string& curve, const std::string& follower) {
   return fmt::format(R"(
 [bodies.ground]
@@ -80,7 +80,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   require(file.flush().good(), "cannot write " + path.string());
 }
 
-// r = 24 + 4 cos u + 1.5 cos 2u mm, as the shipped cam of points.
+// r = 24 + 4 cos u + 1.5 cos 2u mm, as in the shipped cam given by points.
 Vector2d rounded_heart(double u) {
   return (24 + 4 * std::cos(u) + 1.5 * std::cos(2 * u)) * unit_vector(u);
 }

@@ -7,18 +7,18 @@
 
 namespace higherpair::bench {
 
-/// A cam of several parts whose answer is known.
+/// A composite cam whose motion is known.
 struct BoundaryCase {
   std::string name;
-  Run run;  ///< standing at driver position 0
+  Run run;  ///< at driver position 0
 };
 
-/// The ellipse of a case of make_cases() as a spline through 720 of its points, with the case's roller. Ends
-/// the program where it moves otherwise than the ellipse.
+/// The ellipse of a case from make_cases() as a spline through 720 of its points, with the roller of that
+/// case. Ends the program if it moves differently from the ellipse.
 [[nodiscard]] BoundaryCase checked_spline_cam(const Case& ellipse);
 
-/// A cam with a flat follower in two places: one step in front of a joint of its arcs, so that the next one
-/// goes over it, and one step farther in front. Ends the program where the lift is not that of the arcs.
+/// A cam with a flat follower at two positions: one step before a joint of its arcs, so that the next step
+/// passes it, and one step earlier. Ends the program if the lift is not that of the arcs.
 struct JointCase {
   Run before_joint;
   Run before_that;
@@ -26,7 +26,7 @@ struct JointCase {
 };
 [[nodiscard]] JointCase checked_joint();
 
-/// A folder of files that take their time to read or check, and is removed again.
+/// A temporary folder of files that take long to read or check.
 class LargeFiles {
 public:
   LargeFiles();
@@ -37,7 +37,7 @@ public:
   struct File {
     std::string name;
     std::string profile;  ///< path
-    bool check = false;   ///< besides reading it
+    bool check = false;   ///< the file is checked as well as read
   };
   [[nodiscard]] const std::vector<File>& files() const { return files_; }
 
@@ -46,7 +46,7 @@ private:
   std::vector<File> files_;
 };
 
-/// Ends the program where a file is not read, or is not what it has been written from.
+/// Ends the program if a file cannot be read or does not have the content it was made from.
 void require_right(const LargeFiles& large);
 
 }  // namespace higherpair::bench

@@ -16,7 +16,7 @@ std::string curve_text(const Oval& oval) {
                      oval.center.x(), oval.center.y(), oval.a, oval.b, oval.rotation / kDegree);
 }
 
-// In metres and degrees.
+// A profile in metres and degrees.
 std::string profile_text(const Oval& cam, const std::string& follower, const std::string& joint) {
   return fmt::format(R"(
 [units]

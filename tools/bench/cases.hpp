@@ -16,12 +16,12 @@ inline constexpr int kStepsPerTurn = 3600;
   return 2 * kPi * step / kStepsPerTurn;
 }
 
-/// Whole turns aside.
+/// The difference of two angles, modulo whole turns.
 [[nodiscard]] inline double angle_difference(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * kPi));
 }
 
-/// An ellipse (or circle) in its body's frame, the pivot being the origin [m, rad].
+/// An ellipse (or circle) in its body's frame, whose origin is the pivot [m, rad].
 struct Oval {
   Vector2d center;
   double a;
@@ -29,26 +29,26 @@ struct Oval {
   double rotation;
 };
 
-/// A contact pair whose answer is known without the library.
+/// A contact pair whose motion is known independently of the library.
 struct Case {
   std::string name;
   Oval cam;
-  std::vector<Oval> follower;  ///< of a turning follower; empty for the flat face that slides along y
-  Vector2d follower_pivot;     ///< ground frame
+  std::vector<Oval> follower;  ///< curve of a turning follower; empty for the flat face that slides along y
+  Vector2d follower_pivot;     ///< in the frame of ground
   Profile profile;
-  Run run;  ///< standing at driver position 0
+  Run run;  ///< at driver position 0
 
   [[nodiscard]] const ContactPair& pair() const;
 };
 
-/// The contact's track of a running pair.
+/// The track of the contact in a run of a pair.
 [[nodiscard]] const ContactTrack& track_of(const Run& run);
 
 /// Circle on circle, ellipse on circle, ellipse on ellipse (turning followers), and ellipse on a sliding flat
 /// face.
 [[nodiscard]] std::vector<Case> make_cases();
 
-/// All columns of its motion.
+/// All columns of the profile's motion table.
 [[nodiscard]] ColumnSet table_of(const Profile& profile);
 
 /// Ends the program with a message unless the condition holds.

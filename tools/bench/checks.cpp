@@ -10,7 +10,7 @@
 namespace higherpair::bench {
 namespace {
 
-// First and second derivative by seven-point central differences.
+// First and second derivative by central differences over seven points.
 struct Derivatives {
   double first;
   double second;
@@ -31,7 +31,8 @@ Derivatives differentiate(const F& value, double at, double h) {
           (270 * even[0] - 27 * even[1] + 2 * even[2]) / (180 * h * h)};
 }
 
-// The point of an oval whose outward normal has the angle phi, by its support function; body frame.
+// The point of an oval whose outward normal has the angle phi, from its support function; in the body's
+// frame.
 Vector2d oval_point(const Oval& oval, double phi) {
   const double c = std::cos(phi - oval.rotation);
   const double s = std::sin(phi - oval.rotation);
@@ -45,9 +46,9 @@ struct Position {
   double q;
 };
 
-// Where the cam touches the follower with the normal angle phi1 in its own frame. Tangency fixes the relative
-// angle once phi2 is known too; phi2 is where the two pivots are as far apart as they are: one equation, by
-// secants from a guess.
+// The position at which the cam touches the follower at the normal angle phi1 in its own frame. Tangency
+// gives the relative angle once phi2 is known; phi2 follows from the distance of the pivots. One equation,
+// solved by the secant method from a guess.
 Position position_by_normal(const Case& reference, double phi1, double phi2_guess) {
   const Vector2d r1 = oval_point(reference.cam, phi1);
   const auto between_pivots = [&](double phi2) -> Vector2d {
@@ -75,7 +76,7 @@ Position position_by_normal(const Case& reference, double phi1, double phi2_gues
   return {u, u + phi1 + kPi - phi2};
 }
 
-// The flat face stands as high as the cam's support in the direction y.
+// The lift of the flat face is the cam's support function in the direction y.
 std::array<double, 3> lift(const Oval& cam, double u) {
   const Vector2d c = Rotation<double>::from_angle(u) * cam.center;
   const double psi = kPi / 2 - u - cam.rotation;
@@ -91,7 +92,7 @@ double followed(ContactTrack track, double u) {
   return step_to(track, u, track.branch) == ContactStatus::kOk ? track.at.q : NAN;
 }
 
-// Every error is compared as !(error <= bound): a NaN is wrong.
+// Written as !(error <= bound), so that NaN counts as wrong.
 void require_close(const Case& reference, const std::string& what, double u, double error, double bound) {
   require(error <= bound, fmt::format("{}: {} is wrong by {} at u = {}", reference.name, what, error, u));
 }
@@ -172,7 +173,7 @@ void check_rows(const Case& reference) {
     table.fill({run, drivers}, row.values);
     std::string text;
     append_csv_row(table.columns(), row, text);
-    // The first number of the line is the driver's position.
+    // The first number of the line is the driver position.
     require(row.values.size() == table.columns().size() &&
                 std::strtod(text.c_str(), nullptr) == drivers.front().profile.position,
             reference.name + ": the text of a row is wrong");

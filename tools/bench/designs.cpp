@@ -15,7 +15,8 @@ namespace {
 constexpr int kPlaces = 100;
 constexpr int kCandidates = 64;
 
-// design_eighteen_points with the path of its own linkage, the coupler a little shorter, as its task.
+// design_eighteen_points, where the points are on the path of its own linkage with a slightly shorter
+// coupler.
 Model hundred_places() {
   const auto shipped = Model::open(std::string(HIGHERPAIR_PROFILES) + "/design_eighteen_points.toml").value();
   const std::string end = fmt::format("{}", 360.0 * (kPlaces - 1) / kPlaces);

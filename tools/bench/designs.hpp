@@ -6,14 +6,14 @@
 
 namespace higherpair::bench {
 
-/// A four-bar whose point is to pass a hundred places, each at its position of the crank.
+/// A four-bar whose coupler point is to pass through a hundred points, each at a given position of the crank.
 struct DesignCase {
   DesignProblem problem;
-  std::vector<std::vector<double>> candidates;  ///< near one whose path these places are
+  std::vector<std::vector<double>> candidates;  ///< close to the one whose path has these points
 };
 
-/// Ends the program where the linkage that the places come from misses them, or where derivatives are not
-/// those of differences.
+/// Ends the program if the linkage that the points come from misses them, or if derivatives differ from
+/// differences.
 [[nodiscard]] DesignCase checked_design();
 
 }  // namespace higherpair::bench

@@ -4,12 +4,12 @@
 
 namespace higherpair::bench {
 
-/// A four-bar as somebody would write it by hand for one mechanism: crank r2 turning at unit speed about the
-/// origin, coupler r3, rocker r4 about (r1, 0); angles in, angles and rates out, nothing checked. What one
-/// step of any contact pair is compared with.
+/// A four-bar as it would be written by hand for one mechanism: crank r2 turning at unit speed about the
+/// origin, coupler r3, rocker r4 about (r1, 0). Angles in, angles and rates out, without any checks. It is
+/// the standard of comparison for one step of any contact pair.
 struct FourBarByHand {
   double r1, r2, r3, r4;
-  double sigma;  ///< ±1: the side of the diagonal from crank to rocker pivot on which the joint lies
+  double sigma;  ///< ±1: side of the diagonal, from crank end to rocker pivot, on which the joint is
 
   struct Motion {
     double theta3, theta4, omega3, omega4, alpha3, alpha4;

@@ -29,7 +29,8 @@ MotionLaw spline(int points) {
   return MotionLaw::make(description).value();
 }
 
-// Over a turn, between the places where the jerk jumps. \param allowed  relative to the largest values
+// Compares over a turn, at points between the jumps of the jerk.
+// \param allowed  relative to the largest values
 void check(const LawCase& one, double allowed) {
   const double largest[] = {1, 2, 2 * kPi, 4 * kPi * kPi};
   for (int k = 0; k < kStepsPerTurn; ++k) {

@@ -8,8 +8,8 @@
 
 namespace higherpair::bench {
 
-/// Value and derivatives of a cycloidal rise over a quarter, a dwell, a return and a dwell, as somebody would
-/// write them by hand: what a motion law is compared with.
+/// Value and derivatives of a cycloidal rise over a quarter turn, a dwell, a return and a dwell, as they
+/// would be written by hand: the standard of comparison for motion laws.
 struct CamByHand {
   double rise;
 
@@ -43,8 +43,8 @@ struct LawCase {
   MotionLaw law;
 };
 
-/// Laws with the rise of kCam and its quarters; ends the program where the cycloidal one is not the one by
-/// hand, or the spline through its points is too far from it.
+/// Laws with the rise and quarters of kCam. Ends the program if the cycloidal one differs from that by hand,
+/// or the spline through its points deviates too much from it.
 [[nodiscard]] std::vector<LawCase> checked_laws();
 
 }  // namespace higherpair::bench

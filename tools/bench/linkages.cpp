@@ -109,7 +109,7 @@ LinkageCase<SixBarByHand> checked_watt_sixbar() {
     const auto& [link, rocker] = std::tie(hand.rear.first, hand.rear.second);
     require_turn(run, "coupler", coupler.theta, coupler.omega, coupler.alpha);
     require_turn(run, "triangle", triangle.theta, triangle.omega, triangle.alpha);
-    // The link's frame lies at D.
+    // The link's frame is at D.
     require_turn(run, "link", link.theta + kPi, link.omega, link.alpha);
     require_turn(run, "rocker", rocker.theta + kPi, rocker.omega, rocker.alpha);
     check_sixbar_forces(reference.by_hand, hand, run, dynamics.solve(run));

@@ -6,16 +6,16 @@
 
 namespace higherpair::bench {
 
-/// A shipped linkage and the same one by hand.
+/// A shipped linkage, and the same one by hand.
 template <class ByHand>
 struct LinkageCase {
   ByHand by_hand;
-  Run run;  ///< standing at the driver's start
+  Run run;  ///< at the driver's start
 };
 
-/// Both end the program where the library's answers over a turn differ from those by hand, or where those
-/// contradict themselves (closure; rates against differences; power of the driving torque against that of the
-/// loads and inertias).
+/// Both end the program if the library's results over a turn differ from those by hand or contradict each
+/// other (closure; rates against differences; power of the driving torque against that of loads and
+/// inertias).
 [[nodiscard]] LinkageCase<FourBarByHand> checked_four_bar();
 [[nodiscard]] LinkageCase<SixBarByHand> checked_watt_sixbar();
 

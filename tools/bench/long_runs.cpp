@@ -21,7 +21,7 @@ Analysis start(const LongRun& run, std::int64_t rows) {
   return *std::move(analysis);
 }
 
-// The lines of the table, block after block.
+// Passes on the lines of the table, block by block.
 void for_each_text(Analysis& analysis, int threads, const std::function<void(const std::string&)>& take) {
   run_blocks(
       analysis, threads,

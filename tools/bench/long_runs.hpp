@@ -7,7 +7,7 @@
 
 namespace higherpair::bench {
 
-/// A long run of a shipped profile, as `analyze` or `forces` makes its table.
+/// A long run of a shipped profile, making the table of `analyze` or `forces`.
 struct LongRun {
   std::string profile;  ///< "four_bar"
   bool forces = false;
@@ -15,13 +15,13 @@ struct LongRun {
 
 [[nodiscard]] std::vector<LongRun> long_runs();
 
-/// Ends the program with a message unless the lines of CSV are the same row by row and on two threads.
+/// Ends the program with a message unless two threads give the same lines of CSV as row by row.
 void check_long_run(const LongRun& run);
 
-/// Works out its rows as CSV on so many threads, and throws the text away; returns the number of rows.
+/// Computes all rows as CSV on this many threads and discards the text; returns the number of rows.
 double work_out(const LongRun& run, int threads);
 
-/// A block of rows: of which lines can be made.
+/// A computed block of rows, to measure formatting.
 struct ReadyBlock {
   std::vector<Column> columns;
   RowBlock rows;

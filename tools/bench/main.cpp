@@ -1,5 +1,5 @@
-// Time of one step, next to the time of a four-bar written by hand, measured in the same run. Answers are
-// checked before anything is timed.
+// Measures the time of one step, together with that of a four-bar written by hand in the same run. All
+// results are checked before anything is timed.
 #include "boundaries.hpp"
 #include "checks.hpp"
 #include "designs.hpp"
@@ -33,8 +33,8 @@ double nanoseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Steps of a turn, and around again. `restart` puts what is followed back to the start. What is held against
-// the floor is the fastest turn, as the floor is.
+// Runs steps over whole turns, repeatedly. `restart` puts the object under test back to the start. The
+// fastest turn is compared with the floor, which is also that of the fastest turn.
 template <class Step, class Restart>
 void run_turns(benchmark::State& state, double floor, const Step& step, const Restart& restart) {
   int number = 0;
@@ -55,7 +55,7 @@ void run_turns(benchmark::State& state, double floor, const Step& step, const Re
   }
 }
 
-// The fastest of many turns: what the floor is when nothing else runs.
+// The floor: the fastest of many turns, which excludes disturbances by other processes.
 double measure_floor() {
   double best = INFINITY;
   for (int turn = 0; turn < 500; ++turn) {
@@ -70,7 +70,7 @@ double measure_floor() {
 
 template <class Function>
 void add([[maybe_unused]] const std::string& name, [[maybe_unused]] const Function& function) {
-#ifndef __clang_analyzer__  // which takes the registry, the owner of what it is given, for a leak
+#ifndef __clang_analyzer__  // the analyser mistakes the registry, which owns what it is given, for a leak
   benchmark::RegisterBenchmark(name.c_str(), function);
 #endif
 }
@@ -101,7 +101,7 @@ void register_tracking(const Case& reference, double floor) {
   });
 }
 
-// Rows as the program makes them: `level` 0 the motion, 1 also the cells of the table, 2 also the text.
+// Computes rows as the program does. `level` 0: the motion; 1: also the cells of the table; 2: also the text.
 void run_rows(benchmark::State& state, const Case& reference, double floor, int level) {
   Run run = reference.run;
   ColumnSet table = table_of(reference.profile);
@@ -134,7 +134,7 @@ void run_rows(benchmark::State& state, const Case& reference, double floor, int 
   }
 }
 
-// A row and what a picture of it shows.
+// Computes a row and the scene of a picture of it.
 void run_scenes(benchmark::State& state, const Case& reference, double floor) {
   Run run = reference.run;
   std::vector<DriverMotion> motions{{driver_position(0), 1, 0}};
@@ -173,7 +173,7 @@ void register_watt_by_hand(const SixBarByHand& by_hand, double floor) {
   });
 }
 
-// s, v, a and j at each step.
+// Evaluates s, v, a and j at each step.
 void register_laws(const std::vector<LawCase>& laws, double floor) {
   const auto nothing = [] {};
   add("law/by_hand", [=](benchmark::State& state) {
@@ -188,7 +188,7 @@ void register_laws(const std::vector<LawCase>& laws, double floor) {
   }
 }
 
-// One thread; what is held against the floor is one position of the candidate's hundred.
+// Runs on one thread; one of the candidate's hundred positions is compared with the floor.
 void register_design(const DesignCase& design, double floor) {
   for (const bool gradients : {false, true}) {
     add(gradients ? "design/candidate_with_gradients" : "design/candidate", [=](benchmark::State& state) {
@@ -211,8 +211,8 @@ void register_design(const DesignCase& design, double floor) {
   }
 }
 
-// A cam of points next to the same one as a conic, which is move_to/ellipse_on_circle; a step over a joint of
-// arcs next to one in front of it.
+// Compares a cam given by points with the same one as a conic, move_to/ellipse_on_circle; and a step over a
+// joint of arcs with one before it.
 void register_boundaries(const BoundaryCase& spline, const JointCase& joint, double floor) {
   add("move_to/" + spline.name, [=](benchmark::State& state) {
     Run run = spline.run;
@@ -239,7 +239,7 @@ void register_boundaries(const BoundaryCase& spline, const JointCase& joint, dou
   add_step("over_a_joint_of_arcs", joint.before_joint);
 }
 
-// Whole files, read and checked from the beginning.
+// Reads and checks whole files.
 void register_files(const LargeFiles& large) {
   for (const LargeFiles::File& file : large.files()) {
     add((file.check ? "read_and_check/" : "read/") + file.name, [=](benchmark::State& state) {
@@ -255,7 +255,7 @@ void register_files(const LargeFiles& large) {
   }
 }
 
-// Through the general plan: the motion of all bodies, and the reactions of all joints with it.
+// Uses the general plan: the motion of all bodies, and optionally the reactions of all joints.
 void register_plan(const std::string& name, const Run& start, double floor) {
   const auto measure = [=](benchmark::State& state, bool with_forces) {
     Run run = start;
@@ -276,7 +276,7 @@ void register_plan(const std::string& name, const Run& start, double floor) {
   add("plan_with_forces/" + name, [=](benchmark::State& state) { measure(state, true); });
 }
 
-// The fastest of many variants by hand [ns].
+// The fastest of many variants computed by hand [ns].
 double measure_variant_floor(const DriverTable& driver) {
   double best = INFINITY;
   for (int turn = 0; turn < 2000; ++turn) {
@@ -287,7 +287,7 @@ double measure_variant_floor(const DriverTable& driver) {
   return best;
 }
 
-// Whole turns, many rows at a time; a vector floor is one step of the four-bar by hand in vectors.
+// Whole turns, many rows at a time; a vector floor is one step of the four-bar by hand in vector registers.
 void register_packs(const std::vector<std::shared_ptr<PackCase>>& cases, double vector_floor) {
   for (const auto& one : cases) {
     add("packs/" + one->name, [=](benchmark::State& state) {
@@ -304,7 +304,7 @@ void register_packs(const std::vector<std::shared_ptr<PackCase>>& cases, double 
   }
 }
 
-// Block after block of a sweep; an iteration is one variant.
+// Computes a sweep block by block; an iteration is one variant.
 void register_variants(const std::vector<VariantCase>& cases) {
   const DriverTable driver = driver_table();
   const double floor = measure_variant_floor(driver);
@@ -331,8 +331,8 @@ void register_variants(const std::vector<VariantCase>& cases) {
   }
 }
 
-// Tables as the program makes them, by the clock on the wall: rows a second on one thread and on two, and of
-// the text alone.
+// Tables as the program makes them, in wall-clock time: rows per second on one thread and on two, and for
+// formatting alone.
 void register_long_runs() {
   const auto rate = [](double rows) { return benchmark::Counter(rows, benchmark::Counter::kIsRate); };
   for (const LongRun& one : long_runs()) {

@@ -19,7 +19,7 @@ using Quantity = ChainColumn::Quantity;
 
 constexpr std::array kQuantities{Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha};
 
-// `append` the numbers of the columns in a row of the run.
+// \param append  appends the numbers of the columns for a row of the run
 template <class Append>
 PackCase checked(const std::string& name, const Run& start, const std::vector<ChainColumn>& columns,
                  double tolerance, const Append& append) {

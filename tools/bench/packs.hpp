@@ -9,26 +9,27 @@
 
 namespace higherpair::bench {
 
-/// A whole turn of a mechanism, kStepsPerTurn rows of it at a time: angle, angular velocity and acceleration
-/// of its last two bodies, or forces.
+/// A whole turn of a mechanism with all its kStepsPerTurn rows computed at once: angle, angular velocity and
+/// acceleration of its last two bodies, or forces.
 struct PackCase {
   std::string name;
   Mechanism mechanism;
   DyadChain chain;
 };
 
-/// For DyadChain. Ends the program with a message where its rows are not those of the run, moved to one after
-/// the other.
-/// \param start  standing at the first row
+/// A case for DyadChain. Ends the program with a message if its rows differ from those of the run, which
+/// moves from one to the next.
+/// \param start  at the first row
 [[nodiscard]] PackCase checked_packs(const std::string& name, const Run& start);
 
-/// The same with what all joints and the driver do instead, held against the inverse dynamics of the run.
+/// The same with the reactions of all joints and the driver instead, checked against the inverse dynamics of
+/// the run.
 [[nodiscard]] PackCase checked_packs_with_forces(const std::string& name, const Run& start);
 
-/// Checked against the four-bar by hand.
+/// The floor, checked against the four-bar by hand.
 [[nodiscard]] VectorFourBar checked_vector_floor();
 
-/// The fastest of many turns [ns a step].
+/// The fastest of many turns [ns per step].
 [[nodiscard]] double measure(VectorFourBar& floor);
 
 }  // namespace higherpair::bench

@@ -7,10 +7,10 @@
 
 namespace higherpair::bench {
 
-/// A Watt six-bar with forces as somebody would write it by hand for this one mechanism: crank A-B at unit
-/// speed, coupler B-C, triangle C-E-H on ground at E, link H-D, rocker D-F on ground at F. Angles in, angles,
-/// rates, pin forces and driving torque out, nothing checked. Every body's frame lies at its first pin (the
-/// triangle's at E), with x towards its second (C of coupler and triangle, D of link and rocker); SI units.
+/// A Watt six-bar with forces as it would be written by hand for this one mechanism: crank A-B at unit speed,
+/// coupler B-C, triangle C-E-H on ground at E, link H-D, rocker D-F on ground at F. Angles in, angles, rates,
+/// pin forces and driving torque out, without any checks. Every body's frame is at its first pin (the
+/// triangle's at E), with x towards its second (C for coupler and triangle, D for link and rocker); SI units.
 struct SixBarByHand {
   enum Moving { kCrank, kCoupler, kTriangle, kLink, kRocker };
   enum Pins { kA, kB, kC, kE, kH, kD, kF };
@@ -24,7 +24,7 @@ struct SixBarByHand {
 
   double crank, coupler, triangle, link, rocker;  ///< lengths
   Vector2d E_W, F_W, H_B;                         ///< H in the triangle's frame
-  double sigma1, sigma2;                          ///< ±1: sides of C and D
+  double sigma1, sigma2;                          ///< ±1: on which sides C and D lie
   double gravity;
   std::array<Load, 5> loads;
 
@@ -68,7 +68,7 @@ struct SixBarByHand {
             c};
   }
 
-  /// All that acts on a body but its pins, inertia included: force, and moment about P, which it turns about.
+  /// All that acts on a body except its pins, inertia included: the force, and its moment about P.
   struct Wrench {
     Vector2d force;
     double moment;
@@ -81,7 +81,7 @@ struct SixBarByHand {
     return {force, cross(r, force) + load.torque - load.inertia * body.alpha};
   }
 
-  /// What the second body of a dyad does to the first at their common pin.
+  /// The force of a dyad's second body on the first at their common pin.
   [[nodiscard]] static Vector2d inner_force(const Dyad& dyad, const Wrench& first, const Wrench& second) {
     const double det = cross(dyad.along1, dyad.along2);
     // along1 × F = -first.moment, along2 × F = second.moment

@@ -1,4 +1,4 @@
-// Compiled for the machine at hand (-march=native), whose widest registers it fills.
+// Compiled for the machine at hand (-march=native) and its widest registers.
 #include "numeric/arctangent.hpp"
 #include "numeric/pack.hpp"
 #include "variants.hpp"

@@ -18,7 +18,7 @@ struct Varied {
   double low, high;
 };
 
-// `columns` three names; degrees and the profile's length unit.
+// A [sweep] table; `columns` are three names; in degrees and the profile's length unit.
 std::string sweep_text(std::span<const Varied> variables, std::span<const char* const> columns) {
   std::string text = "\n[sweep]\nmethod = \"random\"\ncount = 100000\nseed = 1\n[sweep.variables]\n";
   for (const Varied& variable : variables) {
@@ -55,8 +55,8 @@ constexpr Varied kFourBarVariables[] = {{"bodies.ground.points.O4.0", 0.99, 1.01
                                         {"bodies.rocker.points.B.0", 3.95, 4.05}};
 constexpr const char* kFourBarColumns[] = {"rocker.angle", "rocker.omega", "coupler.E.y"};
 
-// Columns of the block: variant, four lengths, then highest and lowest of each result. The profile turns at
-// 10 rad/s; E is at (2, 1) on the coupler; its lengths are centimetres.
+// Columns of the block: variant, four lengths, then highest and lowest value of each result. The profile
+// turns at 10 rad/s and is in centimetres; E is at (2, 1) on the coupler.
 void check_four_bar_variants(const Sweep& sweep) {
   const DriverTable driver = driver_table();
   const SweepBlock block = sweep.block(0);

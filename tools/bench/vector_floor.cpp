@@ -11,7 +11,8 @@ struct Arrays {
   double* outputs[VectorFourBar::kOutputs];
 };
 
-// The compiler makes vectors of the loop, for each of these instruction sets, and the program takes the best.
+// The compiler vectorises the loop for each of these instruction sets, and the program selects the best at
+// run time.
 #if defined(__x86_64__)
 __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #endif

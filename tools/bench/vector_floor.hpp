@@ -7,11 +7,11 @@
 namespace higherpair::bench {
 
 /// The four-bar of floor.hpp at many positions, by unit vectors and without trigonometric functions, in the
-/// vector registers of this machine: positions and rates of both links for a crank of unit speed, nothing
-/// checked. What a row of a chain is compared with.
+/// vector registers of this machine: positions and rates of both links for a crank of unit speed, without any
+/// checks. It is the standard of comparison for a row of a chain.
 class VectorFourBar {
 public:
-  /// \param positions  of the crank [rad]
+  /// \param positions  angles of the crank [rad]
   VectorFourBar(const FourBarByHand& bar, const std::vector<double>& positions);
 
   void work_out();

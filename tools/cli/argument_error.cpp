@@ -12,7 +12,7 @@
 namespace higherpair::cli {
 namespace {
 
-// What the parser says of a text that an option cannot take: "Could not convert: --samples = ten".
+// The parser's message for a value of the wrong kind: "Could not convert: --samples = ten".
 constexpr std::string_view kNotConverted = "Could not convert: ";
 
 std::string kind_of_value(const CLI::App& command, const std::string& option) {
@@ -31,7 +31,7 @@ std::string not_converted(const CLI::App& command, std::string_view text) {
   return fmt::format("{} {}: must be {}", option, text.substr(equals + 3), kind_of_value(command, option));
 }
 
-// "--csv: 1 required TEXT missing", "--csv: At Most 1 required but received 2".
+// Rewords "--csv: 1 required TEXT missing" and "--csv: At Most 1 required but received 2".
 std::string wrong_count(const std::string& text) {
   const std::string option = text.substr(0, text.find(':'));
   return option + (text.find("missing") != std::string::npos ? " needs a value" : " is given more than once");

@@ -11,7 +11,7 @@
 namespace higherpair::cli {
 namespace {
 
-// Why a path is not good.
+// Events for which a path is not good.
 bool is_bad(EventType type) {
   return type == EventType::kLimitPosition || type == EventType::kConforming || type == EventType::kOverlap ||
          type == EventType::kContactOpen || type == EventType::kEnd;

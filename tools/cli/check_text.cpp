@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWidth = 80;
 
-// "pressure_angle" as people read it.
+// "pressure angle" for "pressure_angle".
 std::string words(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
@@ -32,7 +32,7 @@ std::string line_of(const CheckFigure& figure) {
   return line + "\n";
 }
 
-// A sentence below a figure, broken between words.
+// The remark below a figure, wrapped at spaces.
 std::string remark_of(const CheckFigure& figure) {
   std::string text, line = "     ";
   std::string rest = figure.remark;

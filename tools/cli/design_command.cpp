@@ -21,7 +21,7 @@ std::string best_so_far(const DesignProgress& progress) {
                      progress.violation > kConstraintTolerance ? " (violates a constraint)" : "");
 }
 
-// out/better.toml, out/better.2.toml, …
+// The path of the numbered result: out/better.toml, out/better.2.toml, …
 std::string numbered(const std::string& path, int number) {
   if (number == 1) return path;
   std::filesystem::path name(path);
@@ -29,7 +29,7 @@ std::string numbered(const std::string& path, int number) {
   return name.replace_extension().string() + fmt::format(".{}", number) + ending;
 }
 
-// The profile itself, and as many others of the best as there are.
+// The best profile, and as many further ones of the best as there are.
 std::vector<FileText> profiles_of(const DesignReport& report, const DesignCommandOptions& options) {
   std::vector<FileText> files = {{options.output, report.text}};
   for (std::size_t k = 1; k < report.optima.size() && !report.optima[k].text.empty(); ++k) {
@@ -59,7 +59,7 @@ void check_options(const DesignCommandOptions& options) {
   for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
 }
 
-// What the ends of searches depend on: how many there are to be makes no difference to any of them.
+// Everything that the result of a single search depends on; their number is not part of it.
 RunIdentity identity_of(const DesignCommandOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
   identity["--seed"] = options.seed ? fmt::format("{}", *options.seed) : "-";
@@ -79,7 +79,7 @@ DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line
   return settings;
 }
 
-// Searches what is not in the journal yet. A full disk does not end the search, only what is kept of it.
+// Runs the searches that are not in the journal yet. If the disk is full the search goes on, only unrecorded.
 Result<DesignReport> find_design(const Model& model, const DesignCommandOptions& options,
                                  std::vector<DesignSearchEnd> known, Journal& journal) {
   StatusLine line(!options.quiet);
@@ -93,7 +93,7 @@ Result<DesignReport> find_design(const Model& model, const DesignCommandOptions&
   return design(model, settings);
 }
 
-// Says what becomes of the journal.
+// Removes the journal, or reports where it is kept.
 void end_journal(Journal& journal, bool goes_on) {
   if (!journal.error().empty()) {
     fmt::print(stderr, "higherpair: {}\n", journal.error());
@@ -106,7 +106,7 @@ void end_journal(Journal& journal, bool goes_on) {
   }
 }
 
-// Writes what was found; returns the exit code.
+// Writes the results; returns the exit code.
 int write_report(const Model& model, const DesignCommandOptions& options, const DesignReport& report) {
   std::vector<FileText> files = profiles_of(report, options);
   if (options.json) files.push_back({*options.json, design_json(report)});

@@ -1,4 +1,4 @@
-// What a design command has found, for people and for programs.
+// The results of a design command, for people and for programs.
 #include "design_command.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"

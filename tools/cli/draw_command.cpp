@@ -18,7 +18,7 @@
 namespace higherpair::cli {
 namespace {
 
-// Nothing but the linkage and what it is joined to.
+// Layers of the equivalent linkage alone, with the parts that it is attached to.
 const std::vector<Role> kLinkageAlone{Role::kFixed, Role::kLinkage, Role::kContact, Role::kLabel};
 
 Result<std::vector<Role>> layers_of(const DrawOptions& options) {
@@ -39,7 +39,7 @@ Result<std::vector<Role>> layers_of(const DrawOptions& options) {
   return layers.empty() && options.linkage ? kLinkageAlone : layers;
 }
 
-// Says what keeps the picture from being that of a good path; returns the exit code.
+// Reports what is wrong with the path to the positions drawn; returns the exit code.
 int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) {
   if (scenes.limit) {
     fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",

@@ -28,7 +28,7 @@ struct DrawOptions {
 /// Adds the command `draw` and its options.
 CLI::App* add_draw_command(CLI::App& app, DrawOptions& options);
 
-/// Draws the mechanism; returns the exit code: 4 where it is drawn at a limit before the position asked for.
+/// Draws the mechanism; returns the exit code: 4 if it is drawn at a limit before the position asked for.
 [[nodiscard]] int draw_command(const DrawOptions& options);
 
 }  // namespace higherpair::cli

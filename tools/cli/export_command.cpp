@@ -48,7 +48,7 @@ tl::unexpected<Error> wrong_option(const std::string& name, const std::string& m
   return tl::unexpected(Error{ErrorKind::kInput, {about(name, message)}});
 }
 
-// Metres of "5" (in the profile's unit) or "5 mm".
+// The length in metres of "5" (in the profile's unit) or "5 mm".
 Result<double> length_of(const std::string& name, const std::string& text, const Units& units) {
   double number = 0;
   const bool plain = CLI::detail::lexical_cast(text, number);

@@ -17,7 +17,7 @@ struct ExportOptions {
   std::vector<std::string> curves;
   std::string body;
   bool pitch = false;
-  /// Lengths as they were given: numbers in the profile's unit, or with a unit of their own.
+  /// Lengths as given: numbers in the profile's unit, or with a unit of their own.
   std::optional<std::string> cutter;
   std::optional<std::string> reach;
   std::optional<std::string> tolerance;

@@ -13,7 +13,7 @@
 namespace higherpair::cli {
 namespace {
 
-// A share between 0 and 1.
+// The objection to a text that is not a fraction between 0 and 1.
 std::string share_objection(const std::string& text) {
   double value = 0;
   const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && value < 1;
@@ -60,7 +60,7 @@ std::size_t index_of(const Names& names, const std::string& name) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-// Writes what was asked for; the text to standard output unless a file goes there.
+// Writes the outputs asked for, and the text to standard output unless another output goes there.
 template <class Report>
 bool write(const FitCommandOptions& options, const Report& report) {
   std::vector<FileText> files;

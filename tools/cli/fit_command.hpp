@@ -19,7 +19,7 @@ struct FitCommandOptions {
   std::optional<std::string> output;
   std::optional<std::string> json;
   std::optional<std::string> csv;    ///< residuals
-  std::optional<std::string> curve;  ///< what is fitted to points
+  std::optional<std::string> curve;  ///< type of curve that is fitted to points
   std::optional<std::string> loss;
   std::optional<double> confidence;
   std::vector<std::string> columns;
@@ -34,11 +34,10 @@ struct FitCommandOptions {
 CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options);
 
 /// Fits the profile's variables to measured motion, or a curve to measured points; returns the exit code: 4
-/// where the fit is not good (FitReport::good), 130 where it was interrupted; what was found is written all
-/// the same.
+/// if the fit is not good (FitReport::good), 130 if it was interrupted; the results are written all the same.
 [[nodiscard]] int fit_command(const FitCommandOptions& options);
 
-/// \name What was found, as readable text, as JSON, and its residuals as CSV
+/// \name The results as readable text and JSON, and the residuals as CSV
 /// @{
 [[nodiscard]] std::string fit_text(const FitReport& report);
 [[nodiscard]] std::string fit_json(const FitReport& report);

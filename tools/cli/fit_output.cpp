@@ -1,4 +1,4 @@
-// What a fit has found, for people and for programs.
+// The results of a fit, for people and for programs.
 #include "fit_command.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
@@ -14,13 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostOutliers = 10;  // that are listed
+constexpr std::size_t kMostOutliers = 10;  // largest number listed
 
 std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
 }
 
-// A name of a column as CSV has it in its header; commas and quotes cannot be in one.
+// A column's title in a CSV header; names contain neither commas nor quotes.
 std::string head(std::string_view name, std::string_view unit) {
   return fmt::format("{}[{}]", name, unit);
 }

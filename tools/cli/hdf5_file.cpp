@@ -1,4 +1,4 @@
-// The only place where the library of HDF5 is seen.
+// All uses of the HDF5 library are in this file.
 #include "hdf5_file.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr hsize_t kChunk = 65536;  // rows
 
-// Thrown within this file alone.
+// Thrown and caught within this file only.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,7 +32,7 @@ void check(herr_t status, const char* what) {
   if (status < 0) throw Failure(what);
 }
 
-// A thing of the library, closed where it is left.
+// An object of the library, closed at the end of its scope.
 class Handle {
 public:
   using Close = herr_t (*)(hid_t);
@@ -52,7 +52,7 @@ private:
   Close close_;
 };
 
-// Of `length` bytes, or of any length (H5T_VARIABLE).
+// A text type of `length` bytes, or of variable length (H5T_VARIABLE).
 hid_t make_text_type(std::size_t length) {
   const hid_t type = checked(H5Tcopy(H5T_C_S1), "a type of text");
   check(H5Tset_size(type, length), "a type of text");
@@ -72,7 +72,7 @@ void set_attribute(hid_t object, const char* name, const std::string& text) {
   check(H5Awrite(attribute, type, padded.data()), "an attribute");
 }
 
-// The words of a column, by their place.
+// An enumeration of the words of a column, by their index.
 hid_t make_words(const Column& column) {
   const hid_t type = checked(H5Tenum_create(H5T_NATIVE_INT8), "a type of words");
   for (std::size_t i = 0; i < column.words.size(); ++i) {
@@ -84,7 +84,7 @@ hid_t make_words(const Column& column) {
   return type;
 }
 
-// One column: a list that grows. No times are kept, so that equal tables give equal bytes.
+// A column that can grow. It stores no times, so that equal tables give equal bytes.
 class Dataset {
 public:
   Dataset(hid_t file, const std::string& name, hid_t type) {
@@ -115,7 +115,7 @@ private:
   hsize_t size_ = 0;
 };
 
-// A column with what of it is not written yet.
+// A column and its buffer of values not written yet.
 class ColumnFile {
 public:
   ColumnFile(hid_t file, const Column& column, bool is_whole)
@@ -201,7 +201,7 @@ struct Hdf5File::Impl {
   std::vector<Table> tables;
 };
 
-// Whatever is thrown by it ends here.
+// Runs `work` unless an earlier step has failed; turns exceptions into error_.
 template <class Work>
 void Hdf5File::attempt(const Work& work) {
   if (!error_.empty()) {
@@ -215,8 +215,8 @@ void Hdf5File::attempt(const Work& work) {
 }
 
 Hdf5File::Hdf5File(const std::string& path) {
-  H5dont_atexit();  // once it has failed to write, its clearing up at exit would crash
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // it would print its errors
+  H5dont_atexit();                              // after a failed write its cleanup at exit would crash
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // no error messages on standard error
   attempt([&] { impl_ = std::make_unique<Impl>(path); });
 }
 

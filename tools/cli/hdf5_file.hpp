@@ -10,21 +10,21 @@
 
 namespace higherpair::cli {
 
-/// Whether HDF5 was there when the program was built.
+/// Whether this program was built with HDF5.
 [[nodiscard]] bool has_hdf5();
 
-/// Datasets of one length, each called after its column.
+/// Datasets of equal length, each named after its column.
 struct Hdf5Columns {
-  std::vector<Column> columns;        ///< of numbers, with the attribute `unit`; of words, as an enumeration
-  std::vector<std::string> integers;  ///< names of those of the numbers that are whole
+  std::vector<Column> columns;        ///< numbers with the attribute `unit`, words as an enumeration
+  std::vector<std::string> integers;  ///< names of the columns whose numbers are integers
   std::vector<std::string> texts;     ///< names of columns of text
 };
 
-/// A file of HDF5 with tables that grow. What is written depends on nothing but what is given here, not on
-/// the time of day. After the first failure, which error() tells, nothing is written any more.
+/// An HDF5 file with tables that grow. Its content depends only on what is given here, not on the time of
+/// day. After the first failure (see error()) nothing more is written.
 class Hdf5File {
 public:
-  /// Makes the file, or empties the one that is there.
+  /// Creates the file, or empties an existing one.
   explicit Hdf5File(const std::string& path);
   ~Hdf5File();
   Hdf5File(Hdf5File&&) noexcept;
@@ -33,19 +33,20 @@ public:
   /// An attribute of the file.
   void set_attribute(const std::string& name, const std::string& text);
 
-  /// A table in a group of the file; empty: in the file itself. \return its number
+  /// Adds a table in a group of the file; empty: in the file itself.
+  /// \return its index
   std::size_t add_table(const std::string& group, const Hdf5Columns& columns);
 
-  /// Rows behind those of the table.
+  /// Appends rows to a table.
   /// \param values  row after row, one for each of Hdf5Columns::columns; NaN where undefined
-  /// \param texts   of each of Hdf5Columns::texts
+  /// \param texts   values for each of Hdf5Columns::texts
   void append(std::size_t table, std::span<const double> values,
               const std::vector<std::span<const std::string>>& texts);
 
-  /// To be called at the end: only then all of it is in the file, or error() says why not.
+  /// To be called at the end: only then is everything in the file, unless error() is set.
   void close();
 
-  /// What went wrong; empty: nothing.
+  /// The first failure; empty: none.
   [[nodiscard]] const std::string& error() const { return error_; }
 
 private:

@@ -1,4 +1,4 @@
-// Where HDF5 was not there when the program was built.
+// Replaces hdf5_file.cpp in builds without HDF5.
 #include "hdf5_file.hpp"
 
 namespace higherpair::cli {

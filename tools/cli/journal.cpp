@@ -24,7 +24,7 @@ struct RecordHead {
   std::uint32_t mark = kRecordMark;
   std::uint32_t unused = 0;
   std::int64_t number = 0;
-  std::int64_t size = 0;  ///< of what follows, without its checksum
+  std::int64_t size = 0;  ///< number of bytes that follow, without the checksum
 };
 constexpr std::int64_t kHeadSize = sizeof(RecordHead);
 
@@ -45,7 +45,7 @@ std::int64_t length_of(int file) {
   return ::fstat(file, &status) == 0 ? status.st_size : 0;
 }
 
-// The record that is whole at a place of the file, head and checksum with it, else empty.
+// The complete record at a position of the file, with head and checksum; empty if there is none.
 std::string record_at(int file, std::int64_t place, std::int64_t number) {
   const std::int64_t most = length_of(file) - place - kHeadSize - kSumSize;
   std::string bytes(static_cast<std::size_t>(kHeadSize), '\0');
@@ -101,7 +101,7 @@ std::string Journal::magic() const {
   return fmt::format("higherpair {} 2\n", run_);
 }
 
-// What stands at the beginning of the file up to the empty line; empty where there is no header.
+// The beginning of the file up to the empty line; empty if it is not a valid header.
 std::string Journal::read_header() const {
   constexpr std::int64_t kLongest = std::int64_t{1} << 20;
   std::string text(static_cast<std::size_t>(std::min(length_of(file_), kLongest)), '\0');
@@ -112,7 +112,7 @@ std::string Journal::read_header() const {
   return end == std::string::npos ? "" : text.substr(0, end + 2);
 }
 
-// Whether it ends before its first record.
+// Whether the file has no complete record.
 bool Journal::holds_nothing() const {
   const std::string header = read_header();
   return length_of(file_) == 0 ||
@@ -174,7 +174,7 @@ bool Journal::write(const std::string& bytes) {
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
       fail("cannot write " + (path_.empty() ? "a temporary file" : path_));
-      (void)!::ftruncate(file_, length_);  // else the torn record is cut off when it is read
+      (void)!::ftruncate(file_, length_);  // otherwise reading cuts off the incomplete record
       return false;
     }
     done += static_cast<std::size_t>(count);
@@ -195,7 +195,7 @@ bool Journal::append(std::string_view record) {
   return true;
 }
 
-// Moves length_ to behind the last whole record.
+// Also moves length_ to the end of the last complete record.
 std::int64_t Journal::read_records(const Take& take) {
   length_ = start_;
   for (std::int64_t count = 0;; ++count) {

@@ -9,41 +9,43 @@
 
 namespace higherpair::cli {
 
-/// What a long run has done so far, record by record, on disk: appended one by one, each with its checksum.
-/// Whatever kills the program, the file holds every record that was appended and at most one torn one, which
-/// is cut off when the file is opened again. The bytes are those of the machine: a journal is gone on with
-/// where it was begun.
+/// The progress of a long run on disk: records appended one by one, each with a checksum. However the program
+/// is killed, the file contains all records that were appended and at most one incomplete one, which is cut
+/// off when the file is opened again. Records are in the machine's representation, so a run can be resumed
+/// only on the same kind of machine.
 class Journal {
 public:
-  /// Gets a record; false: no more of them.
+  /// Receives a record; returns false to get no more.
   using Take = std::function<bool(std::string_view record)>;
 
-  /// \param path  empty: a file without a name, which is gone with the program
-  /// \param run   what it is of, in messages: "sweep"
+  /// \param path  empty: an unnamed temporary file, which disappears with the program
+  /// \param run   kind of run, for messages: "sweep"
   Journal(std::string path, std::string run) : path_(std::move(path)), run_(std::move(run)) {}
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Makes the file, or goes on with one that is there. Where that is not possible error() says why.
-  /// \param resume  a file that is there is gone on with; else it is left alone, and refused, unless it has
-  /// no record \param take    gets every record that is there; from one that it refuses on they are cut off
+  /// Creates the file, or continues an existing one. On failure error() gives the reason.
+  /// \param resume  whether an existing file is continued; otherwise it is left alone and refused, unless it
+  /// has no records
+  /// \param take    receives every existing record; the first one that it refuses and all after it are cut
+  /// off
   /// \return false: failed
   [[nodiscard]] bool open(const RunIdentity& identity, bool resume, const Take& take);
 
-  /// Appends a record, or leaves the file as it is, and error() says why.
+  /// Appends a record. On failure leaves the file as it was, and error() gives the reason.
   [[nodiscard]] bool append(std::string_view record);
 
-  /// Gives every record to `take`; false where that wants no more, or one cannot be read, which error() says.
+  /// Passes every record to `take`. False if that wants no more, or if a record cannot be read (see error()).
   [[nodiscard]] bool read(const Take& take);
 
-  /// The file is needed no longer.
+  /// Deletes the file, when it is not needed any more.
   void remove();
 
   [[nodiscard]] std::int64_t records() const { return records_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& error() const { return error_; }
-  /// Whether `error` is a mistake of the user (another run's file), not of the machine.
+  /// Whether error() is a mistake of the user (a file of another run), not a failure of the machine.
   [[nodiscard]] bool is_refused() const { return refused_; }
 
 private:
@@ -60,14 +62,14 @@ private:
   std::string path_;
   std::string run_;
   int file_ = -1;
-  std::int64_t start_ = 0;   ///< of the first record in the file
-  std::int64_t length_ = 0;  ///< of all whole records and what is before them
+  std::int64_t start_ = 0;   ///< position of the first record
+  std::int64_t length_ = 0;  ///< end of the last complete record
   std::int64_t records_ = 0;
   std::string error_;
   bool refused_ = false;
 };
 
-/// Prints why a journal cannot be gone on with; returns the exit code.
+/// Prints why a run cannot be resumed or recorded; returns the exit code.
 [[nodiscard]] int report_journal(const Journal& journal);
 
 }  // namespace higherpair::cli

@@ -8,18 +8,18 @@
 
 namespace higherpair::cli {
 
-/// JSON as text; names and titles may quote a file that is not UTF-8.
-/// \param indent  of its levels; -1: all in one line
+/// JSON as text. Invalid UTF-8, which names and titles may quote from a file, is replaced.
+/// \param indent  per level; -1: all on one line
 [[nodiscard]] inline std::string text_of(const nlohmann::ordered_json& json, int indent = 2) {
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// A file of JSON.
+/// The content of a JSON file.
 [[nodiscard]] inline std::string document_of(const nlohmann::ordered_json& json) {
   return text_of(json) + "\n";
 }
 
-/// JSON has no number for what is not defined.
+/// The number, or null if it is undefined, for which JSON has no number.
 [[nodiscard]] inline nlohmann::ordered_json number_or_null(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }

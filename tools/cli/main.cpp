@@ -14,7 +14,7 @@
 
 namespace {
 
-// Unless its reader has read enough.
+// Reports a failed write to standard output, unless its reader has closed the pipe.
 void say_unwritten(int reason) {
   if (reason != EPIPE) {
     const std::string why = reason == 0 ? "" : fmt::format(": {}", std::strerror(reason));
@@ -22,7 +22,7 @@ void say_unwritten(int reason) {
   }
 }
 
-// What was printed may still be on its way; what has failed before has left its reason in errno.
+// Flushes standard output; the reason of an earlier failure is still in errno.
 int flushed(int code) {
   using namespace higherpair::cli;
   std::cout.flush();

@@ -8,7 +8,7 @@
 namespace higherpair::cli {
 namespace {
 
-// The columns of one coordinate over all contacts.
+// The columns for one coordinate of all contacts.
 UnitColumns columns_of(const MapReport& report, std::string ContactMapReport::*unit) {
   std::vector<std::string> units;
   for (const ContactMapReport& contact : report.contacts) {
@@ -141,7 +141,7 @@ std::string map_json(const MapReport& report) {
       }
     }
   }
-  // The units of driver and position are those of the row's contact.
+  // Units of driver and position depend on the row's contact.
   const Json columns = {{{"name", "contact"}, {"unit", nullptr}},
                         {{"name", "branch"}, {"unit", nullptr}},
                         {{"name", "driver"}, {"unit", nullptr}},
@@ -153,7 +153,7 @@ std::string map_json(const MapReport& report) {
                         {{"name", "free"}, {"unit", nullptr}}};
   std::string text =
       text_of(Json{{"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}}, -1);
-  text.pop_back();  // the rows follow one by one: of a long map they are nearly all of it
+  text.pop_back();  // without its closing brace: the rows, the bulk of a long map, are appended as text
   return text + ",\"rows\":[" + rows + "]}\n";
 }
 

@@ -9,7 +9,7 @@
 namespace higherpair::cli {
 namespace {
 
-// 12 digits, and 0 where only the rounding of a unit is left.
+// 12 digits; rounding errors of 0 are printed as 0.
 std::string rounded(double value) {
   return fmt::format("{:.12g}", std::abs(value) < 1e-13 ? 0.0 : value);
 }
@@ -69,7 +69,7 @@ std::string events_table(const ContactMapReport& contact, const MapReport& repor
   return text;
 }
 
-// Where second contacts appear, and where the follower turns back.
+// The positions where second contacts appear, and where the follower turns back.
 std::string marks_text(const ContactMapReport& contact) {
   std::string text;
   for (std::size_t i = 0; i < contact.branches.size(); ++i) {

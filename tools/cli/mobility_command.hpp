@@ -22,8 +22,8 @@ struct MobilityOptions {
 /// Adds the command `mobility` and its options.
 CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options);
 
-/// Runs `mobility`; returns the exit code: 3 where the drivers do not fit or the mechanism cannot be started,
-/// what could be found out being printed all the same.
+/// Runs `mobility`; returns the exit code: 3 if the drivers do not fit the mechanism or it cannot be started;
+/// the findings obtained are printed all the same.
 [[nodiscard]] int mobility_command(const MobilityOptions& options);
 
 }  // namespace higherpair::cli

@@ -8,12 +8,12 @@
 
 namespace higherpair::cli {
 
-/// For people: nine digits.
+/// A number for people, with nine digits.
 [[nodiscard]] inline std::string shown(double value) {
   return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
 }
 
-/// A field of CSV: all digits; empty where nothing is defined.
+/// A field of CSV with all digits; empty if the value is undefined.
 [[nodiscard]] inline std::string cell(double value) {
   return std::isfinite(value) ? fmt::format("{}", value == 0 ? 0.0 : value) : "";
 }
@@ -21,7 +21,7 @@ namespace higherpair::cli {
   return value ? cell(*value) : "";
 }
 
-/// The title of a table's column.
+/// The title of a column in a table.
 [[nodiscard]] inline std::string title(const std::string& name, const std::string& unit) {
   return name + " [" + unit + "]";
 }

@@ -15,8 +15,8 @@ namespace higherpair::cli {
 
 namespace fs = std::filesystem;
 
-// Bytes that are written between two looks at whether to stop. A pipe takes so many as a whole: a signal ends
-// a write that waits for its reader.
+// Bytes written between two checks for interruption. A pipe takes this many at once, and a signal ends a
+// write that waits for its reader.
 constexpr std::size_t kBlock = 4096;
 
 std::string target_of(std::string path) {
@@ -149,7 +149,7 @@ bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* st
   if (stopped()) {
     return false;
   }
-  // Nothing goes to standard output where a file cannot be opened.
+  // Write nothing to standard output if one of the files cannot be opened.
   if (std::any_of(all.begin(), all.end(), [](const OutputFile* file) { return report_failure(*file); })) {
     return false;
   }

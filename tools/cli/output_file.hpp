@@ -10,16 +10,16 @@
 
 namespace higherpair::cli {
 
-/// The file that a chain of links names, whether it exists or not; empty where the links form a loop.
+/// The target of a chain of symbolic links, whether it exists or not; empty if the links form a loop.
 [[nodiscard]] std::string target_of(std::string path);
 
 /// Whether an output is written directly: standard output ("-"), a device or a pipe.
 [[nodiscard]] bool is_direct(const std::string& path);
 
-/// Where a table goes: standard output ("-"), a device or pipe (written directly), or a regular file, which
-/// is written beside its place and renamed by commit(): what is not committed leaves no trace, and a signal
-/// only sets interruption() from then on. Several
-/// outputs of one command are finished first and committed when all are good.
+/// An output: standard output ("-"), a device or pipe, which are written directly, or a regular file. This is
+/// written under a temporary name and renamed by commit(), so that an uncommitted file leaves no trace; from
+/// its construction on a signal only sets interruption(). Several outputs of one command are all finished
+/// before they are committed.
 class OutputFile {
 public:
   explicit OutputFile(const std::string& path);
@@ -27,38 +27,37 @@ public:
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// False on any failure so far; error() says which.
+  /// False after any failure; error() gives the first one.
   [[nodiscard]] bool good() const { return error_.empty(); }
   [[nodiscard]] const std::string& error() const { return error_; }
-  /// Whether nobody reads the pipe any more.
+  /// Whether the pipe's reader is gone.
   [[nodiscard]] bool reader_gone() const { return reader_gone_; }
 
   void write(std::string_view text);
-  /// Of a regular file, where it is written: for whoever writes it himself, and says with fail_because what
-  /// went wrong.
+  /// The temporary path of a regular file, for a library that writes the file itself; it reports its failures
+  /// by fail_because().
   [[nodiscard]] const std::string& place() const { return temporary_; }
   void fail_because(const std::string& reason);
-  /// Nothing is written after this.
+  /// Nothing may be written after this.
   void finish();
-  /// Puts the finished file into its place.
+  /// Renames the finished file to its final name.
   void commit();
 
 private:
   void fail();
 
-  std::string refusal_;    ///< "cannot write" it
-  std::string target_;     ///< the file that a link names
+  std::string refusal_;    ///< beginning of messages: "cannot write" the path
+  std::string target_;     ///< the file's path, with links resolved
   std::string temporary_;  ///< empty: written directly
   std::FILE* file_ = nullptr;
   std::string error_;
   bool reader_gone_ = false;
 };
 
-/// Whether a file has failed; says so on standard error, but for a reader that has read enough.
+/// Whether a file has failed; reports it on standard error, unless the pipe's reader is gone.
 [[nodiscard]] bool report_failure(const OutputFile& file);
 
-/// Puts finished files into their places, all or none; false, with the reason on standard error, where one
-/// has failed.
+/// Commits finished files, all or none; false if one has failed, with the reason on standard error.
 [[nodiscard]] bool commit_all(const std::vector<OutputFile*>& files);
 
 struct FileText {
@@ -66,19 +65,19 @@ struct FileText {
   std::string text;
 };
 
-/// Writes whole files, all or none; false, with the reason on standard error, where that fails, and without a
-/// word where `stop` has become true before all have been written.
+/// Writes whole files, all or none. False on failure, with the reason on standard error, or silently if
+/// `stop` becomes true before all are written.
 [[nodiscard]] bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* stop = nullptr);
 
-/// What a command has found, each form made where it is asked for.
+/// The results of a command, each form made only if it is needed.
 struct Forms {
   std::function<std::string()> csv;
   std::function<std::string()> json;
   std::function<std::string()> text;
 };
 
-/// Writes CSV and JSON to the files named, readable text to standard output where neither is, and the
-/// pictures; as write_files. False as well where interruption() came while a form was made or written.
+/// Writes CSV and JSON to the files given, or readable text to standard output if neither is, and the
+/// pictures; see write_files. Also false if interruption() occurs while a form is made or written.
 [[nodiscard]] bool write_forms(const std::optional<std::string>& csv, const std::optional<std::string>& json,
                                const Forms& forms, const std::vector<FileText>& pictures = {});
 

@@ -15,7 +15,7 @@ namespace higherpair::cli {
 
 namespace fs = std::filesystem;
 
-// Standard output may be sent into a file.
+// Standard output may itself be redirected into a file.
 bool is_same_file(const std::string& a, const std::string& b) {
   const auto opened = [](const std::string& path) { return path == "-" ? "/dev/stdout" : target_of(path); };
   std::error_code code;

@@ -10,23 +10,22 @@ class Option;
 
 namespace higherpair::cli {
 
-/// Adds -o to a command that draws: the picture's file, whose ending decides what is written. Kinds of files
-/// that this program does not write are refused, so is a folder that does not exist.
+/// Adds -o to a command that draws. The ending of the path determines the format.
 CLI::Option* add_picture_option(CLI::App& command, std::string& path);
 
-/// Throws CLI::ValidationError where a picture cannot go to `path`: another ending than .svg, .pdf and .png,
-/// one of which this build knows nothing, a folder that does not exist. "-" is standard output, as SVG.
+/// Throws CLI::ValidationError if no picture can be written to `path`: its ending is not .svg, .pdf or .png
+/// or is not supported by this build, or its folder does not exist. "-" is SVG on standard output.
 void check_picture(const std::string& path);
 
-/// An SVG picture as what the ending of `path` asks for; throws std::runtime_error where that fails.
+/// Converts an SVG picture to the format given by the ending of `path`; throws std::runtime_error on failure.
 [[nodiscard]] std::string picture_for(const std::string& path, std::string svg);
 
 /// Whether this build writes PDF and PNG.
 [[nodiscard]] bool can_convert();
 
-/// The same picture as PDF, 1 px being 1/96 inch.
+/// The picture as PDF, with 1 px = 1/96 inch.
 [[nodiscard]] std::string pdf_of(const std::string& svg);
-/// The same picture as PNG with two pixels for each px.
+/// The picture as PNG, with two pixels per px.
 [[nodiscard]] std::string png_of(const std::string& svg);
 
 }  // namespace higherpair::cli

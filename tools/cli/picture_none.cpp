@@ -1,4 +1,4 @@
-// In place of picture_rsvg.cpp where librsvg or cairo is missing.
+// Replaces picture_rsvg.cpp in builds without librsvg or cairo.
 #include "picture.hpp"
 
 #include <stdexcept>

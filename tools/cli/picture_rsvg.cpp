@@ -23,7 +23,7 @@ using Context = std::unique_ptr<cairo_t, Freed<cairo_destroy>>;
 constexpr double kPointsPerPx = 0.75;
 constexpr double kPixelsPerPx = 2;
 
-// A picture that librsvg has read, and its size in px.
+// A picture as read by librsvg, and its size in px.
 struct Picture {
   Handle handle;
   double width = 0;

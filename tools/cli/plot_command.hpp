@@ -20,14 +20,14 @@ struct PlotOptions {
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;
   double width = 720;
-  bool timed = false;  ///< as `step` runs
+  bool timed = false;  ///< the motion in time, as in `step`
   bool quiet = false;
 };
 
 /// Adds the command `plot` and its options.
 CLI::App* add_plot_command(CLI::App& app, PlotOptions& options);
 
-/// Plots columns of a run; returns the exit code, 4 where its path is not good.
+/// Plots columns of a run; returns the exit code: 4 if its path is not good.
 [[nodiscard]] int plot_command(const PlotOptions& options);
 
 }  // namespace higherpair::cli

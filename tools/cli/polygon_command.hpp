@@ -23,8 +23,8 @@ struct PolygonOptions {
 /// Adds the command `polygon` and its options.
 CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options);
 
-/// Draws the polygons of one position; returns the exit code, 4 where that cannot be reached and they are of
-/// the limit before it.
+/// Draws the polygons of one position; returns the exit code: 4 if that cannot be reached and they are drawn
+/// at the limit before it.
 [[nodiscard]] int polygon_command(const PolygonOptions& options);
 
 }  // namespace higherpair::cli

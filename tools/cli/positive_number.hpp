@@ -7,7 +7,7 @@
 
 namespace higherpair::cli {
 
-/// Whether an option is a number above 0; CLI::PositiveNumber lets nan pass.
+/// Requires an option to be a finite number above 0; CLI::PositiveNumber would accept nan.
 [[nodiscard]] inline CLI::Validator positive_number() {
   const auto objection = [](const std::string& text) -> std::string {
     double value = 0;
@@ -17,7 +17,7 @@ namespace higherpair::cli {
   return {objection, "POSITIVE"};
 }
 
-/// Whether an option is a number, and neither nan nor infinite.
+/// Requires an option to be a finite number.
 [[nodiscard]] inline CLI::Validator finite_number() {
   const auto objection = [](const std::string& text) -> std::string {
     double value = 0;

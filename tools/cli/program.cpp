@@ -42,7 +42,7 @@ Command command(CLI::App& app, CLI::App* (*add)(CLI::App&, Options&), int (*run)
   return {add(app, *options), [options, run] { return run(*options); }};
 }
 
-// In the order of `higherpair --help`.
+// In the order shown by `higherpair --help`.
 std::vector<Command> commands_of(CLI::App& app) {
   return {
       command(app, add_analyze_command, run_command),
@@ -65,8 +65,8 @@ std::vector<Command> commands_of(CLI::App& app) {
   };
 }
 
-// An empty text comes from a variable of the shell that is not set; the parser takes the next option for a
-// value that has been left out.
+// An empty value often comes from an unset shell variable. If a value is left out, the parser takes the next
+// option for it.
 std::string missing_value(const CLI::App& command, const std::string& value) {
   if (value.empty()) return "is empty";
   const bool is_option = value.size() > 1 && value[0] == '-' && command.get_option_no_throw(value) != nullptr;

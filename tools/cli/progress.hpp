@@ -9,7 +9,7 @@
 
 namespace higherpair::cli {
 
-/// The share that is done, on standard error where that is a terminal, once a run has taken a second.
+/// The percentage done, on standard error if that is a terminal, once a run has taken a second.
 class Progress {
 public:
   explicit Progress(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) == 1), start_(std::clock()) {}

@@ -7,14 +7,14 @@
 
 namespace higherpair::cli {
 
-/// Appends a value as the machine holds it.
+/// Appends a value in the machine's representation.
 template <class T>
 void put(const T& value, std::string& bytes) {
   static_assert(std::is_trivially_copyable_v<T>);
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Takes a value from the beginning. \pre there are enough bytes
+/// Removes a value from the front and returns it. \pre there are enough bytes
 template <class T>
 [[nodiscard]] T take(std::string_view& bytes) {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -25,7 +25,7 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-// What was analysed: the file, and what the command line has changed of it.
+// The input of the analysis: the profile's text, preceded by the changes made on the command line.
 std::string source_of(const ReportOptions& options) {
   std::string source;
   for (const std::string& override : options.overrides) {

@@ -8,7 +8,7 @@
 namespace higherpair::cli {
 namespace {
 
-// An attribute holds less than 64 KiB; all events are in their tables.
+// An attribute is limited to 64 KiB; the tables contain all events.
 constexpr std::size_t kLongestAttribute = 60000;
 
 std::string attribute_of(const std::vector<std::string>& lines) {

@@ -10,23 +10,24 @@
 
 namespace higherpair::cli {
 
-/// What stands at the head of a run's HDF5 file.
+/// Attributes of a run's HDF5 file, and the units of its events.
 struct RowTitle {
   std::string title;        ///< of the mechanism
-  std::string profile;      ///< name of the file
+  std::string profile;      ///< file name of the profile
   std::string driver_unit;  ///< of the first driver's position
   std::string time_unit;
 };
 
-/// Writes a motion table as HDF5: a dataset for each column, and the group `events` with a dataset for each
-/// of their columns. A failure is one of file().
+/// Writes a motion table as HDF5: a dataset for each column, and a group `events` with a dataset for each of
+/// the events' columns. Failures are reported by file().
 class RowHdf5 {
 public:
-  /// \param path  of a regular file
+  /// \param path  a regular file
   RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns);
 
   void write(const RowBlock& block);
-  /// Nothing is written after this. \param lines  the events as they are printed
+  /// Writes the events; nothing may be written after this.
+  /// \param lines  the events as they are printed
   void end(const std::vector<Event>& events, const std::vector<std::string>& lines, bool good);
 
   [[nodiscard]] OutputFile& file() const { return *file_; }
@@ -37,7 +38,7 @@ private:
   RowTitle title_;
   std::unique_ptr<OutputFile> file_;
   Hdf5File data_;
-  std::size_t rows_ = 0;  ///< their table
+  std::size_t rows_ = 0;  ///< index of their table
 };
 
 }  // namespace higherpair::cli

@@ -9,8 +9,8 @@
 
 namespace higherpair::cli {
 
-/// Writes a motion table as CSV or as JSON: the text of a block of rows is made on any thread, and written in
-/// order.
+/// Writes a motion table as CSV or JSON. The text of a block of rows may be made on any thread; it is written
+/// in the order of the rows.
 class RowWriter {
 public:
   enum class Format { kCsv, kJson };
@@ -18,10 +18,10 @@ public:
   RowWriter(const std::string& path, Format format, const std::string& title,
             const std::vector<Column>& columns);
 
-  /// Any number at once.
+  /// May be called from several threads at once.
   void append_text(const RowBlock& block, std::string& out) const;
   void write(const std::string& rows) { file_->write(rows); }
-  /// Nothing is written after this.
+  /// Nothing may be written after this.
   void end(const std::vector<Event>& events, bool good);
 
   [[nodiscard]] OutputFile& file() const { return *file_; }

@@ -16,7 +16,7 @@
 namespace higherpair::cli {
 namespace {
 
-// A signal handler can reach nothing but a flag of this kind.
+// A signal handler may only touch lock-free atomic flags.
 std::atomic<bool> signalled = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 void on_interrupt(int) {
@@ -61,7 +61,7 @@ std::string events_csv(const std::vector<Event>& events, const Model& model) {
   return text;
 }
 
-// Of what reverses: " = -45.88 deg".
+// The value of an event at which a joint reverses: " = -45.88 deg"; empty for other events.
 std::string value_text(const Event& event, const Model& model) {
   if (!event.value || !event.joint) {
     return "";
@@ -83,7 +83,7 @@ std::vector<std::string> event_lines(const std::vector<Event>& events, const Mod
   return lines;
 }
 
-// All that is written of a run while it goes on.
+// All outputs that are written while a run goes on.
 class Outputs {
 public:
   Outputs(const RunOptions& options, const Model& model, const Analysis& analysis) {
@@ -102,7 +102,7 @@ public:
     if (options.summary) summary_.emplace(analysis);
   }
 
-  /// Any number at once.
+  /// May be called from several threads at once.
   void make_texts(const RowBlock& block, BlockTexts& texts) const {
     texts.resize(writers_.size());
     for (std::size_t i = 0; i < writers_.size(); ++i) writers_[i].append_text(block, texts[i]);
@@ -113,7 +113,7 @@ public:
            (!hdf5_ || hdf5_->file().good());
   }
 
-  /// In order; false where one has failed.
+  /// To be called in the order of the blocks; false if an output has failed.
   [[nodiscard]] bool write(const RowBlock& block, const BlockTexts& texts) {
     for (std::size_t i = 0; i < writers_.size(); ++i) writers_[i].write(texts[i]);
     if (hdf5_) hdf5_->write(block);
@@ -121,7 +121,7 @@ public:
     return good();
   }
 
-  /// All tables into their places, or none.
+  /// Puts all files into place, or none.
   [[nodiscard]] bool finish(OutputFile* events, const Analysis& analysis, const Model& model) {
     std::vector<OutputFile*> files;
     if (events != nullptr) files.push_back(events);
@@ -136,7 +136,7 @@ public:
     return commit_all(files);
   }
 
-  /// Unless it comes from an interruption.
+  /// Reports failed outputs, unless an interruption is the cause.
   void print_failure() const {
     if (signalled) return;
     const bool said = std::any_of(writers_.begin(), writers_.end(),
@@ -152,7 +152,7 @@ private:
   std::optional<Summary> summary_;
 };
 
-// Writes all rows; returns the exit code.
+// Runs the analysis and writes all rows; returns the exit code.
 int write_rows(const RunOptions& options, const Model& model, Analysis& analysis) {
   Outputs outputs(options, model, analysis);
   Progress progress(!options.quiet);
@@ -212,8 +212,8 @@ void end_on_signals() {
   on_signals(end_at_once);
 }
 
-// A write that waits for a reader comes back with an error instead of beginning again; a pipe that nobody
-// reads is an error of its write.
+// A write that waits for a reader is not restarted after a signal but fails; so does a write to a pipe that
+// nobody reads.
 void listen_to_signals() {
   on_signals(on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);

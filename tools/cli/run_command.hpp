@@ -37,8 +37,8 @@ struct RunOptions {
   bool quiet = false;
   bool summary = false;
   std::vector<std::string> columns;  ///< names or globs; empty: all
-  bool jerk = false;                 ///< columns of jerk behind those of the motion
-  std::optional<int> derivatives;    ///< columns of the third to this derivative behind them
+  bool jerk = false;                 ///< adds columns of jerk
+  std::optional<int> derivatives;    ///< adds columns of the derivatives from the third to this one
 };
 
 /// Prints what is wrong on standard error; returns the exit code.
@@ -47,30 +47,30 @@ struct RunOptions {
 /// Prints notes on standard error, unless `quiet`.
 void print_notes(const Diagnostics& notes, bool quiet);
 
-/// The model of a profile file, its notes printed unless `quiet`. \param outputs  what is to be written,
-/// which must be no file that the profile reads
+/// Opens the model of a profile file; prints its notes unless `quiet`.
+/// \param outputs  files to be written; refused if the profile reads one of them
 [[nodiscard]] Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides,
                                        bool quiet, const std::vector<NamedFile>& outputs);
 
-/// Prints what happened on the path on standard error.
+/// Prints the events of a path on standard error.
 void print_events(const std::vector<Event>& events, const Model& model);
 
-/// Prints on standard error what lies on the way to what has been drawn, if anything does.
+/// Prints on standard error the events passed before the position drawn, if there are any.
 void print_passed(const std::vector<Event>& passed, const Model& model);
 
-/// From now on INT, TERM and HUP end the program at once with kExitInterrupted: nothing has been written that
-/// is to be finished or taken away.
+/// From this call on INT, TERM and HUP end the program at once with kExitInterrupted; for use while no output
+/// has been begun.
 void end_on_signals();
 
-/// From now on INT, TERM and HUP only set interruption(), and a pipe that nobody reads is an error of its
-/// write.
+/// From this call on INT, TERM and HUP only set interruption(), and a write to a pipe that nobody reads
+/// fails.
 void listen_to_signals();
 [[nodiscard]] const std::atomic<bool>& interruption();
 
-/// The exit code where an output has not been written: because of interruption(), or by a failure.
+/// The exit code after an output could not be written, by interruption() or by a failure.
 [[nodiscard]] int exit_unwritten();
 
-/// The exit code where a run has failed; prints the error, unless it comes from interruption().
+/// The exit code after a failed run; prints the error, unless interruption() is the cause.
 [[nodiscard]] int exit_failed(const Error& error);
 
 /// \name Add a command and its options.

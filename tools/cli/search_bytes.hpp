@@ -8,10 +8,10 @@
 
 namespace higherpair::cli {
 
-/// How a search has ended as bytes, in the order of the machine: what a record of the journal holds.
+/// The end of a search as bytes in the machine's representation: a record of the journal.
 [[nodiscard]] std::string search_bytes(const DesignSearchEnd& end);
 
-/// The end; none where bytes are missing or too many.
+/// The end of a search; none if there are too few or too many bytes.
 [[nodiscard]] std::optional<DesignSearchEnd> search_of(std::string_view bytes);
 
 }  // namespace higherpair::cli

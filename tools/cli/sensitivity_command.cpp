@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t kMostVariants = 100'000'000;
 
-// With one variant alone there are no quantiles.
+// Quantiles need more than one variant.
 constexpr std::int64_t kFewestVariants = 2;
 
 int refuse(const std::string& message) {
@@ -25,7 +25,7 @@ int refuse(const std::string& message) {
   return kExitInput;
 }
 
-// The derivatives of columns as CSV, written as the rows come.
+// Writes the derivatives of columns as CSV while the rows are computed.
 class RowsFile {
 public:
   explicit RowsFile(const std::string& path) : file_(path) {}
@@ -45,7 +45,7 @@ public:
     file_.write(line + "\n");
   }
 
-  // The first column is the place, whose derivatives are nobody's question.
+  // Leaves out derivatives of the first column, which is the driver position or time.
   bool take(const RowSlopes& row) {
     std::string line;
     for (const double value : row.values) add(value, line);
@@ -107,8 +107,7 @@ Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const 
 }
 
 int write(const SensitivityOptions& options, const Model& model, const SensitivityFindings& findings) {
-  const Forms forms = {[&] { return sensitivity_csv(findings); },
-                       [&] { return sensitivity_json(findings); },
+  const Forms forms = {[&] { return sensitivity_csv(findings); }, [&] { return sensitivity_json(findings); },
                        [&] { return sensitivity_text(findings); }};
   const bool rows_alone = options.rows == "-" && !options.csv && !options.json;
   if (!rows_alone && !write_forms(options.csv, options.json, forms)) {

@@ -16,7 +16,7 @@ struct SensitivityOptions {
   std::string profile;
   std::optional<std::string> csv;
   std::optional<std::string> json;
-  std::optional<std::string> rows;  ///< file of the derivatives of columns, row by row
+  std::optional<std::string> rows;  ///< file for the derivatives of columns, row by row
   std::vector<std::string> overrides;
   std::vector<std::string> results;  ///< COLUMN:OF
   std::vector<std::string> by;       ///< globs of paths
@@ -34,7 +34,7 @@ struct SensitivityOptions {
 /// Adds the command `sensitivity` and its options.
 CLI::App* add_sensitivity_command(CLI::App& app, SensitivityOptions& options);
 
-/// Runs `sensitivity`; returns the exit code: 4 where the path is not good, or a band is wider than wanted.
+/// Runs `sensitivity`; returns the exit code: 4 if the path is not good, or a band is wider than wanted.
 [[nodiscard]] int sensitivity_command(const SensitivityOptions& options);
 
 }  // namespace higherpair::cli

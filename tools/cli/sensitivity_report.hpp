@@ -8,23 +8,23 @@
 
 namespace higherpair::cli {
 
-/// What `sensitivity` has found.
+/// The results of `sensitivity`.
 struct SensitivityFindings {
   SensitivityReport report;
-  const ToleranceTask* task = nullptr;  ///< of the profile; null: no bands
-  std::vector<ToleranceBand> bands;     ///< of the results, with a task
+  const ToleranceTask* task = nullptr;  ///< from the profile; null: no bands
+  std::vector<ToleranceBand> bands;     ///< one for each result, if there is a task
   std::optional<ToleranceVariants> variants;
-  std::size_t top = 10;  ///< so many numbers of a result are printed
+  std::size_t top = 10;  ///< how many numbers are printed for each result
 };
 
-/// "deg/mm": of a result by a number.
+/// The unit of the derivative of a result by a number: "deg/mm".
 [[nodiscard]] std::string unit_per(const std::string& result, const std::string& number);
 
-/// The change of a result in per cent for one per cent of the number; none where either is 0.
+/// The change of a result in per cent per one per cent of the number; none if either is 0.
 [[nodiscard]] std::optional<double> relative_slope(const ResultSensitivity& result, std::size_t number,
                                                    const SensitivityReport& report);
 
-/// The findings as tables of at most 80 characters a line, as CSV, and as JSON.
+/// The results as tables with at most 80 characters per line, as CSV, and as JSON.
 [[nodiscard]] std::string sensitivity_text(const SensitivityFindings& findings);
 [[nodiscard]] std::string sensitivity_csv(const SensitivityFindings& findings);
 [[nodiscard]] std::string sensitivity_json(const SensitivityFindings& findings);

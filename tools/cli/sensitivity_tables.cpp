@@ -1,4 +1,4 @@
-// What `sensitivity` has found, for programs.
+// The results of `sensitivity` for programs.
 #include "json_text.hpp"
 #include "number_text.hpp"
 #include "sensitivity_report.hpp"

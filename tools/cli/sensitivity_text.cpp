@@ -16,7 +16,7 @@ std::string figure(double value, int digits = 6) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
 }
 
-// A sentence, broken between words, every line behind `indent` spaces.
+// A sentence wrapped at spaces, every line indented by `indent` spaces.
 std::string paragraph(const std::string& sentence, std::size_t indent) {
   std::string text, line(indent, ' ');
   const std::string start = line;
@@ -39,13 +39,13 @@ std::string trimmed(std::string line) {
   return line + "\n";
 }
 
-// A long name stands on a line of its own.
+// A name, padded to its column; a long one gets a line of its own.
 std::string named(const std::string& name) {
   return name.size() <= kNameWidth ? fmt::format("  {:<{}}", name, kNameWidth)
                                    : fmt::format("  {}\n  {:<{}}", name, "", kNameWidth);
 }
 
-// What is said of the slopes of several numbers is said once.
+// Remarks on the slopes of several numbers, each printed once with all the numbers that it concerns.
 class Remarks {
 public:
   void add(const std::string& remark, const std::string& name) {
@@ -94,7 +94,7 @@ public:
   }
 
 private:
-  // "peak, maxabs of follower.alpha: 19.47 deg/s^2, at 30 deg".
+  // Writes a line such as "peak, maxabs of follower.alpha: 19.47 deg/s^2, at 30 deg".
   void write_head() {
     const ResultSensitivity& result = *result_;
     const std::string what = result.measure.of == MeasureKind::kAt
@@ -130,7 +130,7 @@ private:
 
   [[nodiscard]] const Slope& slope(std::size_t i) const { return result_->slopes[i]; }
 
-  // The numbers with an influence, those that matter most first.
+  // The numbers with an influence on the result, most important first.
   [[nodiscard]] std::vector<std::size_t> ranked() const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < report_.numbers.size(); ++i) {
@@ -145,7 +145,7 @@ private:
     return order;
   }
 
-  // "deg/unit": the unit of the number stands in its row.
+  // "deg/unit": each row gives the unit of its number.
   [[nodiscard]] std::string slope_head() const {
     const bool plain = result_->unit == "1" || result_->unit.size() > 5;
     return plain ? "per unit" : fmt::format("{}/unit", result_->unit);
@@ -158,7 +158,7 @@ private:
       return;
     }
     const Slope& first = slope(order.front());
-    if (first.kind == SlopeKind::kNone) {  // the last in this order: there are no others
+    if (first.kind == SlopeKind::kNone) {  // they are last in this order, so no number has a slope
       text_ += paragraph(fmt::format("no derivatives: {}", reason(first)), 2);
       return;
     }
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  // Numbers that change nothing at all.
+  // Lists the numbers that have no influence on any result.
   void write_idle() {
     std::vector<std::string> idle;
     for (std::size_t i = 0; i < report_.numbers.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace higherpair::cli {
 
-/// One line on standard error, where that is a terminal, that says how far a search is; gone at the end.
+/// A line on standard error, if that is a terminal, with the progress of a search; erased at the end.
 class StatusLine {
 public:
   explicit StatusLine(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) == 1) {}

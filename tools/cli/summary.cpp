@@ -11,7 +11,7 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of the largest value of a unit
+constexpr double kRounding = 1e-12;  // relative to the largest value of the same unit
 constexpr std::size_t kLine = 80;
 
 std::string unit_of(const std::vector<Column>& columns, const std::string& name) {
@@ -20,14 +20,14 @@ std::string unit_of(const std::vector<Column>& columns, const std::string& name)
   return found == columns.end() ? "" : " " + found->unit;
 }
 
-// "cam.O" of "cam.O.vx": what a column is about.
+// The item that a column belongs to: "cam.O" of "cam.O.vx".
 std::string_view item_of(const Column& column) {
   const std::string_view name = column.name;
   const std::size_t dot = name.rfind('.');
   return dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
 }
 
-// Names after a heading, as many to a line as fit.
+// Prints names after a heading, as many per line as fit.
 void print_list(const std::string& heading, const std::vector<std::string>& items) {
   if (items.empty()) {
     return;
@@ -44,7 +44,7 @@ void print_list(const std::string& heading, const std::vector<std::string>& item
   fmt::print("{}\n", line);
 }
 
-// The smallest contact forces, and the speed at which the first contact opens.
+// Prints the smallest contact forces, and up to which speed all contacts stay closed.
 void print_contacts(const Analysis& analysis) {
   for (const auto& [contact, force, driver] : analysis.smallest_forces()) {
     fmt::print("smallest force of {}: {:.7g}{} at driver = {:.10g}{}\n", contact, force,
@@ -80,7 +80,7 @@ void Summary::add(const RowBlock& block) {
     const std::int64_t number = block.first + static_cast<std::int64_t>(row);
     const double at = place_ < values.size() ? values[place_] : static_cast<double>(number);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double value = values[i];  // NaN, which is undefined, changes nothing
+      const double value = values[i];  // undefined (NaN) changes nothing
       if (value < ranges_[i].low.value) ranges_[i].low = {value, at};
       if (value > ranges_[i].high.value) ranges_[i].high = {value, at};
     }
@@ -179,7 +179,7 @@ void Summary::print(const std::string& title) const {
   print_contacts(analysis_);
   // Events follow on standard error.
   if (std::fflush(stdout) != 0) {
-    throw std::system_error(errno, std::generic_category());  // as of fmt::print
+    throw std::system_error(errno, std::generic_category());  // as fmt::print throws
   }
 }
 

@@ -11,21 +11,21 @@
 
 namespace higherpair::cli {
 
-/// What a reader wants of a run first: of every column that changes the smallest and the largest value and
-/// where they are, what is constant, how many rows have which status, and whether the whole path is good.
+/// An overview of a run: smallest and largest value of every column that changes, and where they occur;
+/// columns that are constant; the number of rows of each status; whether the whole path is good.
 class Summary {
 public:
   explicit Summary(const Analysis& analysis);
 
   void add(const RowBlock& block);
 
-  /// Prints them on standard output, at most 80 characters to a line.
+  /// Prints the overview on standard output, with at most 80 characters per line.
   void print(const std::string& title) const;
 
 private:
   struct Extreme {
     double value;
-    double at = 0;  ///< driver, time or number of the row
+    double at = 0;  ///< driver position, time or row number
   };
   struct Range {
     Extreme low{std::numeric_limits<double>::infinity()};
@@ -39,11 +39,11 @@ private:
   void print_constants() const;
   void print_path() const;
   [[nodiscard]] bool is_constant(std::size_t column) const;
-  /// Without what rounding leaves of zero.
+  /// The value, or 0 if it is 0 to within rounding.
   [[nodiscard]] double rounded(std::size_t column, double value) const;
 
   const Analysis& analysis_;
-  std::size_t place_;  ///< column that says where a row is; none: the number of columns
+  std::size_t place_;  ///< column of the row's position; none: the number of columns
   std::vector<Range> ranges_;
   std::map<std::string_view, std::int64_t> statuses_;
 };

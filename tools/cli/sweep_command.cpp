@@ -28,7 +28,7 @@ struct Part {
   int of = 1;
 };
 
-// "3/8"; none where it is no part.
+// Parses "3/8"; none if it is not a valid part.
 std::optional<Part> part_of(std::string_view text) {
   const std::size_t slash = text.find('/');
   const auto number = [](std::string_view digits) {
@@ -73,7 +73,7 @@ void check_output(const SweepOptions& options) {
   }
 }
 
-// Whatever the table depends on.
+// Everything that the table depends on.
 RunIdentity identity_of(const SweepOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
   identity["--set"] = sum_of(options.overrides);
@@ -83,7 +83,7 @@ RunIdentity identity_of(const SweepOptions& options, const Model& model) {
   return identity;
 }
 
-// What can be said before hours are spent.
+// Warns of unreadable variants before hours are spent.
 void print_forecast(const SweepForecast& forecast) {
   if (forecast.unreadable > 0) {
     fmt::print(stderr,
@@ -96,7 +96,7 @@ void print_forecast(const SweepForecast& forecast) {
   }
 }
 
-// Why the sweep has stopped, where there is a reason to name, and what is kept of it.
+// Prints why the sweep has stopped, if there is a reason to give, and how much of it is kept.
 void print_stop(std::string why, const Journal& journal, const SweepSummary& summary, const Sweep& sweep) {
   if (!journal.path().empty()) {
     why += fmt::format("{}{} of {} variants are kept in {}: --resume goes on from there",
@@ -105,7 +105,7 @@ void print_stop(std::string why, const Journal& journal, const SweepSummary& sum
   if (!why.empty()) fmt::print(stderr, "higherpair: {}\n", why);
 }
 
-// All blocks that are not there yet; returns the exit code where it does not come to the end.
+// Computes all blocks that are not in the journal; returns the exit code if it does not reach the end.
 std::optional<int> run_blocks(const SweepOptions& options, const OpenedSweep& opened, const SweepRunner& run,
                               Journal& journal, SweepSummary& summary) {
   const Sweep& sweep = opened.sweep;

@@ -30,26 +30,26 @@ struct SweepOptions {
 /// Adds `sweep` to the program.
 [[nodiscard]] CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options);
 
-/// What it takes, added to a command or to a program.
+/// Adds the arguments of `sweep` to a command or to a program of its own.
 void add_sweep_options(CLI::App& command, SweepOptions& options);
 
-/// A sweep that is ready to be run.
+/// A sweep that is ready to run.
 struct OpenedSweep {
   Model model;
   Sweep sweep;
   RunIdentity identity;
 };
 
-/// Reads the profile; its notes are printed unless `quiet`. \param stop  ends the work on blocks
+/// Reads the profile; prints its notes unless `quiet`. \param stop  ends the work on blocks once true
 [[nodiscard]] Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet,
                                              const std::atomic<bool>& stop);
 
-/// Works out the blocks of a sweep from `first` on, and gives them to `take` as run_sweep does.
+/// Computes the blocks of a sweep from `first` on and passes them to `take`, as run_sweep does.
 using SweepRunner = std::function<void(const OpenedSweep& sweep, std::int64_t first,
                                        const std::function<bool(const SweepBlock&)>& take)>;
 
-/// Runs it; returns the exit code. \param run  who works out the blocks; without it the threads of this
-/// program
+/// Runs the sweep; returns the exit code.
+/// \param run  computes the blocks; without it the threads of this program do
 [[nodiscard]] int sweep_command(const SweepOptions& options);
 [[nodiscard]] int sweep_command(const SweepOptions& options, const SweepRunner& run);
 

@@ -9,10 +9,10 @@
 
 namespace higherpair::cli {
 
-/// Columns of CSV for values whose unit differs from row to row: one column for each unit.
+/// CSV columns for values whose unit differs from row to row: one column for each unit.
 class UnitColumns {
 public:
-  /// \param units  of the values, in any number; "1" if there are none
+  /// \param units  units of the values, repeated or not; "1" if there are none
   explicit UnitColumns(const std::vector<std::string>& units) {
     for (const std::string& unit : units) {
       if (std::find(units_.begin(), units_.end(), unit) == units_.end()) {
@@ -33,7 +33,7 @@ public:
     return text;
   }
 
-  /// The value in the column of its unit, the others empty; each with its comma before.
+  /// The value in the column of its unit and empty fields in the others, each preceded by a comma.
   [[nodiscard]] std::string cells(const std::string& unit, std::optional<double> value) const {
     std::string text;
     for (const std::string& column : units_) {

@@ -21,7 +21,7 @@ struct VerifyOptions {
 /// Adds the command `verify` and its options.
 CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options);
 
-/// Runs `verify`; returns the exit code: 4 where a reference does not hold.
+/// Runs `verify`; returns the exit code: 4 if a reference does not hold.
 [[nodiscard]] int verify_command(const VerifyOptions& options);
 
 }  // namespace higherpair::cli

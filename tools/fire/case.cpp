@@ -81,7 +81,7 @@ std::string joint_text(const std::string& name, const Mount& m, int number) {
                      between, m.direction, m.theta);
 }
 
-// The crank, its rod and their joints; drawn so that the linkage closes at the start.
+// The crank, its rod and their joints, placed so that the linkage closes at the start.
 std::string crank_text(const Case& one) {
   const Crank& c = *one.crank;
   const Vector2d p_WA = Vector2d(c.x, c.y) + c.length * unit_vector(c.angle);
@@ -150,7 +150,7 @@ Mount Cases::mount() {
           between(-1, 1), between(-kPi, kPi), between(-kPi, kPi)};
 }
 
-// The follower's curve of nearly the driver's opposite curvature: κ1 + κ2 a few digits from 0.
+// Makes the curvatures nearly opposite: κ1 + κ2 differs from 0 only by a few digits.
 void Cases::make_conforming(Case& one) {
   Shape& inner = one.curve1;
   if (inner.kind == CurveKind::kLine || inner.kind == CurveKind::kPoint) {
@@ -165,7 +165,8 @@ void Cases::make_conforming(Case& one) {
   one.curve2.b *= larger;
 }
 
-// So near to where the driver cannot go further that most digits of the rates hang on the last ones of u.
+// Moves the start so close to a limit of the driver that most digits of the rates depend on the last digits
+// of u.
 void Cases::move_beside_limit(Case& one) {
   const auto pair = pair_of(one);
   const FindResult found = find_nearest_contact(*pair, one.u, one.q);
@@ -181,8 +182,8 @@ void Cases::move_beside_limit(Case& one) {
   }
 }
 
-// A joint that hardly changes the distance of the curves: a pivot beside the centre of a curve, a slide
-// nearly along a face.
+// Makes a joint that hardly changes the distance of the curves: a pivot near the centre of a curve, or a
+// slide almost along a face.
 void Cases::make_singular(Case& one) {
   const double off = std::pow(10.0, between(-14, -1));
   Shape& shape = pick(2) == 0 ? one.curve1 : one.curve2;
@@ -197,7 +198,7 @@ void Cases::make_singular(Case& one) {
   mount.by = shape.y + off * between(-1, 1);
 }
 
-// Both bodies on like joints beside each other: they move nearly as one.
+// Puts both bodies on joints of the same type close to each other, so that they move almost as one.
 void Cases::make_parallel(Case& one) {
   const double off = std::pow(10.0, between(-14, -1));
   one.mount2.turns = one.mount1.turns;
@@ -230,7 +231,7 @@ Case Cases::next() {
       break;
     case 2:
       for (double* number : numbers(one)) {
-        *number = std::round(4 * *number) / 4 + 0.0;  // and no -0
+        *number = std::round(4 * *number) / 4 + 0.0;  // avoids -0
       }
       for (Shape* s : {&one.curve1, &one.curve2}) {
         s->a = std::max(s->a, 0.25);

@@ -18,7 +18,7 @@ namespace {
   } catch (...) {
     code = 1;
   }
-  _exit(code);  // no destructors: they are the parent's
+  _exit(code);  // no destructors: they belong to the parent
 }
 
 std::string read_all(int from) {
@@ -44,7 +44,7 @@ ChildResult in_child(const std::function<std::string()>& work, unsigned seconds)
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    // Of processor time: a busy machine changes nothing. The kernel sends SIGXCPU.
+    // Limits processor time, which does not depend on how busy the machine is. The kernel sends SIGXCPU.
     const rlimit limit{seconds, seconds + 1};
     setrlimit(RLIMIT_CPU, &limit);
     answer(work, ends[1]);

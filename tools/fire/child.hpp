@@ -12,8 +12,8 @@ struct ChildResult {
   std::string answer;
 };
 
-/// Does the work in a process of its own, so that neither a crash nor a loop without end stops the trial;
-/// ended after so many seconds.
+/// Does the work in a child process, so that neither a crash nor an infinite loop stops the trial. It is
+/// ended after `seconds` of processor time.
 [[nodiscard]] ChildResult in_child(const std::function<std::string()>& work, unsigned seconds);
 
 }  // namespace higherpair::fire

@@ -8,7 +8,7 @@
 
 namespace higherpair::fire {
 
-/// Random numbers, the same for a seed on every machine.
+/// Random numbers; a seed gives the same ones on every machine.
 class Draw {
 public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
@@ -27,7 +27,7 @@ inline Sketch::Point as_point(const Vector2d& p) {
   return {p.x(), p.y()};
 }
 
-/// A body that turns about O on ground and is driven from `angle`.
+/// A body that turns about O on ground, driven from `angle` over `range`.
 inline Sketch driven_at(const Vector2d& O, double angle, double range) {
   Sketch sketch;
   sketch.bodies.front().points = {as_point(O)};
@@ -37,7 +37,7 @@ inline Sketch driven_at(const Vector2d& O, double angle, double range) {
   return sketch;
 }
 
-/// Another body on ground: about its origin, or along a direction.
+/// Adds a body that turns about its origin on ground or slides along a direction.
 inline void mount(Sketch& sketch, const Vector2d& at, double angle, bool turns, double direction) {
   sketch.bodies.front().points.push_back(as_point(at));
   sketch.bodies.push_back({at.x(), at.y(), angle, {{}}, {}, {}});

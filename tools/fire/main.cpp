@@ -1,5 +1,5 @@
-// Trial by fire: random contacts and mechanisms, every result held against laws; what fails is made small and
-// printed as a profile.
+// Random contacts and mechanisms, every result of which is tested against laws. Failing cases are reduced and
+// printed as profiles.
 #include "child.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "packs_law.hpp"
@@ -34,7 +34,7 @@ void print_failure(long number, const Case& one, const Trial& trial, Depth depth
   const Trial again = higherpair::fire::try_case(small, depth);
   fmt::print("# shrunk, row {}: {}\n{}\n", again.failure.row, again.failure.detail,
              higherpair::fire::profile_of(small, "broken law: " + trial.failure.law));
-  std::fflush(stdout);  // a long run may be stopped by hand
+  std::fflush(stdout);  // a long run may be stopped by the user
 }
 
 void print_summary(std::uint64_t seed, const Counts& counts, const std::map<std::string, long>& broken) {
@@ -65,7 +65,7 @@ struct Options {
 int run(const Options& options) {
   Cases cases(options.seed);
   Counts counts;
-  std::map<std::string, long> broken;  // how often each law
+  std::map<std::string, long> broken;  // number of failures of each law
   const auto start = std::chrono::steady_clock::now();
   for (long i = 0; i - options.first < options.count; ++i) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -95,7 +95,7 @@ using higherpair::fire::Failure;
 using higherpair::fire::Sketch;
 using higherpair::fire::SketchKind;
 
-// Does a case obey the rows law? In a process of its own.
+// Tests a case against the rows or truth law, in a child process.
 Failure try_rows(const Sketch& sketch, const Options& options) {
   const ChildResult result = higherpair::fire::in_child(
       [&]() -> std::string {
@@ -130,10 +130,10 @@ struct Tally {
   long cases = 0;
   long failed = 0;
   std::map<std::string, long> broken;
-  std::map<std::string, long> passed;  // with a remark
+  std::map<std::string, long> passed;  // by remark
 };
 
-// The case made small, as a profile; the number finds the whole one again.
+// Prints the reduced case as a profile; its number identifies the original one.
 void print_sketch(SketchKind kind, long number, const Sketch& sketch, const Failure& failure,
                   const Options& options) {
   const Sketch small =

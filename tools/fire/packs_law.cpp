@@ -21,9 +21,9 @@ constexpr std::array<std::string_view, 8> kKinds{"rrr",      "rrp",   "rrp-slot"
                                                  "rpr-slot", "chain", "discs",    "ovals"};
 constexpr std::array kDyads{RandomGroup::kRrr, RandomGroup::kRrp, RandomGroup::kRrpS, RandomGroup::kRpr,
                             RandomGroup::kRprS};
-constexpr std::size_t kRows = 17;  // more than are worked out at a time
-constexpr double kMost = 0.999;    // a share of the cases
-constexpr double kFarthest = 2e6;  // [ulp] ten times what a million cases have shown
+constexpr std::size_t kRows = 17;  // more than are computed at once
+constexpr double kMost = 0.999;    // fraction of the cases
+constexpr double kFarthest = 2e6;  // [ulp] ten times the largest error found in a million cases
 
 ChainAgreement try_cam(std::string_view kind, unsigned seed) {
   const bool ovals = kind == "ovals";
@@ -60,7 +60,7 @@ std::string fault_of(const ChainAgreement& agrees) {
   return near ? "" : fmt::format("{:.3g} units in the last place from the run", fmt::join(errors, ", "));
 }
 
-// Errors of all cases: the worst, and what most of them keep to.
+// Errors of all cases: the largest, and a bound that most of them keep.
 class Spread {
 public:
   void see(double error) { errors_.push_back(static_cast<float>(std::isnan(error) ? INFINITY : error)); }

@@ -6,13 +6,14 @@
 
 namespace higherpair::fire {
 
-/// The chains of which the law of packs is tried.
+/// The kinds of chains for which the packs law can be tested.
 [[nodiscard]] std::span<const std::string_view> chain_kinds();
 
-/// Rows that are worked out many at a time (DyadChain) against those of a run that follows the motion, with
-/// all forces. Prints how far they are from each other, in units in the last
-/// place, and every case in which the run finds what they have missed. \return how many of these there are
+/// Compares rows computed many at a time (DyadChain) with those of a run that follows the motion, with all
+/// forces. Prints their differences in units in the last place, and every case in which the run finds
+/// something that they have missed.
 /// \param kind  one of chain_kinds()
+/// \return number of such cases
 [[nodiscard]] long try_packs(std::string_view kind, std::uint64_t seed, long first, long count);
 
 }  // namespace higherpair::fire

@@ -34,7 +34,8 @@ Sketch random_flank_pair(std::uint64_t seed) {
   const std::array teeth{20 + draw.pick(40), 20 + draw.pick(40)};
   const std::array shift{draw.between(-0.1, 0.3), draw.between(-0.1, 0.3)};
   const double mean = module * (teeth[0] + teeth[1]) / 2;
-  // The angle of a mesh without play, by inv = inv α + 2 tan α (x1 + x2)/(z1 + z2), and a little more.
+  // Working pressure angle of a mesh without backlash, from inv = inv α + 2 tan α (x1 + x2)/(z1 + z2),
+  // slightly enlarged.
   const double wanted = involute(alpha) + 2 * std::tan(alpha) * (shift[0] + shift[1]) / (teeth[0] + teeth[1]);
   double working = alpha;
   for (int i = 0; i < 50; ++i) {
@@ -42,7 +43,7 @@ Sketch random_flank_pair(std::uint64_t seed) {
   }
   working += draw.between(0, 0.02);
   const double distance = mean * std::cos(alpha) / std::cos(working);
-  const double action = distance * std::sin(working);  // between the base circles
+  const double action = distance * std::sin(working);  // length between the base circles
 
   std::array<double, 2> base{}, start{}, root{}, tip{};
   std::array<std::string, 2> flank;
@@ -57,7 +58,7 @@ Sketch random_flank_pair(std::uint64_t seed) {
         R"({{ type = "involute", center = [0, 0], module = {}, teeth = {}, pressure_angle = {}, profile_shift = {}, hand = "{}" }})",
         module, teeth[i], alpha, shift[i], left ? "left" : "right");
   }
-  // The rolls of both flanks add up to the line of action; the left one is mirrored for the right.
+  // The rolls of both flanks add up to the line of action. Right flanks are the mirror image of left ones.
   const double from = std::max(root[0], (action - base[1] * tip[1]) / base[0]);
   const double to = std::min(tip[0], (action - base[1] * root[1]) / base[0]);
   const double roll = std::lerp(from, to, draw.between(0.02, 0.3));
@@ -98,7 +99,7 @@ Sketch random_open_face(std::uint64_t seed) {
   shape.angle = draw.angle();
   sketch.bodies[1].curves = {shape};
   sketch.drivers.front().velocity = draw.between(-5, 5);
-  // Its middle lies over the pivot; a point of the slide is the body's origin.
+  // The middle of the face is over the pivot; the slide's point is the body's origin.
   mount(sketch, O + 2.5 * size * unit_vector(out), out, false, out);
   const double half = size * draw.between(0.1, 1.2);
   const double round = size * draw.between(1.2, 4);

@@ -13,7 +13,8 @@
 namespace higherpair::fire {
 namespace {
 
-// A law over one turn that begins and ends with a dwell, and the largest of its first and second derivative.
+// A law over one turn that begins and ends with a dwell, and the largest values of its first and second
+// derivative.
 struct Lift {
   std::string segments;
   double fastest = 0, steepest = 0;
@@ -43,7 +44,7 @@ Lift random_lift(Draw& draw, double height) {
     reached += rise;
     const char* law = kLaws[static_cast<std::size_t>(draw.pick(static_cast<int>(kLaws.size())))];
     lift.segments += fmt::format("  {{ over = {}, law = \"{}\", rise = {} }},\n", over, law, rise);
-    // The steepest of the laws is polynomial-4567: docs/laws.md.
+    // Bounds of the steepest of these laws, polynomial-4567 (see docs/laws.md).
     lift.fastest = std::max(lift.fastest, 2.1875 * std::abs(rise) / over);
     lift.steepest = std::max(lift.steepest, 7.52 * std::abs(rise) / (over * over));
   }
@@ -63,14 +64,15 @@ Sketch random_law_cam(std::uint64_t seed) {
   const double angle = draw.angle();
   const double out = draw.angle();
   const bool swings = draw.chance(0.5);
-  const int face = draw.pick(3);              // a roller, a flat face, a knife edge
-  const bool flat_arm = swings && face == 1;  // must swing much slower than the cam turns
+  const int face = draw.pick(3);              // roller, flat face, knife edge
+  const bool flat_arm = swings && face == 1;  // must swing much more slowly than the cam turns
   const double height = draw.between(0.05, 0.3) * (flat_arm ? 0.3 : 1);
-  // The arm's length and the heading from the cam's pivot to the follower's: both turns of it.
+  // The arm's length, and the side of the line from the cam's pivot on which the follower's pivot lies.
   const double arm = draw.between(0.8, 2);
   const double side = draw.chance(0.5) ? 1 : -1;
   const Lift lift = random_lift(draw, swings ? side * height / arm : height);
-  // Then the pitch curve is nowhere sharper than 0.35 of its radius; a flat face needs more than s + s''.
+  // With this radius the pitch curve has no radius of curvature below 0.35 of it; a flat face needs more than
+  // s + s''.
   const double lever = swings ? arm : 1;
   const double radius = lever * std::max(lift.fastest, lift.steepest / (face == 1 ? 0.8 : 1.2)) *
                         draw.between(swings ? 2 : 1, 4);

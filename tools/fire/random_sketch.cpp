@@ -24,7 +24,7 @@ Vector2d heading(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-// Spreads neighbouring numbers over all bits (splitmix64).
+// Spreads consecutive numbers over all bits (splitmix64).
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -32,7 +32,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-// A curve about the origin, not turned, and the heading of its outward normal where it is to touch.
+// An unrotated curve about the origin, and the direction of its outward normal at the intended contact point.
 struct Face {
   Shape shape;
   double normal = 0;
@@ -94,7 +94,7 @@ private:
   std::mt19937_64 engine_;
   Sketch sketch_;
   std::vector<int> known_;
-  bool drawn_in_place_ = false;  // all frames on that of ground
+  bool drawn_in_place_ = false;  // the frames of all bodies coincide with that of ground
   bool rings_ = false;
 };
 
@@ -116,7 +116,7 @@ Ref Drawing::point(int body, const Vector2d& p_W) {
   return {body, static_cast<int>(at(body).points.size()) - 1};
 }
 
-// A joint at a point; of a slide the first body's point lies elsewhere on the line, half of the time.
+// A joint at a point. For a slide the first body's point is elsewhere on the line half of the time.
 int Drawing::joint_at(JointKind kind, int a, int b, const Vector2d& p_W) {
   if (chance(0.5)) {
     std::swap(a, b);
@@ -162,14 +162,14 @@ Face Drawing::face() {
   return made;
 }
 
-// Of a circle or ellipse where it has the normal.
+// The radius of curvature of a circle or ellipse where it has the face's normal.
 double curvature_radius(const Face& face) {
   const auto [a, b] =
       std::array{face.shape.a, face.shape.kind == CurveKind::kCircle ? face.shape.a : face.shape.b};
   return std::pow(a * b, 2) / std::pow(std::hypot(a * std::cos(face.normal), b * std::sin(face.normal)), 3);
 }
 
-// Where the curve about the origin, unturned, has that outward normal.
+// The point of an unrotated curve about the origin that has this outward normal.
 Vector2d support_point(const Shape& s, double normal) {
   const double c = std::cos(normal);
   const double d = std::sin(normal);
@@ -195,8 +195,7 @@ Vector2d support_point(const Shape& s, double normal) {
   return Vector2d::Zero();
 }
 
-// Puts the face on a body so that its point with the face's own normal comes to p_W with the given outward
-// normal.
+// Puts a face on a body so that its contact point is at p_W with the outward normal normal_W.
 Ref Drawing::curve_at(int body, const Face& face, const Vector2d& p_W, double normal_W) {
   Shape shape = face.shape;
   const double normal_B = normal_W - at(body).angle + (shape.side == Side::kOutside ? kPi : 0);
@@ -243,13 +242,13 @@ void Drawing::touch(int a, int b, bool rolling) {
 int Drawing::moving() {
   int body = 0;
   while (body == 0) {
-    // Often the newest, so that the groups become a chain.
+    // Prefer the newest body, so that the groups form a chain.
     body = chance(0.5) ? known_.back() : known();
   }
   return body;
 }
 
-// Two known bodies, one of which moves, in any order.
+// Two known bodies in random order, at least one of which moves.
 std::array<int, 2> Drawing::two_known() {
   const int one = moving();
   int other = one;
@@ -266,7 +265,7 @@ void Drawing::set_range(Sketch::Driver& driver, bool turns) {
   driver.acceleration = between(-10, 10);
 }
 
-// A body driven against a known one.
+// A new body driven relative to a known one.
 void Drawing::drive(int on) {
   const int made = body();
   const bool turns = chance(0.75);
@@ -313,7 +312,7 @@ void Drawing::dyad() {
   know(b);
 }
 
-// A body on a pivot or slide that touches a known one, or a roller on an arm that rolls on it.
+// A body on a pivot or slide that touches a known body, or an arm with a roller that rolls on it.
 void Drawing::follower() {
   const auto [k1, k2] = two_known();
   const int a = body();
@@ -329,7 +328,7 @@ void Drawing::follower() {
   know(roller);
 }
 
-// Takes one freedom of a body: a link with two joints, a slot or a contact.
+// Removes one degree of freedom of a body, by a link with two joints, a slot or a contact.
 void Drawing::leg(int body, int base, bool contacts) {
   if (contacts && chance(0.5)) {
     touch(body, base, false);
@@ -367,7 +366,7 @@ void Drawing::ternary_pair() {
   know(t);
 }
 
-// Four links in a ring, two of which are pinned to known bodies.
+// Four links in a ring, two of which are joined to known bodies.
 void Drawing::ring_of_four() {
   const auto [k1, k2] = two_known();
   const std::array<int, 4> ring{body(), body(), body(), body()};
@@ -392,8 +391,9 @@ void Drawing::triad() {
   }
 }
 
-// Which bodies of a tree take the conditions that hold it, one for each of its freedoms: at random, but none
-// of its parts more than it has. parents[i] < i carries body i on a joint; the root has so many freedoms.
+// Distributes the constraints that hold a tree of bodies, one for each degree of freedom, at random over the
+// bodies, but so that no connected part gets more of them than it has freedoms. Returns a body for each
+// constraint. parents[i] < i carries body i on a joint; the root has `root_freedoms` of its own.
 std::vector<int> Drawing::holders(const std::vector<int>& parents, int root_freedoms) {
   const auto count = static_cast<int>(parents.size());
   std::vector<int> chosen;
@@ -407,7 +407,7 @@ std::vector<int> Drawing::holders(const std::vector<int>& parents, int root_free
     for (unsigned part = 1; part < (1U << static_cast<unsigned>(count)); ++part) {
       const auto has = [&](int body) { return ((part >> static_cast<unsigned>(body)) & 1U) != 0; };
       int freedoms = root_freedoms - 1;
-      bool whole = true;  // with every body the one that carries it
+      bool whole = true;  // contains the carrier of every body in it
       for (int i = 0; i < count; ++i) {
         freedoms += has(i) ? 1 : 0;
         whole = whole && (!has(i) || i == 0 || has(parents[static_cast<std::size_t>(i)]));
@@ -418,7 +418,7 @@ std::vector<int> Drawing::holders(const std::vector<int>& parents, int root_free
   return chosen;
 }
 
-// New bodies that hang together, and as many contacts and slots to known ones as they have freedoms.
+// New bodies joined to each other, with as many contacts and slots to known bodies as they have freedoms.
 void Drawing::coupled(int bodies) {
   const auto [k1, k2] = two_known();
   const auto base = [&, one = k1, two = k2] { return chance(0.5) ? one : two; };
@@ -453,7 +453,7 @@ void Drawing::coupled(int bodies) {
   }
 }
 
-// A wheel in mesh with the crank, or a planet on it. \pre the crank is driven about a pivot on ground.
+// A wheel in mesh with the crank, or a planet on it. \pre the crank is driven about a pivot on ground
 void Drawing::wheels() {
   const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
   const int crank = pivot.first.body == 0 ? pivot.second.body : pivot.first.body;
@@ -472,8 +472,8 @@ void Drawing::wheels() {
   know(wheel);
 }
 
-// A star-shaped outline about the crank's pivot, a spline too if `any`, and a follower on a slide or lever
-// that touches it. \pre the crank is driven about a pivot on ground.
+// A star-shaped outline about the crank's pivot, possibly a spline if `any`, and a follower on a slide or
+// lever that touches it. \pre the crank is driven about a pivot on ground
 void Drawing::outlined_cam(bool any) {
   const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
   const bool ground_first = pivot.first.body == 0;
@@ -576,7 +576,7 @@ void Drawing::groups(SketchKind kind) {
       case SketchKind::kStep:
         any_group();
         break;
-      case SketchKind::kLaw:  // drawn elsewhere
+      case SketchKind::kLaw:  // made by other functions
       case SketchKind::kTeeth:
       case SketchKind::kFace:
         break;

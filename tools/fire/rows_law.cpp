@@ -14,13 +14,12 @@
 namespace higherpair::fire {
 namespace {
 
-constexpr std::array<std::int64_t, 3> kSamples{7, 61, 601};  // the rows of each are rows of the next
+constexpr std::array<std::int64_t, 3> kSamples{7, 61, 601};  // each includes the rows of the one before
 
-constexpr double kPlaceTolerance = 1e-8;  // where an event happens, of the range of the driver
-constexpr double kLimitTolerance =
-    1e-9;                             // the same of a limit: u' = 0 there, so that it is known to rounding
-constexpr double kDwellNoise = 1e-4;  // of the square of velocities (in m and rad)
-constexpr double kValueTolerance = 1e-9;  // of positions, relative to their size; of rates to theirs
+constexpr double kPlaceTolerance = 1e-8;  // of an event, as a fraction of the path
+constexpr double kLimitTolerance = 1e-9;  // of a limit; known to within rounding, because u' = 0
+constexpr double kDwellNoise = 1e-4;      // relative to the square of velocities (in m and rad)
+constexpr double kValueTolerance = 1e-9;  // relative to the size of positions, or of rates
 
 RowValues values_of(const Run& run) {
   RowValues values;
@@ -38,7 +37,7 @@ RowValues values_of(const Run& run) {
   return values;
 }
 
-// A run and what it has said so far.
+// Records a run row by row.
 class Recorder {
 public:
   Recorder(const Profile& profile, const DriverSchedule& schedule) : profile_(profile), schedule_(schedule) {}
@@ -153,7 +152,7 @@ private:
 
   const RunRecord& coarse_;
   const RunRecord& fine_;
-  double end_ = 2;  ///< share of the path where the first limit is
+  double end_ = 2;  ///< fraction of the path at which the first limit is
 };
 
 Failure Comparison::limits() {
@@ -218,8 +217,8 @@ Failure Comparison::row(std::size_t k, const RowValues& a, const RowValues& b) {
   if (a.status == static_cast<int>(RowStatus::kNotAssemblable)) {
     return {};
   }
-  // The drivers' coordinates are rounded to eps; near a limit the derivatives grow like δ^(-1/2), δ^(-3/2),
-  // δ^(-5/2), and what eps makes of position, velocity and acceleration with them.
+  // Drivers' coordinates are rounded to eps. Near a limit the derivatives of position grow like δ^(-1/2),
+  // δ^(-3/2), δ^(-5/2), and so does the effect of eps on position, velocity and acceleration.
   constexpr double kDriverRounding = 1e-14;
   const double V = largest(b.velocity);
   const double A = largest(b.acceleration);
@@ -242,7 +241,7 @@ Failure Comparison::row(std::size_t k, const RowValues& a, const RowValues& b) {
   if (auto f = check("value: velocity", a.velocity, b.velocity, V, A)) {
     return f;
   }
-  // Of a follower that stands A is the noise of its velocities.
+  // For a follower at rest A is merely the noise of its velocities.
   return check("value: acceleration", a.acceleration, b.acceleration, A + kDwellNoise * V * V, J);
 }
 
@@ -250,7 +249,7 @@ Failure Comparison::rows(bool beyond) {
   const std::size_t stride = (fine_.rows.size() - 1) / (coarse_.rows.size() - 1);
   for (std::size_t k = 0; k < coarse_.rows.size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(coarse_.rows.size() - 1);
-    // A row at a limit to rounding may count to either side.
+    // A row that is at a limit to within rounding may be on either side of it.
     if ((share > end_) != beyond || std::abs(share - end_) < kLimitTolerance) {
       continue;
     }
@@ -283,7 +282,7 @@ Failure Comparison::compare() {
   return {};
 }
 
-// What a single run must not say.
+// Conditions that no run may violate.
 Failure sound(const RunRecord& run) {
   const Happening* limit = first_limit(run);
   for (std::size_t k = 0; k < run.rows.size(); ++k) {

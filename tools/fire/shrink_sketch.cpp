@@ -9,14 +9,14 @@
 namespace higherpair::fire {
 namespace {
 
-// The mechanism without some bodies and all that is joined to them; none where a driver goes too.
+// The mechanism without some bodies and everything joined to them; none if a driver would be lost.
 std::optional<Sketch> without(const Sketch& sketch, int first, int last) {
   const auto gone = [&](int body) { return body >= first && body <= last; };
   const auto renumber = [&](int& body) { body -= body > last ? last - first + 1 : 0; };
   Sketch rest = sketch;
   rest.bodies.erase(rest.bodies.begin() + first, rest.bodies.begin() + last + 1);
   rest.joints.clear();
-  std::vector<int> places;  // of the joints that stay
+  std::vector<int> places;  // new indices of the joints; -1: removed
   for (const Sketch::Joint& joint : sketch.joints) {
     const bool coupled = joint.kind == Sketch::JointKind::kGears || joint.kind == Sketch::JointKind::kBelt;
     const bool stays =
@@ -54,7 +54,7 @@ Sketch shrink(Sketch sketch, const std::function<bool(const Sketch&)>& fails) {
     sketch = still ? smaller : sketch;
     return still;
   };
-  // Groups are bodies one after the other, the largest have six.
+  // Bodies of a group are consecutive; the largest groups have six.
   for (int count = 6; count > 0; --count) {
     for (int first = static_cast<int>(sketch.bodies.size()) - count; first > 0; --first) {
       const int last = first + count - 1;

@@ -6,7 +6,7 @@
 
 namespace higherpair::fire {
 
-/// A smaller mechanism that still fails: without bodies that it does not need, with rounder numbers.
+/// A smaller mechanism that still fails: without bodies that are not needed, and with rounder numbers.
 [[nodiscard]] Sketch shrink(Sketch sketch, const std::function<bool(const Sketch&)>& fails);
 
 }  // namespace higherpair::fire

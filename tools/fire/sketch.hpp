@@ -7,18 +7,17 @@
 
 namespace higherpair::fire {
 
-/// A whole mechanism by the numbers of its profile; lengths [m], angles [rad].
+/// A whole mechanism, by the numbers of its profile; lengths [m], angles [rad].
 struct Sketch {
   struct Point {
     double x = 0, y = 0;  ///< in the body's frame
   };
-  /// A closed curve through points, or a polygon with rounded corners; or any curve in the words of a
-  /// profile.
+  /// A closed spline through points, a polygon with rounded corners, or any curve written as in a profile.
   struct Outline {
     std::vector<Point> points;
     bool spline = false;
-    double fillet = 0;   ///< of a polygon
-    std::string text{};  ///< if not empty: this instead
+    double fillet = 0;   ///< of a polygon's corners
+    std::string text{};  ///< if not empty: the curve's text in the profile
   };
   struct Body {
     double x = 0, y = 0, angle = 0;  ///< the pose
@@ -28,7 +27,7 @@ struct Sketch {
   };
   struct Ref {
     int body = 0;
-    int item = 0;  ///< of its points or curves
+    int item = 0;  ///< index of a point or curve
   };
   enum class JointKind { kRevolute, kPrismatic, kSlot, kGears, kBelt };
   struct Joint {
@@ -37,36 +36,36 @@ struct Sketch {
     double direction = 0;    ///< of a slide or slot, in the first body's frame
     double ratio = 1;        ///< of gears and belts
     bool same_sense = true;  ///< internal gears, an open belt
-    int carrier = 0;         ///< of gears and belts
+    int carrier = 0;         ///< body that carries the wheels of gears and belts
   };
   struct Contact {
     Ref first, second;
     bool rolling = false;
-    bool outlined = false;  ///< the first is of the outlines
+    bool outlined = false;  ///< `first` refers to an outline
     bool both_outlined = false;
   };
   struct Driver {
     int joint = 0;
-    double start = 0, end = 0;  ///< `end` of analyze
+    double start = 0, end = 0;  ///< `end` is for analyze
     double velocity = 1, acceleration = 0;
-    std::string law{};  ///< if not empty: of time, instead of these numbers
+    std::string law{};  ///< if not empty: a law of time, instead of these numbers
   };
 
   std::vector<Body> bodies{1};  ///< bodies[0] is ground
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<Driver> drivers;
-  double duration = 0;  ///< of step [s]; 0: a case for analyze
-  std::string tables;   ///< of the laws
+  double duration = 0;  ///< of `step` [s]; 0: the case is for `analyze`
+  std::string tables;   ///< text of the laws
 
-  /// At most one: a mechanism that moves alike by other means, without the boundary that is tried.
+  /// At most one: a mechanism with the same motion, made by other means than the boundary under test.
   std::vector<Sketch> twin;
 };
 
-/// The numbers that its profile shows, to be rounded one by one.
+/// The numbers in its profile, to be rounded one by one.
 [[nodiscard]] std::vector<double*> numbers(Sketch& sketch);
 
-/// Its profile, numbers to the last digit.
+/// Its profile, with all digits.
 [[nodiscard]] std::string profile_of(const Sketch& sketch, const std::string& title);
 
 }  // namespace higherpair::fire

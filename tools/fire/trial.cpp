@@ -21,7 +21,7 @@ bool finite(const ContactPosition& at) {
          std::isfinite(at.sliding);
 }
 
-// \param at_limit  rates are not defined there
+// Tests a contact position. \param at_limit  rates are not defined there
 Failure laws(const ContactPair& pair, const ContactPosition& at, int row, bool at_limit = false) {
   if (!finite(at)) {
     return {"finite numbers", "", row};
@@ -29,7 +29,8 @@ Failure laws(const ContactPair& pair, const ContactPosition& at, int row, bool a
   const testing::ContactLaws held(pair, at);
   for (const std::string& broken : held.broken) {
     const std::size_t colon = broken.find(':');
-    // Where the curves nearly conform, rates are as uncertain as κ1 + κ2: 1e-16 of κ over it.
+    // If the curves nearly conform, rates are as uncertain as κ1 + κ2, whose relative error is 1e-16 κ/(κ1 +
+    // κ2).
     const bool rate = broken.starts_with("acceleration") || broken.starts_with("velocity");
     if (!rate || (!at_limit && std::abs(held.conforming_) > 1e-4L)) {
       return {broken.substr(0, colon), broken, row};
@@ -38,18 +39,18 @@ Failure laws(const ContactPair& pair, const ContactPosition& at, int row, bool a
   return {};
 }
 
-// The relative error of a difference because the driver positions u ± h/4 are rounded.
+// The relative error of a difference that is due to rounding of the driver positions u ± h/4.
 double position_noise(double u, double h) {
   return 1e-8 + 4e-15 * std::abs(u / h);
 }
 
-// A rate against a difference; what the difference does not know itself passes. `noise` is relative.
+// Tests a rate against a difference; passes if the difference is itself too uncertain. `noise` is relative.
 Failure compare(const char* law, double rate, const Difference& difference, double noise, double rounding,
                 int row) {
   if (!(difference.error < 1e-4 * std::abs(difference.value))) {
     return {};
   }
-  // Close to a limit the series in h² converges slowly, and the rest is of the order of its last step.
+  // Close to a limit the series in h² converges slowly, and its error is of the order of the last step.
   const double tolerance = 4 * difference.error + noise * std::abs(difference.value) + rounding;
   if (std::abs(rate - difference.value) <= tolerance) {
     return {};
@@ -57,9 +58,9 @@ Failure compare(const char* law, double rate, const Difference& difference, doub
   return {law, fmt::format("{} but a difference gives {} ± {}", rate, difference.value, tolerance), row};
 }
 
-// What rounding of the pair's numbers makes of q and dq. A gap of that size moves q by it over ∂gap/∂q, and
-// dq by d²q/dq for each unit of q; an angle moves the contact point along the curves by z, and with it both
-// levers in dq = (n·v1)/(n·v2).
+// The effect of rounding of the pair's numbers on q and dq. A gap of rounding size changes q by it divided by
+// ∂gap/∂q, and dq by d²q/dq per unit of q. An angle moves the contact point along the curves by z, and so
+// changes both levers in dq = (n·v1)/(n·v2).
 struct Doubt {
   double q = 0;
   double dq = 0;
@@ -108,8 +109,8 @@ Failure rates_over(const FollowedContact& track, double h, int row) {
   return compare("d2q", at.d2q, testing::difference(h, beside(dq_of)), noise, second, row);
 }
 
-// The motion may change within less than h, of which a difference does not know: rates that are wrong also
-// differ from narrower ones.
+// The motion may change within less than h, which a difference does not notice. Rates that are really wrong
+// differ from narrower differences as well.
 Failure rates(const FollowedContact& track, double h, int row) {
   const Failure wide = rates_over(track, h, row);
   return wide && rates_over(track, h / 8, row) ? rates_over(track, h / 64, row) : Failure{};
@@ -117,7 +118,7 @@ Failure rates(const FollowedContact& track, double h, int row) {
 
 Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
   const FindResult found = find_nearest_contact(pair, one.u, one.q);
-  // Without a branch there is nothing to follow: two contacts merge here, perhaps wherever the driver stands.
+  // Without a branch there is nothing to follow: two contacts merge here, possibly at every driver position.
   if (found.status != FindStatus::kFound || found.branch == 0) {
     return {};
   }
@@ -126,7 +127,7 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
     return f;
   }
   FollowedContact track = start_track(pair, found.at, found.branch);
-  int lost = 0;  // rows in succession; each next one is a search anew, so few of them will do
+  int lost = 0;  // consecutive rows; each further one takes a new search, so only some are tried
   for (int k = 1; k <= one.rows; ++k) {
     if (lost > 2 && k % 8 != 0 && k != one.rows) {
       continue;
@@ -168,7 +169,7 @@ const BodyMotion& body(const MotionRow& row, int index) {
   return row.bodies[static_cast<std::size_t>(index)];
 }
 
-// Both points of a joint move alike, across a slide's line.
+// Both points of a joint coincide and move alike; in a slide or slot only across its line.
 Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row, int k) {
   const BodyMotion& A = body(row, joint.first.body);
   const PointMotion a = point_motion(A, point(m, joint.first));
@@ -203,7 +204,7 @@ testing::Standing stand(const Mechanism& m, const CurveRef& at, const MotionRow&
   return {owner.curves[static_cast<std::size_t>(at.curve)].curve, fixed, 0};
 }
 
-// The contact point lies on both curves and both bodies move alike there along the normal.
+// The contact point is on both curves, and both bodies have the same normal velocity there.
 Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int k) {
   const Contact& contact = m.contacts.front();
   const CommonNormal& at = row.contacts.front().at;
@@ -241,8 +242,8 @@ Failure row_laws(const Run& run, int k) {
   return contact_laws(run.mechanism(), run.row, run.plan().size, k);
 }
 
-// A difference that does not know how near the mechanism stands to a limit: what rounding does to it shows in
-// other half-widths.
+// A difference for an unknown distance from a limit: other half-widths show the errors due to the limit and
+// to rounding.
 template <class At>
 Difference steady_difference(double h, const At& at) {
   Difference best = testing::difference(h, at);
@@ -253,7 +254,7 @@ Difference steady_difference(double h, const At& at) {
   return best;
 }
 
-// Angular rates of every body against differences of the run.
+// Tests the angular rates of every body against differences of the run.
 Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
   const double noise = position_noise(driver.position, h);
   for (std::size_t i = 1; i < run.row.bodies.size(); ++i) {
@@ -286,7 +287,7 @@ Failure run_rates(const Run& run, const DriverMotion& driver, double h, int k) {
 Failure run_profile(const Case& one, Counts& counts) {
   const auto model = Model::from_text(profile_of(one, "case"), "case");
   if (!model) {
-    ++counts.refused;  // for a reason: what the reader's messages are worth, its own tests say
+    ++counts.refused;  // for good reason: the reader has tests of its own
     return {};
   }
   RunSettings settings;
@@ -366,7 +367,7 @@ Case shrink(Case one, const std::string& law, Depth depth) {
   Case smaller = one;
   smaller.crank.reset();
   keep(smaller);
-  // The roundest of each number that still fails: 0, then one digit more at a time.
+  // Find the roundest value of each number that still fails: 0, then one digit more at a time.
   for (std::size_t i = 0; i < numbers(one).size(); ++i) {
     for (int digits = 0; digits <= 12; ++digits) {
       Case rounder = one;

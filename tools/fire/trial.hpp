@@ -10,10 +10,10 @@ struct Counts {
   long cases = 0;
   long found = 0;
   long rows = 0;
-  long flagged = 0;   ///< rows that say themselves that they are not ok
-  long compared = 0;  ///< rates held against differences
-  long runs = 0;      ///< of whole profiles
-  long refused = 0;   ///< profiles that the reader does not take
+  long flagged = 0;   ///< rows that are reported as not ok
+  long compared = 0;  ///< rates tested against differences
+  long runs = 0;      ///< runs of whole profiles
+  long refused = 0;   ///< profiles refused by the reader
   long failed = 0;
 
   Counts& operator+=(const Counts& other);
@@ -29,20 +29,20 @@ struct Failure {
 
 struct Trial {
   Counts counts;
-  Failure failure;  ///< the first
+  Failure failure;  ///< the first one
 };
 
-/// How much of a case is tried.
+/// How much of a case is tested.
 enum class Depth {
-  kPair,   ///< the contact is found and followed
-  kWhole,  ///< and the profile of the whole case is read and run
+  kPair,   ///< finding and following the contact
+  kWhole,  ///< also reading and running the profile of the whole case
 };
 
-/// Finds and tracks the contact of the pair, then reads and runs the profile of the whole case; every row
-/// that counts as ok is held against laws that know nothing of how it was found.
+/// Finds and follows the contact of the pair, then reads and runs the profile of the whole case. Every row
+/// that is ok is tested against laws that do not depend on how it was computed.
 [[nodiscard]] Trial try_case(const Case& one, Depth depth);
 
-/// A smaller case that fails by the same law: fewer rows, rounder numbers.
+/// A smaller case that fails by the same law: with fewer rows and rounder numbers.
 [[nodiscard]] Case shrink(Case one, const std::string& law, Depth depth);
 
 }  // namespace higherpair::fire

@@ -14,18 +14,18 @@ namespace higherpair::fire {
 namespace {
 
 constexpr std::int64_t kTruthSamples = 61;
-constexpr double kTruthTolerance = 1e-9;  // share of the path
+constexpr double kTruthTolerance = 1e-9;  // fraction of the path
 constexpr double kTwinTolerance = 1e-11;
-constexpr double kPositionTolerance = 1e-8;  // of what is nowhere near a limit
+constexpr double kPositionTolerance = 1e-8;  // relative to the size of positions
 
-// What the reference does not know: contacts that are taken over by others.
+// Whether contacts change over to others, which the reference does not notice.
 bool changes_contact(const RunRecord& run, double before) {
   return std::any_of(run.events.begin(), run.events.end(), [&](const Happening& event) {
     return event.share <= before && (event.type == "second_contact" || event.type == "conforming");
   });
 }
 
-// The reference follows the drawn pose; a run starts elsewhere where bodies overlap in that.
+// The reference follows the drawn pose; if bodies overlap in that, the run starts in another assembly.
 bool starts_elsewhere(const RunRecord& run, const testing::ReferenceMotion& reference) {
   constexpr double kSamePlace = 1e-6;
   return !reference.places.empty() && difference(run.rows[0].place, reference.places[0]) > kSamePlace;
@@ -43,7 +43,7 @@ Failure compare_rows(const RunRecord& run, const testing::ReferenceMotion& refer
       error = std::max(error, std::abs(row.place[i] - reference.places[k][i]));
       size = std::max(size, std::abs(row.place[i]));
     }
-    // Beside a limit, and beside near crossings, rounding grows with the rates.
+    // Near a limit, and near almost crossing branches, rounding errors grow with the rates.
     double fastest = 0;
     for (const double rate : row.velocity) {
       fastest = std::max(fastest, std::abs(rate));
@@ -116,7 +116,7 @@ Failure twin_law(const Profile& profile, const Profile& twin) {
     if (a.status != ok) {
       return {};
     }
-    // Near a limit every derivative is as much larger as rounding of the driver shows.
+    // Near a limit every derivative amplifies rounding of the driver's coordinate.
     const double V = largest(b.velocity);
     const double A = largest(b.acceleration);
     const double J = V > 0 ? A * A / V : 0;

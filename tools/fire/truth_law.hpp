@@ -5,13 +5,13 @@
 
 namespace higherpair::fire {
 
-/// The truth law: the first limit and the rows before it are those of an independent follower (all conditions
-/// at once, by the arc length of the solution curve, in short steps). `analyze` at 61 rows; a case that the
-/// follower gives up passes, and one whose contact changes over to another.
+/// The truth law: the first limit and the rows before it agree with those of an independent path follower,
+/// which solves all constraints at once and steps along the arc length of the solution curve. Tests `analyze`
+/// with 61 rows. Passes if the follower gives up or a contact changes over to another.
 [[nodiscard]] Failure truth_law(const Profile& profile);
 
-/// The same of a boundary: all bodies move, with velocities and accelerations, as those of a mechanism that
-/// does it by other means, up to the first limit.
+/// The same for boundaries: up to the first limit all bodies have the same positions, velocities and
+/// accelerations as in a mechanism that moves in the same way by other means.
 [[nodiscard]] Failure twin_law(const Profile& profile, const Profile& twin);
 
 }  // namespace higherpair::fire

@@ -1,5 +1,5 @@
-// Any six coefficients make a curve or an error; what a curve says of itself is finite, and its own
-// coefficients describe the vertex that it has.
+// Any six coefficients give a curve or an error. All parameters of a curve are finite, and its vertex
+// satisfies its own implicit equation.
 #include "higherpair/geometry/curve.hpp"
 #include "target.hpp"
 
@@ -23,14 +23,14 @@ void check(const Curve& curve) {
   const auto k = implicit_coefficients(curve);
   const double x = curve.vertex_B.x();
   const double y = curve.vertex_B.y();
-  // The quadratic coefficients share the rounding of the largest of them.
+  // The quadratic coefficients share the rounding error of the largest of them.
   double terms = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])}) * (x * x + y * y);
   double value = 0;
   for (const double term : {k[0] * x * x, k[1] * y * y, k[2] * x * y, k[3] * x, k[4] * y, k[5]}) {
     value += term;
     terms += std::abs(term);
   }
-  const double tolerance = 1e-12 * terms + std::numeric_limits<double>::min();  // below it digits are lost
+  const double tolerance = 1e-12 * terms + std::numeric_limits<double>::min();  // digits are lost below that
   if (!(std::abs(value) <= tolerance) && std::isfinite(terms)) {
     std::abort();
   }
@@ -39,7 +39,7 @@ void check(const Curve& curve) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // Eight numbers (the coefficients and a point near the branch), as they lie in memory; then the side.
+  // Eight numbers in machine representation (the coefficients and a point near the branch), then the side.
   double numbers[8] = {};
   if (size < sizeof numbers) {
     return 0;

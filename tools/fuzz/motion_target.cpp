@@ -1,5 +1,5 @@
-// Whatever can be read as a mechanism starts or says why not, and moves by a few small steps: its rows are
-// finite, and those that count as ok close.
+// Every text that reads as a mechanism starts or gives a reason why not, and moves by a few small steps: its
+// rows are finite, and those that are ok satisfy closure.
 #include "short_motion.hpp"
 #include "target.hpp"
 

@@ -11,7 +11,7 @@ namespace higherpair::fuzz {
 namespace {
 
 constexpr std::size_t kMostChanges = 6;
-constexpr std::size_t kLongestPart = 200;  // of an input that is left out or repeated at once
+constexpr std::size_t kLongestPart = 200;  // longest part removed or repeated at once
 constexpr std::size_t kLongestInput = 1 << 16;
 
 constexpr std::array<std::string_view, 20> kNumbers{
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  // Not by a distribution of the standard library, which each of them draws in its own way.
+  // Distributions of the standard library would differ between implementations.
   std::size_t below(std::size_t bound) { return random_() % bound; }
 
   const std::string& any_input() { return inputs_[below(inputs_.size())]; }
@@ -85,7 +85,7 @@ private:
     }
   }
 
-  // A line of any input where a line begins.
+  // Inserts a line of a random input at the beginning of a line.
   void insert_line(std::size_t at) {
     const std::string& other = any_input();
     if (other.empty()) {
@@ -100,7 +100,7 @@ private:
     text_.insert(begin_of_line(text_, at), std::string(other, first, last + 1 - first));
   }
 
-  // The first number in digits from there on.
+  // Replaces the first decimal number from this position on.
   void replace_number(std::size_t at) {
     const auto from = text_.begin() + static_cast<std::ptrdiff_t>(at);
     const auto first = std::find_if(from, text_.end(), is_of_number);
@@ -108,7 +108,7 @@ private:
     text_.replace(first, last, kNumbers[below(kNumbers.size())]);
   }
 
-  // The number that lies there in memory.
+  // Replaces the binary number at this position.
   void replace_double(std::size_t at) {
     const std::size_t first = at / sizeof(double) * sizeof(double);
     const double value = kDoubles[below(kDoubles.size())];

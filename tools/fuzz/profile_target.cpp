@@ -1,5 +1,5 @@
-// Any text is read as a profile or refused with at least one message; what is read is a valid mechanism that
-// has a schedule or a message.
+// Any text is read as a profile or refused with at least one message. A profile that is read is a valid
+// mechanism, with a schedule or a message why it has none.
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "target.hpp"

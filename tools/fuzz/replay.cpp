@@ -1,5 +1,5 @@
-// Feeds files, and all files of folders, to a target, and as many inputs made from them as one likes: what a
-// fuzzer found once is tried with every build, by any compiler.
+// Passes files, all files of folders, and any number of inputs made from them to a target, so that what a
+// fuzzer once found is tested in every build with any compiler.
 #include "mutation.hpp"
 #include "target.hpp"
 
@@ -55,9 +55,9 @@ void feed(const std::string& input) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
 
-// Holds the input that is being tried: a fault ends the program at once. The file stays open and is not
-// emptied in between, as ext4 writes one that was to the disk when it is closed, which takes longer than most
-// inputs.
+// Keeps the input under test in a file, because a fault ends the program at once. The file stays open and is
+// not truncated before each write: ext4 writes a truncated file to disk when it is closed, which takes longer
+// than most inputs.
 class Last {
 public:
   explicit Last(const std::string& path) : path_(path) {
@@ -79,7 +79,7 @@ private:
 int replay(const Options& options) {
   std::vector<std::string> inputs;
   for (const fs::path& file : files_in(options.paths)) {
-    std::fprintf(stderr, "%s\n", file.c_str());  // the last one named is the one that fails
+    std::fprintf(stderr, "%s\n", file.c_str());  // the last file named is the one that fails
     inputs.push_back(read(file));
     feed(inputs.back());
   }

@@ -25,7 +25,7 @@ void check(const Run& run, const Row& row) {
   }
 }
 
-// The model with drivers that take a few steps from where they start.
+// The model with drivers that make a few steps from their start.
 Result<Model> stepping(const Model& model, const ShortMotion& motion) {
   std::vector<DriverProgram> programs = model.profile().programs;
   for (std::size_t i = 0; i < programs.size(); ++i) {

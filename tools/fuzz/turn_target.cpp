@@ -1,5 +1,5 @@
-// The same through a whole turn in long steps: cams of several parts go over their joints and corners,
-// contacts part and close.
+// Like motion_target, through a whole turn in long steps: composite cams pass their joints and corners,
+// contacts open and close.
 #include "short_motion.hpp"
 #include "target.hpp"
 

@@ -1,8 +1,8 @@
-// What plots can be drawn against: the driver, time, the rows.
+// The axes that plots can be drawn against: the driver, time, the rows.
 import type { Report, Rows } from "./model";
 import type { Axis } from "./plot";
 
-/** The axes that a run has: those whose values go one way. */
+/** The axes of a run: columns whose values are monotonic, and the row number. */
 export function axes(report: Report, rows: Rows, columns: ReadonlyMap<string, number>, driverColumn: number): Axis[] {
   const found: Axis[] = [];
   const bad = badRows(report, rows, columns);
@@ -15,7 +15,7 @@ export function axes(report: Report, rows: Rows, columns: ReadonlyMap<string, nu
     const sorted = order.map((row) => values[row] ?? NaN);
     if (!sorted.every((value, i) => i === 0 || value > (sorted[i - 1] ?? NaN))) continue;
     const isTime = column.name === "time";
-    // Events have the position of the first driver.
+    // Events are given at the position of the first driver.
     const ofFirst = report.columns.findIndex(({ name }) => name.startsWith("driver")) === k;
     found.push({
       name: column.name,
@@ -38,7 +38,7 @@ export function axes(report: Report, rows: Rows, columns: ReadonlyMap<string, nu
   return found;
 }
 
-// First and last row of every stretch that is not ok.
+// First and last row of each stretch that is not ok.
 function badRows(report: Report, rows: Rows, columns: ReadonlyMap<string, number>): [number, number][] {
   const k = columns.get("status");
   if (k === undefined) return [];

@@ -1,4 +1,4 @@
-// Short ways to elements of the page.
+// Helpers to find and make elements of the page.
 
 export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   const found = document.getElementById(id);

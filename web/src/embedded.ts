@@ -1,4 +1,4 @@
-// The report that lies in the page itself.
+// The report that is embedded in the page.
 import type { Column, MapPlace, Numbers, Polygon, Report, Rows, Vector } from "./model";
 import { type Packed, unpack } from "./packed";
 
@@ -46,7 +46,7 @@ class EmbeddedRows implements Rows {
     return x == null || y == null || branch == null ? null : { x, y, branch };
   }
 
-  // What is never looked at stays packed.
+  // Unpacks on first use, so that values never looked at stay packed.
   private all(packed: Packed | undefined): Values {
     if (packed === undefined) return [];
     const known = this.unpacked.get(packed);

@@ -1,4 +1,4 @@
-// What happens on the way, in words.
+// The list of events on the path, in words.
 import { button, byId, element } from "./dom";
 import { quantity, words } from "./format";
 import type { Report } from "./model";

@@ -1,11 +1,11 @@
-// What a user looks for first: stroke, extreme speeds, pressure angle, and where each is.
+// The main results: stroke, extreme speeds, pressure angle, and where each occurs.
 import { button, byId, element } from "./dom";
 import { quantity } from "./format";
 import type { Fact, Report } from "./model";
 
 const DIGITS = 5;
 
-/** @param chosen  is told the row and the column of a fact that is clicked */
+/** @param chosen  is called with the row and the column of a fact that is clicked */
 export function addFacts(report: Report, driverUnit: string, chosen: (row: number, column: string) => void): void {
   const groups = new Map<string, Fact[]>();
   for (const fact of report.facts) groups.set(fact.of, [...(groups.get(fact.of) ?? []), fact]);

@@ -1,5 +1,5 @@
-// Numbers, units and names as people read them.
-/** What is not larger than `noise` is 0. */
+// Numbers, units and names for readers.
+/** The number as text; values up to `noise` are shown as 0. */
 export function number(value: number | null, noise = 0, digits = 6): string {
   if (value === null) return "–";
   if (Math.abs(value) <= noise) return "0";
@@ -23,7 +23,7 @@ export function quantity(value: number | null, unitText: string, noise = 0, digi
   return number(value, noise, digits) + (shown === "" || shown.startsWith("°") ? shown : " " + shown);
 }
 
-/** "limit_position" as "limit position". */
+/** "limit position" for "limit_position". */
 export function words(name: string): string {
   return name.replace(/_/g, " ");
 }

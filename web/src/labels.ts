@@ -1,9 +1,9 @@
 // Names in the drawing, placed so that they cover neither each other nor the points they name.
 import type { Numbers } from "./model";
 
-const HEIGHT = 15; // of a text [px]
-const CLEARANCE = 9; // of a text from its point [px]
-const POINT = 5; // half the room of a point [px]
+const HEIGHT = 15; // height of a text [px]
+const CLEARANCE = 9; // distance of a text from its point [px]
+const POINT = 5; // half the size of the area kept free around a point [px]
 
 interface Rectangle {
   readonly x: number;
@@ -14,20 +14,20 @@ interface Rectangle {
 
 export interface Label {
   readonly element: SVGElement;
-  /** Where, and the direction in which it keeps clear of that; empty: it is not shown. */
+  /** Position, and direction in which the text is offset from it; empty: the label is not shown. */
   numbers: Numbers;
   readonly body: number;
   width: number;
-  /** Which of the candidates was taken last: it is tried first, so that names do not hop about. */
+  /** Index of the candidate chosen last; it is tried first, so that names do not jump. */
   last: number;
-  /** Another label stands at the same place. */
+  /** Whether an earlier label is at the same position. */
   second: boolean;
 }
 
-/** From a body's frame to ground. */
+/** Transformation from a body's frame to ground. */
 export type Frame = readonly [cos: number, sin: number, x: number, y: number];
 
-/** Directions that are tried, turned against the one that is wanted [rad]. */
+/** Directions tried, relative to the wanted one [rad]. */
 const TURNS = [0, 0.8, -0.8, 1.6, -1.6, 2.4, -2.4, Math.PI];
 
 export class Labels {
@@ -40,7 +40,7 @@ export class Labels {
     return label;
   }
 
-  /** Another place, or none, and another text. */
+  /** Sets another position, or none, and another text. */
   change(label: Label, numbers: Numbers, text: string): void {
     label.numbers = numbers;
     if (numbers.length === 0 || text === label.element.textContent) return;
@@ -53,7 +53,7 @@ export class Labels {
     return this.pen?.measureText(text).width ?? 30;
   }
 
-  /** Of several points at one place the first keeps its name. */
+  /** Of several labels at one position only the first is shown. */
   dropSeconds(frame: (body: number) => Frame, near: number): void {
     const anchors = this.labels.map(({ numbers, body }) => anchorOf(numbers, frame(body)));
     this.labels.forEach((label, i) => {
@@ -93,7 +93,7 @@ export class Labels {
     label.last = free;
     taken.push(chosen);
     const [x, y] = [(chosen.x + chosen.width / 2) * scale, (chosen.y + chosen.height / 2) * scale];
-    label.element.setAttribute("transform", `translate(${x.toFixed(3)} ${y.toFixed(3)})`); // x and y would lay the text out anew
+    label.element.setAttribute("transform", `translate(${x.toFixed(3)} ${y.toFixed(3)})`); // setting x and y would make the browser lay out the text again
   }
 }
 
@@ -109,7 +109,7 @@ function anchorOf(numbers: Numbers, [c, s, x, y]: Frame): Anchor {
   return { x: x + c * px - s * py, y: y + s * px + c * py, dx: c * dx - s * dy, dy: s * dx + c * dy };
 }
 
-// Rectangles of the text in px, y down. A text without a direction stands on its place if it can.
+// Possible rectangles of the text in px, y down. Without a direction the first one is at the position itself.
 function candidatesOf({ x, y, dx, dy }: Anchor, width: number, scale: number): Rectangle[] {
   const free = dx === 0 && dy === 0;
   const wanted = free ? Math.PI / 2 : Math.atan2(dy, dx);

@@ -1,9 +1,9 @@
-// Each layer of the drawing, on and off.
+// Buttons that show and hide the layers of the drawing.
 import { button, byId } from "./dom";
 import { words } from "./format";
 import type { Report } from "./model";
 
-/** In the order of the buttons; what is not there is shown under its own name, last. */
+/** In the order of the buttons; any other role gets a button with its own name, at the end. */
 const LAYERS: readonly (readonly [role: string, text: string, shown: boolean])[] = [
   ["body", "bodies", true],
   ["link", "links", true],
@@ -24,7 +24,7 @@ const LAYERS: readonly (readonly [role: string, text: string, shown: boolean])[]
   ["label", "names", true],
 ];
 
-/** @param changed  is called when another layer is to be seen */
+/** @param changed  is called when a layer is shown or hidden */
 export function addLayers(report: Report, root: SVGSVGElement, changed: () => void): void {
   const present = new Set([...report.scene.fixed, ...report.scene.moving].map((shape) => shape.role));
   const known = LAYERS.filter(([role]) => present.has(role));

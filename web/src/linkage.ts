@@ -1,4 +1,4 @@
-// The equivalent linkage of every contact at the cursor: its type, its lengths, and the linkage alone.
+// The equivalent linkage of every contact in the current row: its type, its lengths, and a sketch of it alone.
 import { byId, element, svg } from "./dom";
 import { quantity } from "./format";
 import type { Numbers, Report, Rows, Shape } from "./model";
@@ -47,7 +47,7 @@ export function addLinkages(
   }
 }
 
-// The shapes of the linkage, in a picture of its own that holds them in every row.
+// The shapes of the linkage, in a separate picture that is large enough for all rows.
 class Sketch {
   readonly root = svg("svg", { class: "sketch", "aria-hidden": "true" });
   private readonly parts: { shape: Shape; element: SVGElement; index: number }[] = [];
@@ -78,7 +78,7 @@ class Sketch {
   private room(): string {
     const [x0, y0, x1, y1] = this.report.scene.view;
     const middle = [(x0 + x1) / 2, (y0 + y1) / 2] as const;
-    const reach = [x1 - x0, y1 - y0] as const; // a centre of curvature may be far away
+    const reach = [x1 - x0, y1 - y0] as const; // limits the picture, for a centre of curvature may be far away
     const low = [Infinity, Infinity];
     const high = [-Infinity, -Infinity];
     for (let row = 0; row < this.rows.length; ++row) {

@@ -1,4 +1,4 @@
-// The page of a report: puts its parts together.
+// Assembles the page of a report.
 import { byId, element } from "./dom";
 import { embedded } from "./embedded";
 import { addEvents } from "./events";
@@ -34,7 +34,7 @@ function addHeading(report: Report, rows: Rows): void {
 function start({ report, rows }: { report: Report; rows: Rows }): void {
   const columns = new Map(report.columns.map((column, k) => [column.name, k]));
   const driverColumn = columns.get(report.driver.column) ?? 0;
-  const firstDriver = report.columns.findIndex(({ name }) => name.startsWith("driver")); // of events
+  const firstDriver = report.columns.findIndex(({ name }) => name.startsWith("driver")); // the driver that events refer to
   const unitOf = (k: number | undefined): string => (k === undefined ? "" : (report.columns[k]?.unit ?? ""));
   const player = new Player(rows, report, driverColumn);
   addHeading(report, rows);
@@ -66,7 +66,7 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.play();
 }
 
-/** For tests and the curious: what is shown, read back from the drawing. */
+/** For tests and the browser console: the state of the page, read back from the drawing. */
 function expose(report: Report, rows: Rows, player: Player, stage: Stage): void {
   const inUnits = (place: [number, number] | null): number[] | null =>
     place === null ? null : place.map((value) => value * report.lengthPerMm);

@@ -1,9 +1,9 @@
-// The configuration space of each contact, which the program has drawn, with the place of the row that is shown.
+// Shows the configuration space of each contact, as drawn by the program, with the position of the current row.
 import { element } from "./dom";
 import type { Report, Rows } from "./model";
 import type { Figure } from "./polygons";
 
-/** From a coordinate to px of the picture. */
+/** Maps a coordinate to px of the picture. */
 type Axis = (value: number) => number;
 
 export function addMaps(report: Report, rows: Rows): Figure[] {

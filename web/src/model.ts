@@ -1,11 +1,11 @@
-// What the program has worked out, as the page receives it. Lengths of the scene are in mm, angles in rad.
+// The results of the program, as the page receives them. Lengths of the scene are in mm, angles in rad.
 
 export interface Column {
   readonly name: string;
   readonly unit: string;
-  /** What is no larger is rounding. */
+  /** Values up to this are rounding errors. */
   readonly noise: number;
-  /** Of a column of words: its values are indices of these. */
+  /** For a column of words: the words that its values are indices of. */
   readonly words?: readonly string[];
 }
 
@@ -15,17 +15,17 @@ export interface Shape {
   readonly role: string;
   readonly kind: ShapeKind;
   readonly name: string;
-  /** Whose frame the numbers are in; none: ground. */
+  /** Index of the body in whose frame the numbers are; absent: ground. */
   readonly body?: number;
   readonly closed?: boolean;
-  /** Of a moving text: the name of the length that is its fifth number [mm]. */
+  /** For a moving text: the name of the length given by its fifth number [mm]. */
   readonly text?: string;
   readonly colour?: string;
-  /** Not filled although closed. */
+  /** Not filled although it is closed. */
   readonly outline?: boolean;
 }
 
-/** The coordinates of a shape; null between the pieces of a path; empty where it is not defined. */
+/** The coordinates of a shape; null separates the pieces of a path; empty if it is undefined. */
 export type Numbers = readonly (number | null)[];
 
 export interface Scene {
@@ -34,17 +34,17 @@ export interface Scene {
   readonly bodies: readonly string[];
   readonly fixed: readonly (Shape & { readonly numbers: Numbers })[];
   readonly moving: readonly Shape[];
-  /** What arrows of one unit are long [mm]; by their roles. Torques are arcs, which turn [rad]. */
+  /** By role of arrow: its length per unit [mm]. Torques are arcs, whose angle per unit is `turn` [rad]. */
   readonly scales: { readonly [role: string]: { readonly unit: string; readonly length?: number; readonly turn?: number } };
 }
 
-/** Names have `_{…}` for lowered and `^{…}` for raised text. Vectors are rows' ones, by their numbers. */
+/** In names `_{…}` is a subscript and `^{…}` a superscript. Points and arrows refer by index to the vectors of a row. */
 export interface Polygon {
   readonly title: string;
   readonly forces: boolean;
   readonly unit: string;
   readonly view: readonly [number, number, number, number];
-  /** All arrows are on one line in every row, and are to be drawn side by side. */
+  /** All arrows are on one line in every row, so they have to be drawn side by side. */
   readonly flat: boolean;
   readonly equations: readonly string[];
   readonly points: readonly { readonly name: string; readonly at: number }[];
@@ -62,16 +62,16 @@ export type Vector = readonly [number, number];
 export interface MapPlace {
   readonly x: number;
   readonly y: number;
-  /** From 1. */
+  /** Counted from 1. */
   readonly branch: number;
 }
 
 export interface Driver {
   readonly joint: string;
-  /** Of its position. */
+  /** Name of the column of its position. */
   readonly column: string;
   readonly body: number;
-  /** A full turn in the unit of the column `driver`; null of a slide. */
+  /** A full turn in the unit of the column `driver`; null for a slide. */
   readonly turn: number | null;
 }
 
@@ -91,7 +91,7 @@ export interface MotionEvent {
   readonly row: number;
   readonly item: string;
   readonly cause: string;
-  /** Of what reverses. */
+  /** Position of the joint that reverses. */
   readonly value?: number;
   readonly unit?: string;
 }
@@ -104,7 +104,7 @@ export interface Report {
   readonly source: string;
   readonly residual: number;
   readonly good: boolean;
-  /** Rows of the run; the page may hold fewer. */
+  /** Number of rows of the run; the page may contain fewer. */
   readonly size: number;
   readonly lengthUnit: string;
   readonly lengthPerMm: number;
@@ -118,22 +118,22 @@ export interface Report {
   readonly scene: Scene;
   readonly polygons: readonly Polygon[];
   readonly maps: readonly ContactMap[];
-  /** The last row shows the same picture as the first. */
+  /** Whether the last row shows the same picture as the first. */
   readonly closed: boolean;
 }
 
-/** Where the rows come from: the page asks for nothing else, whether they lie in it or arrive while it is open. */
+/** The source of the rows: the page depends on nothing else, whether they are embedded or arrive while it is open. */
 export interface Rows {
   readonly length: number;
-  /** Of a column by its number; null where it is not defined. */
+  /** Value of a column by its index; null if it is undefined. */
   value(column: number, row: number): number | null;
   values(column: number): readonly (number | null)[];
-  /** x, y, theta of every body; null where the row has no position. */
+  /** x, y, theta of every body; null if the row has no position. */
   places(row: number): readonly number[] | null;
-  /** Of a moving shape by its number. */
+  /** Numbers of a moving shape by its index. */
   shape(shape: number, row: number): Numbers;
-  /** Of a polygon, by their numbers; null where it is not defined. */
+  /** Vector of a polygon, both by index; null if it is undefined. */
   vector(polygon: number, vector: number, row: number): Vector | null;
-  /** Of a map by its number. */
+  /** Position in a map by its index. */
   place(map: number, row: number): MapPlace | null;
 }

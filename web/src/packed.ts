@@ -1,6 +1,6 @@
-// Numbers of all rows as src/front/packed_series.hpp writes them.
+// Unpacks the numbers of all rows, which src/front/packed_series.hpp packs.
 
-/** Nowhere defined; the same everywhere; or exponent of ten, order of differences, digits, and where gaps begin and end. */
+/** Undefined everywhere; the same everywhere; or power of ten, order of differences, digits, and begin and end of each gap. */
 export type Packed = null | number | readonly [exponent: number, order: number, digits: string, ...gaps: number[]];
 
 const DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -20,7 +20,7 @@ export function unpack(packed: Packed, length: number): (number | null)[] {
   return values;
 }
 
-// They are larger than 32 bits have room for.
+// Computed as doubles, because the numbers may exceed 32 bits.
 function wholeNumbers(digits: string, length: number): Float64Array {
   const numbers = new Float64Array(length);
   for (let i = 0, at = 0; i < length; ++i) {

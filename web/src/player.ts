@@ -1,15 +1,15 @@
-// Which row is shown, and how it moves on by itself.
+// Which row is shown, and the animation through the rows.
 import type { MotionEvent, Report, Rows } from "./model";
 
 const SECONDS_PER_PASS = 6;
-const REFRESH = 80; // ms between two numbers that can be read, while it plays
+const REFRESH = 80; // ms between two updates of numbers during the animation, so that they can be read
 
 export class Player {
   row = 0;
   speed = 1;
-  private position = 0; // rows, with their fraction
+  private position = 0; // in rows, including a fraction
   private sense = 1;
-  private last: number | null = null; // time of the frame before [ms]
+  private last: number | null = null; // time of the previous frame [ms]
   private readonly listeners: ((row: number) => void)[] = [];
   private readonly stateListeners: ((playing: boolean) => void)[] = [];
   private readonly seconds: number;
@@ -31,7 +31,7 @@ export class Player {
   onRow(listener: (row: number) => void): void {
     this.listeners.push(listener);
   }
-  /** Of numbers: while it plays not of every row, since nobody could read them. */
+  /** For numbers: during the animation not called for every row, which would be too fast to read. */
   onReadable(listener: (row: number) => void): void {
     let last = 0;
     const show = (row: number): void => {
@@ -60,7 +60,7 @@ export class Player {
   step(rows: number): void {
     this.pause();
     const count = this.rows.length;
-    // The last row of a closed motion shows the first one again.
+    // The last row of a closed motion shows the same picture as the first.
     const next = this.row + rows;
     this.go(this.report.closed && (next < 0 || next >= count) ? (next + count - 1) % (count - 1) : next);
   }
@@ -86,7 +86,7 @@ export class Player {
     else this.play();
   }
 
-  /** The event that the way to this row passes, if any. */
+  /** The event on the way to this row, if any. */
   eventAt(row: number): MotionEvent | undefined {
     return this.report.events.find((event) => event.row === row);
   }
@@ -100,7 +100,7 @@ export class Player {
     requestAnimationFrame((next) => this.frame(next));
   }
 
-  // Round and round, or to and fro.
+  // Goes round and round if the motion is closed, otherwise to and fro.
   private advance(way: number): void {
     const end = this.rows.length - 1;
     this.position += this.sense * way;

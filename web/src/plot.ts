@@ -1,19 +1,19 @@
-// One plot: columns over an axis, events and bad rows in it, and a cursor that moves the mechanism.
+// One plot: columns over an axis, with events and rows that are not ok, and a cursor that moves the mechanism.
 import uPlot from "uplot";
 import { colour, element } from "./dom";
 import { number, quantity } from "./format";
 import type { Column, Rows } from "./model";
 
-/** Colours that colour-blind people tell apart, and dashes for a print in black and white. */
+/** Colours that colour-blind people can distinguish, and dashes for black and white print. */
 const SERIES = ["--series-1", "--series-2", "--series-3", "--series-4", "--series-5", "--series-6"] as const;
 const DASHES: readonly number[][] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 4], [4, 4]];
 const HEIGHT = 170; // px
 
-/** What the plots of a page have in common. */
+/** The axis common to all plots of a page. */
 export interface Axis {
   readonly name: string;
   readonly unit: string;
-  /** Rising; `rows` are theirs. */
+  /** In ascending order, with their rows in `rows`. */
   readonly values: readonly number[];
   readonly rows: readonly number[];
   readonly marks: readonly number[];
@@ -62,7 +62,7 @@ export class Plot {
     this.rebuild();
   }
 
-  /** Anew: other columns, another axis, other colours. */
+  /** Draws the plot again, with other columns, another axis or other colours. */
   rebuild(): void {
     this.chart?.destroy();
     this.head.replaceChildren();
@@ -82,7 +82,7 @@ export class Plot {
     this.showValues();
   }
 
-  /** The cursor. */
+  /** Moves the cursor. */
   moveTo(row: number): void {
     this.row = row;
     const at = this.axis.rows.indexOf(row);
@@ -92,7 +92,7 @@ export class Plot {
     }
   }
 
-  /** The numbers at the cursor. */
+  /** Shows the numbers at the cursor. */
   showValues(): void {
     this.shown.forEach((k, i) => {
       const chip = this.chips[i];
@@ -144,7 +144,7 @@ export class Plot {
           width: 2,
           dash: DASHES[i % DASHES.length] ?? [],
           points: { show: false },
-          pxAlign: 0, // else flat curves are stairs
+          pxAlign: 0, // otherwise flat curves look like stairs
         })),
       ],
       hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart)] },
@@ -209,7 +209,7 @@ export class Plot {
   }
 }
 
-// A column that is the same everywhere gets room around it, not a magnified rounding error.
+// A constant column gets some room around it instead of a magnified rounding error.
 function range(low: number | null, high: number | null, noise: number): [number, number] {
   if (low === null || high === null) return [0, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
@@ -218,7 +218,7 @@ function range(low: number | null, high: number | null, noise: number): [number,
   return [low - room, high + room];
 }
 
-/** Index of the value nearest to x; the values rise. */
+/** Index of the value nearest to x; values in ascending order. */
 export function nearest(values: readonly number[], x: number): number {
   let [low, high] = [0, values.length - 1];
   while (high - low > 1) {

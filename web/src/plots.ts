@@ -1,4 +1,4 @@
-// The plots of the page: which there are, and what they are drawn against.
+// The plots of the page, and the axis they are drawn against.
 import { axes } from "./axes";
 import { byId, element } from "./dom";
 import { unit } from "./format";
@@ -45,7 +45,7 @@ export class Plots {
     this.listeners.push(listener);
   }
 
-  /** Into a new plot, or out of all that show it. */
+  /** Adds the column in a new plot, or removes it from all plots that show it. */
   toggle(column: number): void {
     const holders = this.plots.filter((plot) => plot.shownColumns.includes(column));
     if (holders.length === 0) this.add([column]);
@@ -53,7 +53,7 @@ export class Plots {
     this.changed();
   }
 
-  /** A plot that shows this column, in view. */
+  /** Makes sure that some plot shows this column. */
   reveal(name: string): void {
     const column = this.columns.get(name);
     if (column === undefined) return;

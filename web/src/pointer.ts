@@ -1,16 +1,16 @@
-// Pointers on the drawing: a body is dragged, and the mechanism with it; everything else pans, two fingers zoom.
+// Pointers on the drawing: one on a body drags it with the mechanism, elsewhere it pans; two zoom.
 import type { Report, Rows } from "./model";
 import type { Player } from "./player";
 import type { View } from "./view";
 
 interface Grip {
   readonly body: number;
-  /** Where the body is held, in its frame [mm]. */
+  /** Point where the body is held, in its frame [mm]. */
   readonly point: readonly [number, number];
 }
 
-const REACH = { mouse: 4, touch: 14 } as const; // of a pointer around itself [px]
-const ALIKE = 0.02; // of the picture: places that are no farther apart are as good as each other
+const REACH = { mouse: 4, touch: 14 } as const; // distance around a pointer in which bodies are found [px]
+const ALIKE = 0.02; // relative to the picture: distances that differ by less are equally good
 
 export class PointerControl {
   private readonly pointers = new Map<number, [number, number]>();
@@ -70,7 +70,7 @@ export class PointerControl {
     if (was > 0 && now > 0) this.view.zoom(now / was, other);
   }
 
-  // The body under the pointer or close to it; the driven one before any other.
+  // The body under or near the pointer; the driven body has priority.
   private bodyAt(event: PointerEvent): number | null {
     const reach = event.pointerType === "mouse" ? REACH.mouse : REACH.touch;
     const around = [0, reach, -reach];
@@ -86,7 +86,7 @@ export class PointerControl {
     return found.has(this.report.driver.body) ? this.report.driver.body : (found.values().next().value ?? null);
   }
 
-  // In ground [mm], y up.
+  // The pointer's position in ground [mm], y up.
   private place(event: PointerEvent): [number, number] {
     const [x, y] = this.view.toDrawing([event.clientX, event.clientY]);
     return [x, -y];
@@ -102,8 +102,8 @@ export class PointerControl {
     return { body, point: [c * dx + s * dy, c * dy - s * dx] };
   }
 
-  // Where the body is held then comes nearest to the pointer; where it does so several times, the row nearest to
-  // the one that is shown.
+  // The row in which the point held is nearest to the pointer; among several such rows, the one nearest to the
+  // current row.
   private nearestRow(grip: Grip, at: readonly [number, number]): number {
     const off = Array.from({ length: this.rows.length }, (_, row) => this.distance(grip, at, row));
     const [x0, y0, x1, y1] = this.report.scene.view;
@@ -118,7 +118,7 @@ export class PointerControl {
     return best;
   }
 
-  // Of the place where the body is held from another place [mm].
+  // Distance of the point held from another position [mm].
   private distance({ body, point }: Grip, [x, y]: readonly [number, number], row: number): number {
     const places = this.rows.places(row);
     if (places === null) return Infinity;

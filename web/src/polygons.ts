@@ -1,4 +1,4 @@
-// Below the mechanism, of the row at the cursor: polygons of velocities, accelerations and forces, and the maps of contacts.
+// Figures below the mechanism for the current row: polygons of velocities, accelerations and forces, and the maps of contacts.
 import { byId, element, svg } from "./dom";
 import { number, quantity, unit } from "./format";
 import { type Label, Labels } from "./labels";
@@ -9,18 +9,18 @@ import { fillText, richText } from "./rich_text";
 import { roundDown } from "./scales";
 import { arrowHead } from "./shapes";
 
-const WIDTH = 380; // of a picture, px as all here
+const WIDTH = 380; // of a picture; in px, as all lengths here
 const TALLEST = 280;
 const MARGIN = 34;
 const FOOT = 26;
 const HEAD = 10; // length of an arrow's head
-const SHORTEST = 0.6; // arrow that is drawn
-const NAMED = 26; // shortest arrow that bears its name
-const APART = 9; // arrows that would lie on each other
+const SHORTEST = 0.6; // shortest arrow that is drawn
+const NAMED = 26; // shortest arrow that gets a name
+const APART = 9; // between arrows that would cover each other
 const BAR = 90;
-const REFRESH = 45; // ms between two rows, while it plays
+const REFRESH = 45; // ms between two updates during the animation
 
-/** A figure that shows a row; while the motion plays, only if somebody sees it. */
+/** A figure of the current row; during the animation it is updated only while visible. */
 export interface Figure {
   readonly root: HTMLElement;
   show(row: number): void;
@@ -69,7 +69,7 @@ class PolygonFigure implements Figure {
   private readonly points: Label[];
   private readonly arrows: ArrowParts[];
   private readonly scale: number; // px per unit
-  private readonly origin: Vector; // of the pole
+  private readonly origin: Vector; // position of the pole
   private readonly noise: number;
 
   constructor(
@@ -122,7 +122,7 @@ class PolygonFigure implements Figure {
     return [this.origin[0] + this.scale * x, this.origin[1] - this.scale * y];
   }
 
-  // Labels have y up.
+  // Labels take y upwards.
   private put(label: Label, at: Vector | null, direction: Vector): void {
     label.numbers = at === null ? [] : [at[0], -at[1], ...direction];
     label.element.classList.toggle("absent", at === null);
@@ -140,7 +140,7 @@ class PolygonFigure implements Figure {
     if (parts.label !== null) this.put(parts.label, null, [0, 0]);
     if (!seen) return;
     const across: Vector = [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];
-    // Always to one side, whatever way the arrow points.
+    // Always shifted to the same side, whichever way the arrow points.
     const side = this.polygon.flat ? (across[1] > 0 || (across[1] === 0 && across[0] > 0) ? 1 : -1) * APART * (i - (this.arrows.length - 1) / 2) : 0;
     const shift = ([x, y]: Vector): Vector => [x + side * across[0], y + side * across[1]];
     const [start, end] = [shift(a), shift(b)];

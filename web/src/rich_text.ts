@@ -1,4 +1,4 @@
-// Names with `_{…}` for lowered and `^{…}` for raised text.
+// Names with `_{…}` for subscripts and `^{…}` for superscripts.
 import { element, svg } from "./dom";
 
 interface Piece {
@@ -17,9 +17,9 @@ export function richText(text: string): HTMLElement {
   return element("span", {}, ...parts);
 }
 
-/** Into a text of a drawing. */
+/** Puts the name into a text element of a drawing. */
 export function fillText(made: SVGElement, text: string): void {
-  let height = 0; // of the line, downwards
+  let height = 0; // current vertical offset, downwards
   for (const { text: part, level } of pieces(text)) {
     const to = -4 * level;
     const piece = svg("tspan", { dy: String(to - height), ...(level === 0 ? {} : { "font-size": "10px" }) });

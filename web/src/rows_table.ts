@@ -1,4 +1,4 @@
-// All rows of what is plotted, for those who cannot see the plots.
+// A table of all rows of the plotted columns, for those who cannot see the plots.
 import { byId, element } from "./dom";
 import { number, unit } from "./format";
 import type { Report, Rows } from "./model";

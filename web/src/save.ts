@@ -1,4 +1,4 @@
-// The frame as SVG and the table as CSV, into files.
+// Saves the current frame as SVG and the table as CSV.
 import { byId, element } from "./dom";
 import type { Report, Rows } from "./model";
 import type { Player } from "./player";
@@ -16,7 +16,7 @@ export function addSaving(report: Report, rows: Rows, player: Player, drawing: S
   byId("save-csv").addEventListener("click", () => download(`${name}.csv`, "text/csv", csvOf(report, rows)));
 }
 
-/** The drawing as a file of its own: what is seen, with its styles. */
+/** The drawing as a separate file, reduced to what is visible, with its styles. */
 export function pictureOf(drawing: SVGSVGElement, title: string): string {
   const copy = drawing.cloneNode(true) as SVGSVGElement;
   const originals = [drawing, ...drawing.querySelectorAll<SVGElement>("*")];

@@ -1,4 +1,4 @@
-// What lengths and arrows in the drawing amount to: a sample of each, as long as a round number is.
+// The scales of lengths and arrows in the drawing: a sample of each, with the length of a round number.
 import { byId, element, svg } from "./dom";
 import { quantity } from "./format";
 import type { Report } from "./model";
@@ -45,7 +45,7 @@ function entry(role: string, data: string, width: number, text: string): HTMLEle
   return element("span", { "data-role": role }, picture, text);
 }
 
-/** The largest of 1, 2 or 5 times a power of ten that is not larger. */
+/** The largest of the numbers 1, 2 or 5 times a power of ten that do not exceed the value. */
 export function roundDown(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   const digit = value / power;

@@ -1,9 +1,9 @@
-// Shapes of a scene as SVG elements. User units are mm; SVG's y points down, the scene's up.
+// Shapes of a scene as SVG elements. User units are mm; y points down in SVG and up in the scene.
 import { svg } from "./dom";
 import type { Numbers, Shape, Vector } from "./model";
 
-const HEAD_LENGTH = 2.6; // of an arrow, in units of symbols
-const HEAD_WIDTH = 0.9; // half of it
+const HEAD_LENGTH = 2.6; // of an arrow, in the length unit of symbols
+const HEAD_WIDTH = 0.9; // half the width
 
 const digits = (value: number): string => String(Number(value.toFixed(4)));
 
@@ -37,7 +37,7 @@ export function arrowData(numbers: Numbers, unit: number): string {
   return `${pathData([x0, y0, bx, by], false)}${pathData(tip, true)}`;
 }
 
-/** The head of an arrow as the data of a path, and where its line ends; y as it comes. */
+/** Path data of an arrow's head, and the point where its line ends; y is not flipped. */
 export function arrowHead([x0, y0]: Vector, [x1, y1]: Vector, head: number): [string, Vector] {
   const length = Math.hypot(x1 - x0, y1 - y0);
   const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
@@ -47,7 +47,7 @@ export function arrowHead([x0, y0]: Vector, [x1, y1]: Vector, head: number): [st
   return [`M${corners.map(([x = 0, y = 0]) => `${digits(x)} ${digits(y)}`).join("L")}Z`, [bx, by]];
 }
 
-/** An element for a shape, still without its coordinates. */
+/** Makes an element for a shape, without coordinates yet. */
 export function shapeElement(shape: Shape): SVGElement {
   const tag = shape.kind === "circle" ? "circle" : shape.kind === "text" ? "text" : "path";
   const made = svg(tag, { "data-role": shape.role, "data-name": shape.name, class: shape.kind });
@@ -59,7 +59,7 @@ export function shapeElement(shape: Shape): SVGElement {
   return made;
 }
 
-/** Puts a shape where its numbers are. */
+/** Sets the coordinates of a shape's element; hides it if there are none. */
 export function placeShape(made: SVGElement, shape: Shape, numbers: Numbers, unit: number): void {
   const visible = numbers.length > 0;
   made.classList.toggle("absent", !visible);
@@ -76,7 +76,7 @@ export function placeShape(made: SVGElement, shape: Shape, numbers: Numbers, uni
       made.setAttribute("cy", String(-(numbers[1] ?? 0)));
       made.setAttribute("r", String(numbers[2]));
       break;
-    case "text": // labels.ts
+    case "text": // placed by labels.ts
       break;
   }
 }

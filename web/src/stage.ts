@@ -1,4 +1,4 @@
-// The drawing of the mechanism: bodies that are moved by their places, and shapes that every row has anew.
+// The drawing of the mechanism: shapes that move with their bodies, and shapes whose numbers change from row to row.
 import { byId, svg } from "./dom";
 import { type Frame, type Label, Labels } from "./labels";
 import type { Report, Rows, Shape } from "./model";
@@ -7,10 +7,10 @@ import { placeShape, shapeElement } from "./shapes";
 
 export class Stage {
   readonly root = svg("svg", { id: "drawing", role: "img", tabindex: "0" });
-  /** Groups of neighbouring shapes of one body. */
+  /** Groups of consecutive shapes of the same body. */
   private readonly groups: { readonly body: number; readonly element: SVGGElement }[] = [];
   private readonly labels = new Labels();
-  /** Texts name lengths of what is broken off. */
+  /** Its texts give lengths of links that are broken off. */
   private readonly moving: { readonly shape: Shape; readonly element: SVGElement; readonly label: Label | null }[];
   private row = 0;
   private scale = 1;
@@ -54,7 +54,7 @@ export class Stage {
     group.element.append(element);
   }
 
-  /** @param scale  mm per px: texts keep their size */
+  /** @param scale  mm per px; texts keep their size in px */
   setScale(scale: number): void {
     this.scale = scale;
     this.show(this.row);
@@ -70,7 +70,7 @@ export class Stage {
       element.setAttribute("transform", `matrix(${c} ${-s} ${s} ${c} ${x} ${-y})`);
     }
     this.moving.forEach(({ shape, element, label }, i) => {
-      // What is not seen need not be placed; contacts are read back.
+      // Hidden shapes need not be placed, except contacts, whose positions are read back.
       if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
       const numbers = this.rows.shape(i, row);
       placeShape(element, shape, numbers, this.report.scene.unit);
@@ -87,7 +87,7 @@ export class Stage {
     this.show(this.row);
   }
 
-  /** Where a point of a body is drawn [mm], read back from the drawing; null where nothing of the body is. */
+  /** The drawn position of a point of a body [mm], read back from the drawing; null if nothing of the body is drawn. */
   drawn(body: number, point: readonly [number, number]): [number, number] | null {
     if (this.root.classList.contains("undefined")) return null;
     if (body === 0) return [point[0], point[1]];
@@ -97,7 +97,7 @@ export class Stage {
     return [matrix.a * x + matrix.c * y + matrix.e, -(matrix.b * x + matrix.d * y + matrix.f)];
   }
 
-  /** The same of a contact point. */
+  /** The same for a contact point. */
   drawnContact(name: string): [number, number] | null {
     if (this.root.classList.contains("undefined")) return null;
     const point = this.moving.find(

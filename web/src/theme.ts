@@ -1,9 +1,9 @@
-// Light and dark: as the system has it, unless one is chosen.
+// Light or dark colours: those of the system, unless the user chooses.
 import { byId } from "./dom";
 
 const THEMES = ["auto", "light", "dark"] as const;
 
-/** @param changed  is called when the colours are others */
+/** @param changed  is called when the colours change */
 export function addTheme(changed: () => void): void {
   const toggle = byId("theme");
   let theme: (typeof THEMES)[number] = "auto";

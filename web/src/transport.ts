@@ -1,11 +1,11 @@
-// Play, pause, speed, step, the slider with its events, and the keys for them.
+// Play, pause, speed, single steps, the slider with its events, and their keyboard shortcuts.
 import { byId, element } from "./dom";
 import { number, quantity, words } from "./format";
 import type { Report, Rows } from "./model";
 import type { Player } from "./player";
 import type { View } from "./view";
 
-const PAGE = 10; // rows of a step with shift
+const PAGE = 10; // rows per step with the shift key
 
 const STATUS: Readonly<Record<string, string>> = {
   not_assemblable: "cannot be assembled here",

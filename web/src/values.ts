@@ -1,4 +1,4 @@
-// The table of all values at the cursor, and from it what is plotted.
+// The table of all values in the current row, with a button to plot each column.
 import { button, byId, element } from "./dom";
 import { number, unit } from "./format";
 import type { Report, Rows } from "./model";

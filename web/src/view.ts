@@ -1,12 +1,12 @@
-// Which part of the drawing the picture shows: fit, zoom, pan.
+// The visible part of the drawing: fit, zoom, pan.
 import { byId } from "./dom";
 import type { Report } from "./model";
 
-const MARGIN = 0.06; // of the picture, around what moves
-const ZOOM = 1.3; // of a button
+const MARGIN = 0.06; // relative to the picture: margin around everything that moves
+const ZOOM = 1.3; // factor per click of a button
 
 export class View {
-  /** mm per px, and the centre [mm, y down] */
+  /** mm per px, and the centre of the picture [mm, y down] */
   private scale = 1;
   private centre: [number, number] = [0, 0];
   private fitted = true;
@@ -23,7 +23,7 @@ export class View {
     root.addEventListener(
       "wheel",
       (event) => {
-        // The wheel alone scrolls the page.
+        // The wheel without a modifier key scrolls the page.
         if (!event.ctrlKey && !event.metaKey && document.fullscreenElement === null) return;
         event.preventDefault();
         this.zoom(Math.exp(-event.deltaY / 300), [event.clientX, event.clientY]);
@@ -44,7 +44,7 @@ export class View {
     this.apply();
   }
 
-  /** @param at  what stays where it is [px of the window]; none: the centre */
+  /** @param at  point that stays in place [px of the window]; none: the centre */
   zoom(factor: number, at?: [number, number]): void {
     const before = at === undefined ? this.centre : this.toDrawing(at);
     this.scale /= factor;
@@ -62,7 +62,7 @@ export class View {
     this.apply();
   }
 
-  /** From px of the window to mm, y down. */
+  /** Converts px of the window to mm, y down. */
   toDrawing([x, y]: readonly [number, number]): [number, number] {
     const box = this.root.getBoundingClientRect();
     return [
@@ -76,9 +76,9 @@ export class View {
     const [w, h] = [width * this.scale, height * this.scale];
     const [x, y] = [this.centre[0] - w / 2, this.centre[1] - h / 2];
     this.root.setAttribute("viewBox", `${x} ${y} ${w} ${h}`);
-    // For what keeps its size in px, as texts.
+    // For parts that keep their size in px, such as texts.
     this.root.style.setProperty("--px", String(this.scale));
-    // So that drawn places can be read back from a saved picture.
+    // Lets drawn positions be read back from a saved picture.
     this.root.setAttribute("data-scale", String(1 / this.scale / this.report.lengthPerMm));
     this.root.setAttribute("data-origin", `${-x / this.scale} ${-y / this.scale}`);
     this.root.classList.toggle("zoomed", !this.fitted);

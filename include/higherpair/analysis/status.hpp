@@ -2,33 +2,35 @@
 
 namespace higherpair {
 
-/// Time derivatives are worked out up to this one.
+/// Highest order of time derivative that is computed.
 inline constexpr int kHighestDerivative = 6;
 
 enum class RowStatus {
   kOk,
   kNotAssemblable,  ///< the mechanism cannot be put together at this driver position on its branch
-  kSingular,  ///< the closure has lost rank to within rounding: positions hold, some rates are not defined
-  kOverlap,   ///< touching bodies overlap elsewhere
+  kSingular,  ///< the closure conditions have lost rank to within rounding: positions are valid, some rates
+              ///< are undefined
+  kOverlap,   ///< two bodies in contact overlap elsewhere
   kNotConverged,  ///< the closure residual exceeds the tolerance
-  kContactOpen,   ///< a contact would have to pull; of rows with forces only
+  kContactOpen,   ///< a contact would have to pull; only in rows with forces
 };
 
 enum class EventType {
   kLimitPosition,  ///< the drivers cannot go further on this branch
-  kDeadPoint,      ///< passed through: a change point, where branches cross, or the output loses the input
-  kStrokeEnd,      ///< the output reverses
-  kConforming,     ///< κ1 + κ2 = 0: beyond, the bodies cut into each other at the contact
-  kSecondContact,  ///< of the same two bodies, with which the motion goes on
-  kOverlap,        ///< touching bodies begin to overlap elsewhere
-  kContactOpen,    ///< a contact begins to pull; of runs with forces only
-  kCurvatureJump,  ///< the contact goes over a joint of two spans with different curvatures: accelerations
-                   ///< jump
-  kCorner,         ///< the contact goes onto a corner, or leaves it
-  kEnd,            ///< of a curve that a contact comes to: it is lost, or on the edge there
-  kEngage,         ///< a contact that may part begins to touch
-  kRelease,        ///< a contact that may part ends: its body is held from there on
-  kLawJump,        ///< velocity or acceleration of a driver's law jumps
+  kDeadPoint,      ///< a change point, where branches cross; the motion passes straight through it
+  kStrokeEnd,      ///< an output (a joint to ground that is not driven) reverses
+  kConforming,     ///< κ1 + κ2 = 0: beyond it the bodies penetrate each other at the contact
+  kSecondContact,  ///< the motion continues with a second contact of the same two bodies
+  kOverlap,        ///< two bodies in contact begin to overlap elsewhere
+  kContactOpen,    ///< a contact would have to pull from here on; only in runs with forces
+  kCurvatureJump,  ///< the contact crosses a joint of two spans with different curvatures: accelerations jump
+  kCorner,         ///< the contact moves onto a corner or off it
+  kEnd,     ///< a contact reaches the end of its curve, where it is lost or continues on the edge; or a joint
+            ///< reaches the end of its line
+  kEngage,  ///< a contact that may part closes; or two bodies in contact begin to touch at a further place
+  kRelease,  ///< a contact that may part opens, and its body then stays where it is; or one of several places
+             ///< of contact parts
+  kLawJump,  ///< velocity or acceleration of a driver's law jumps
 };
 
 }  // namespace higherpair

@@ -14,32 +14,32 @@
 
 namespace higherpair {
 
-/// A number that an optimiser may choose.
+/// A number that the optimiser may choose.
 struct DesignVariable {
   double low = 0;   ///< < high
   double high = 1;  ///< finite
   double start = 0;
-  double step = 0;   ///< > 0: only multiples of it can be made; 0: any number
-  bool log = false;  ///< searched by its logarithm: for lengths of unknown order; low > 0
+  double step = 0;   ///< > 0: only multiples of it can be manufactured; 0: any value
+  bool log = false;  ///< searched on a logarithmic scale, for lengths of unknown order of magnitude; low > 0
 };
 
-/// What a candidate is worth: the objective is cost + the sum of squares of `residuals`.
+/// The values of a candidate: its objective is cost + the sum of squares of `residuals`.
 struct DesignValues {
-  double cost = 0;              ///< of objectives that are no squares
-  Eigen::VectorXd residuals;    ///< always so many
-  Eigen::VectorXd constraints;  ///< each holds where it is <= 0; of the order of 1 where one misses by far
+  double cost = 0;              ///< sum of the objectives that are not squares
+  Eigen::VectorXd residuals;    ///< DesignProblem::residuals of them
+  Eigen::VectorXd constraints;  ///< each holds if <= 0; scaled to the order of 1 for a bad violation
 };
 
-/// Derivatives of DesignValues by the variables.
+/// Derivatives of DesignValues with respect to the variables.
 struct DesignJacobian {
   Eigen::RowVectorXd cost;
   Eigen::MatrixXd residuals;    ///< one row for each residual
   Eigen::MatrixXd constraints;  ///< one row for each constraint
 };
 
-/// Works candidates out; used by one thread at a time. What it says of a candidate depends on nothing that it
-/// was asked before. Values are finite everywhere within the bounds, also of what cannot work at all:
-/// constraints say how far it is from that.
+/// Evaluates candidates; used by one thread at a time. The values of a candidate do not depend on earlier
+/// calls. They are finite everywhere within the bounds, even for a candidate that cannot work at all: its
+/// constraints then measure how far it is from working.
 class DesignEvaluator {
 public:
   DesignEvaluator() = default;
@@ -50,7 +50,7 @@ public:
   /// \param branch  0 … DesignProblem::branches - 1
   virtual void evaluate(std::span<const double> x, int branch, DesignValues& values) = 0;
 
-  /// Exact derivatives at x, where the evaluator has them; false: they are to be made by differences.
+  /// Exact derivatives at x, if the evaluator has them; false: differences are used instead.
   virtual bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian);
 };
 
@@ -61,20 +61,21 @@ struct DesignProblem {
   Eigen::Index constraints = 0;
   bool has_cost = false;  ///< false: DesignValues::cost is always 0
   bool smooth = true;     ///< false: values jump or have kinks almost everywhere; no derivatives are used
-  int branches = 1;       ///< different designs for the same variables, between which nothing is continuous
-  int start_branch = 0;   ///< of the start
-  /// A new evaluator; may be called by any thread.
+  int branches = 1;       ///< discrete alternatives for the same variables, such as assemblies; nothing is
+                          ///< continuous between them
+  int start_branch = 0;   ///< branch of the start
+  /// Makes a new evaluator; may be called from any thread.
   std::function<std::unique_ptr<DesignEvaluator>()> evaluator;
 };
 
-/// How a local search is done.
+/// Method of the local searches.
 enum class DesignMethod {
   kAuto,          ///< kLeastSquares where there is no cost, else kSlsqp; kCobyla where values are not smooth
   kLeastSquares,  ///< Levenberg-Marquardt, then kSlsqp where a constraint is active
   kSlsqp,         ///< sequential quadratic programming, by gradients
-  kCobyla,        ///< linear models of values alone
-  kBobyqa,        ///< quadratic models of values alone; constraints become penalties
-  kIsres,         ///< a search by evolution over the whole range, one for each start
+  kCobyla,        ///< linear models from values alone, without derivatives
+  kBobyqa,        ///< quadratic models from values alone; constraints become penalties
+  kIsres,         ///< evolutionary search over the whole range, once for each start
 };
 
 /// "auto", "least-squares", "slsqp", "cobyla", "bobyqa", "isres".
@@ -83,12 +84,12 @@ enum class DesignMethod {
 /// What a search has found so far.
 struct DesignProgress {
   std::int64_t evaluations = 0;
-  int starts = 0;        ///< searches that are done
+  int starts = 0;        ///< searches finished
   double objective = 0;  ///< of the best so far
   double violation = 0;  ///< its largest constraint; <= 0: all hold
 };
 
-/// A design and what it is worth.
+/// A design and its values.
 struct DesignPoint {
   std::vector<double> x;  ///< of the variables, within their bounds
   int branch = 0;
@@ -96,7 +97,7 @@ struct DesignPoint {
   double violation = 0;  ///< the largest constraint; <= 0: all hold
 };
 
-/// How one of the searches has ended.
+/// Result of one search.
 struct DesignSearchEnd {
   int number = 0;    ///< 0 … DesignOptions::starts - 1
   DesignPoint best;  ///< x is empty where no value was finite
@@ -107,19 +108,21 @@ struct DesignOptions {
   DesignMethod method = DesignMethod::kAuto;
   std::uint64_t seed = 1;
   int starts = 200;  ///< local searches, >= 1; the first one from the start of the variables
-  std::int64_t evaluations = 1'000'000;  ///< no further start once so many are used; a gradient counts as one
-                                         ///< for each variable unless it is exact
-  double seconds = 0;            ///< > 0: no further start after so long; what is found then depends on the
-                                 ///< machine
-  std::optional<double> target;  ///< enough once the objective is this small and all constraints hold
-  int threads = 0;               ///< 0: all; makes no difference to the result
-  int alternatives = 1;          ///< so many of the optima are given as they can be made
-  const std::atomic<bool>* stop = nullptr;              ///< once true, the best so far is returned
-  std::function<void(const DesignProgress&)> progress;  ///< called by the caller's thread, from time to time
-  /// Ends of searches of the same problem with the same method and seed, in any order: they are not made
-  /// again, and the outcome is the same to the last bit.
+  /// No further start once this many are used; an exact gradient counts as one, one by differences as two or
+  /// three for each variable.
+  std::int64_t evaluations = 1'000'000;
+  double seconds = 0;  ///< > 0: no further start after this time; the result then depends on the machine
+  /// The search ends once the objective is this small and all constraints hold.
+  std::optional<double> target;
+  int threads = 0;       ///< 0: all; makes no difference to the result
+  int alternatives = 1;  ///< number of optima returned rounded to steps, in DesignOutcome::made
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the best so far is returned
+  /// Called from the caller's thread, from time to time.
+  std::function<void(const DesignProgress&)> progress;
+  /// Results of earlier searches for the same problem with the same method and seed, in any order: they are
+  /// not repeated, and the outcome is the same to the last bit.
   std::vector<DesignSearchEnd> known;
-  /// Gets the end of every other search, by one thread at a time; not of one that was stopped on its way.
+  /// Receives the result of every other search, from one thread at a time; not of a search that was stopped.
   std::function<void(const DesignSearchEnd&)> ended;
 };
 
@@ -127,30 +130,32 @@ enum class DesignEnd { kStarts, kEvaluations, kTime, kTarget, kStopped };
 
 /// What a search has found.
 struct DesignOutcome {
-  DesignPoint best;  ///< of all that was ever evaluated; with numbers of the steps of the variables
-  DesignPoint free;  ///< the same before they were rounded to steps
-  /// Ends of the searches that differ, best first: by more than 1e-3 of a range in some variable. At most 10.
+  DesignPoint best;  ///< best of all candidates evaluated, rounded to the steps of the variables
+  DesignPoint free;  ///< the same before rounding to steps
+  /// Distinct results of the searches, best first: two differ by more than 1e-3 of its range in some
+  /// variable, or in the branch. At most 10.
   std::vector<DesignPoint> optima;
-  int different = 0;  ///< how many they were
-  /// The first DesignOptions::alternatives of them with numbers of the steps of the variables; the first one
-  /// is `best`.
+  int different = 0;  ///< how many distinct results there were in all
+  /// The first DesignOptions::alternatives of them, rounded to the steps of the variables; the first one is
+  /// `best`.
   std::vector<DesignPoint> made;
-  int starts = 0;  ///< searches done
+  int starts = 0;  ///< searches finished in all
   std::int64_t evaluations = 0;
   DesignEnd end = DesignEnd::kStarts;
-  /// Of each constraint: how much smaller the objective would be for each unit by which its limit is moved
-  /// outwards, to first order at `free`; >= 0, and 0 where it is not active, or nothing is known.
+  /// Lagrange multiplier of each constraint: how much smaller the objective would be for each unit by which
+  /// its limit is relaxed, to first order at `free`; >= 0, and 0 if it is inactive or the multiplier is
+  /// unknown.
   std::vector<double> multipliers;
 };
 
-/// Largest constraint with which a design counts as one in which all of them hold.
+/// A constraint counts as satisfied up to this value.
 inline constexpr double kConstraintTolerance = 1e-9;
 
-/// Many local searches from points spread over the ranges at random, and from points near the best ones: the
-/// engine that was best on path tasks of linkages, whose objectives have many local minima. The same seed
-/// gives the same result for any number of threads. Designs in which all constraints hold come before others;
-/// among those that violate one the least violation is best. A value that is not finite counts as a
-/// violation. \pre at least one variable, each with low < high
+/// Many local searches from random points within the ranges and from points near the best so far: the method
+/// that did best on path tasks of linkages, whose objectives have many local minima. The same seed gives the
+/// same result for any number of threads. Designs in which all constraints hold rank before others, which
+/// rank by their largest violation. A value that is not finite counts as a violation. \pre at least one
+/// variable, each with low < high
 [[nodiscard]] DesignOutcome optimise(const DesignProblem& problem, const DesignOptions& options = {});
 
 }  // namespace higherpair

@@ -14,28 +14,28 @@ namespace higherpair {
 // Pictures as plain data and as SVG: scenes of a mechanism, plots, and polygons of velocities, accelerations
 // and forces.
 
-/// How a body, or a point or curve of it, is drawn where not as usual.
+/// How a body, or one of its points or curves, is drawn if not by default.
 struct Look {
-  std::string name;      ///< in the picture; empty: its own
-  std::string colour;    ///< "#rrggbb" or "#rgb": what fills it, of a point its trace; empty: the usual one
-  bool hide = false;     ///< not drawn; a point's name and trace
-  bool outline = false;  ///< a line, not filled
+  std::string name;      ///< name shown in the picture; empty: its own
+  std::string colour;    ///< of its fill, or of a point's trace, "#rrggbb" or "#rgb"; empty: the default
+  bool hide = false;     ///< not drawn; for a point: neither its name nor its trace
+  bool outline = false;  ///< drawn as a line, not filled
 };
 
 struct BodyLook {
   Look body;
-  std::vector<Look> points;  ///< of Body::points
-  std::vector<Look> curves;  ///< of Body::curves
+  std::vector<Look> points;  ///< one for each of Body::points
+  std::vector<Look> curves;  ///< one for each of Body::curves
 };
 
-/// Of Mechanism::bodies; empty: all are drawn as usual.
+/// One for each of Mechanism::bodies; empty: all are drawn by default.
 using Looks = std::vector<BodyLook>;
 
-/// Lengths of scenes are in millimetres: so many are a metre.
+/// Lengths of scenes are in millimetres: this many per metre.
 inline constexpr double kMillimetres = 1000;
 
 /// What a shape shows. The names are those of `data-role` in SVG and of the layers in draw and report.
-enum class Role {  // in the order in which they are drawn, one over the other
+enum class Role {  // in drawing order, later ones on top
   kLink,           ///< bars and plates between the points of a body
   kBody,           ///< a body within its curves
   kGear,           ///< pitch circles of gears and belts
@@ -51,32 +51,32 @@ enum class Role {  // in the order in which they are drawn, one over the other
   kTrace,          ///< path of a point
   kVelocity,       ///< arrows
   kAcceleration,   ///< arrows
-  kForce,          ///< arrows: what joints and contacts do to their second bodies, and the drivers' effort
+  kForce,          ///< arrows: forces of joints and contacts on their second bodies, and the drivers' effort
   kLabel,          ///< names
 };
 inline constexpr int kRoleCount = 17;
 
-/// "body", "equivalent linkage" is "linkage", …
+/// "body"; "linkage" for the equivalent linkage, …
 [[nodiscard]] std::string_view name_of(Role role);
 [[nodiscard]] std::optional<Role> role_of(std::string_view name);
 
 /// One shape of a drawing.
 struct Shape {
   enum class Kind {
-    kPath,    ///< points x, y, x, y, …; `closed`: filled. Pieces apart are separated by two NaN
+    kPath,    ///< points x, y, x, y, …; filled if `closed`. Separate pieces are divided by two NaN
     kCircle,  ///< center x, y, radius
     kArrow,   ///< from x, y to x, y
-    kText,    ///< at x, y, and the direction x, y in which it keeps clear of it; with a fifth number
-              ///< its text is the name of a length [mm], which is that number
+    kText,  ///< position x, y, then the direction x, y in which the text is offset from it; a fifth number is
+            ///< the value [mm] of a length that the text names
   };
   Role role = Role::kBody;
   Kind kind = Kind::kPath;
   std::string name;             ///< of the body, joint, contact or point: "cam", "touch", "coupler.P"
-  int body = 0;                 ///< whose frame the numbers are in; 0: ground
+  int body = 0;                 ///< the body in whose frame the numbers are; 0: ground
   bool closed = false;          ///< of a path
   std::string text;             ///< of kText
   std::vector<double> numbers;  ///< [mm]; empty where it is not defined in this row
-  std::string colour;           ///< "#rrggbb" that fills it, or of its line; empty: that of its role
+  std::string colour;           ///< of its fill or line, "#rrggbb"; empty: that of its role
   bool outline = false;         ///< not filled although closed
 };
 
@@ -87,37 +87,38 @@ struct Box {
   [[nodiscard]] Vector2d size() const { return high - low; }
 };
 
-/// A mechanism as a picture shows it: shapes that never change in the frames of their bodies, where these
-/// are, and shapes that are another in every row, in ground.
+/// A mechanism as a picture shows it: shapes that are fixed in the frames of their bodies, the poses of these
+/// frames, and shapes that change from row to row, in ground.
 struct Scene {
   struct Place {
     double x = 0, y = 0, theta = 0;  ///< of a body's frame [mm, rad]
   };
-  Box view;  ///< holds all that moves, over the whole motion; links of equivalent linkages that leave it are
-             ///< broken off
-  double unit = 1;                ///< [mm] in which symbols are drawn: a pin has the radius 1
-  double velocity_scale = 0;      ///< length of an arrow for a velocity [mm/(mm/s)]; 0: nothing moves
+  Box view;  ///< contains everything that moves, over the whole motion; links of equivalent linkages that
+             ///< leave it are drawn broken off
+  double unit = 1;                ///< unit of length of symbols [mm]: a pin has the radius 1
+  double velocity_scale = 0;      ///< arrow length per velocity [mm/(mm/s)]; 0: nothing moves
   double acceleration_scale = 0;  ///< the same for an acceleration [mm/(mm/s²)]
   double force_scale = 0;         ///< the same for a force [mm/N]; 0: there are none
-  double torque_scale = 0;        ///< turn of the arc for a driving torque [rad/(N m)]; 0: there are none
+  double torque_scale = 0;        ///< angle of the arc per driving torque [rad/(N m)]; 0: there are none
   std::vector<Shape> fixed;       ///< drawn in this order, the ground first
   std::vector<Shape> moving;      ///< drawn after them
   bool defined = true;            ///< false: the row has no position
-  std::vector<Place> places;      ///< of Mechanism::bodies
+  std::vector<Place> places;      ///< one for each of Mechanism::bodies
 };
 
-/// A unit of a picture: its name as tables have it, and what it is in SI units.
+/// A unit used in a picture: its name as in tables, and its value in SI units.
 struct PictureUnit {
   std::string name;
   double si = 1;
 };
 
 struct DrawSettings {
-  std::vector<Role> layers;        ///< empty: all but motion, forces and instant centres
-  double width = 900;              ///< of the picture, or of each picture of a strip [px]
-  double most_height = 1000;       ///< without scales: what would be higher is drawn narrower [px]
+  std::vector<Role> layers;  ///< empty: default_layers()
+  double width = 900;        ///< of the picture, or of each picture of a strip [px]
+  /// Largest height, scale bars excluded; a higher picture is drawn narrower [px].
+  double most_height = 1000;
   bool strip = false;              ///< several scenes side by side, not one over the other
-  PictureUnit length{"mm", 1e-3};  ///< of `data-scale` and the scale bar
+  PictureUnit length{"mm", 1e-3};  ///< unit of `data-scale` and the scale bar
   PictureUnit velocity{"mm/s", 1e-3};
   PictureUnit acceleration{"mm/s^2", 1e-3};
   PictureUnit force{"N", 1};
@@ -125,13 +126,13 @@ struct DrawSettings {
   std::string title;  ///< for screen readers
 };
 
-/// The layers of a picture where none are named.
+/// The layers drawn if none are named: all but velocities, accelerations, forces and instant centres.
 [[nodiscard]] std::vector<Role> default_layers();
 
-/// A picture of a mechanism as SVG. The last scene is drawn whole, those before it as ghosts, or all side by
-/// side; below them the scales of lengths and arrows. Every element carries data-role and data-name; the top
-/// element data-scale (px per unit of length) and data-origin (px of ground's origin), y up.
-/// \pre  at least one scene, all of one SceneMaker
+/// A picture of a mechanism as SVG. The last scene is drawn in full, those before it as ghosts, or all side
+/// by side; below them are the scales of lengths and arrows. Every element carries data-role and data-name;
+/// the top element data-scale (px per unit of length) and data-origin (px of ground's origin), y up.
+/// \pre  at least one scene, all made by one SceneMaker
 [[nodiscard]] std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings);
 
 // A plot as plain data, and its picture. Numbers are in the units that are named beside them; NaN is
@@ -154,19 +155,19 @@ struct PlotSeries {
   std::string name;
   std::string unit;
   std::vector<double> x;
-  std::vector<double> y;  ///< as many
+  std::vector<double> y;  ///< as many as x
   PlotLine line = PlotLine::kOwn;
 };
 
-/// Something that happens at x, in all panels: a thin vertical line with a label.
+/// An event at x, in all panels: a thin vertical line with a label.
 struct PlotMark {
   double x = 0;
   std::string label;   ///< short
-  std::string name;    ///< what it happens at, for data-name
+  std::string name;    ///< the item that the event concerns, for data-name
   std::string detail;  ///< a sentence, shown where a pointer rests on the mark
 };
 
-/// Something that happens at a point of the panel of `unit`: a small circle with a label.
+/// An event at a point of the panel of `unit`: a small circle with a label.
 struct PlotPoint {
   double x = 0;
   double y = 0;
@@ -186,7 +187,7 @@ struct PlotRange {
 struct PlotData {
   std::string title;
   PlotAxis x;
-  std::string y_name;  ///< of the quantity that all series show; empty: their names say it
+  std::string y_name;  ///< quantity that all series show; empty: given by their names
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks;
   std::vector<PlotPoint> points;
@@ -200,23 +201,23 @@ struct PlotData {
 /// \param width  [px], at least 200
 [[nodiscard]] std::string plots_svg(const std::vector<PlotData>& plots, double width = 720);
 
-// Velocity, acceleration and force polygons of one row, as textbooks draw them. In names `_{…}` is lowered
-// and `^{…}` raised text: "a_{BA}^{n}".
+// Velocity, acceleration and force polygons of one row, as textbooks draw them. In names `_{…}` is a
+// subscript and `^{…}` a superscript: "a_{BA}^{n}".
 
 /// An arrow of a polygon.
 struct PolygonArrow {
   enum class Kind {
     kAbsolute,    ///< from the pole
-    kRelative,    ///< of two points of one body, or of the ends of an equivalent link
-    kNormal,      ///< its part towards the other point: -ω² r
-    kTangential,  ///< the rest of it: α ẑ×r
-    kSliding,     ///< along a slide, seen from its guide
-    kCoriolis,    ///< 2 ω ẑ×v of the sliding
+    kRelative,    ///< between two points of one body, or the ends of an equivalent link
+    kNormal,      ///< normal part of a relative acceleration, towards the other point: -ω² r
+    kTangential,  ///< tangential part of it: α ẑ×r
+    kSliding,     ///< along a slide, relative to its guide
+    kCoriolis,    ///< 2 ω ẑ×v, v being the velocity of sliding
     kForce,
   };
   Kind kind = Kind::kAbsolute;
   std::string name;  ///< "v_{BA}"
-  std::string item;  ///< what tables call it: "link3.B", "link3.B/link3.A", a joint, contact, load or spring
+  std::string item;  ///< its name in tables: "link3.B", "link3.B/link3.A", a joint, contact, load or spring
   Vector2d from = Vector2d::Zero();
   Vector2d to = Vector2d::Zero();
 };
@@ -229,7 +230,7 @@ struct PolygonPoint {
 struct Polygon {
   enum class Kind { kVelocity, kAcceleration, kForce };
   Kind kind = Kind::kVelocity;
-  std::string title;  ///< of a force polygon the body's name
+  std::string title;  ///< for a force polygon the body's name
   std::string unit;   ///< of all vectors; empty: SI
   std::vector<PolygonPoint> points;
   std::vector<PolygonArrow> arrows;

@@ -15,7 +15,7 @@ namespace higherpair {
 struct CheckSettings {
   bool in_time = false;                       ///< the motion in time, as RunSettings::in_time
   double tolerance = 1e-9;                    ///< as RunSettings::tolerance
-  std::shared_ptr<const CheckLimits> limits;  ///< none: those of the profile
+  std::shared_ptr<const CheckLimits> limits;  ///< null: those of the profile
   const std::atomic<bool>* stop = nullptr;    ///< as RunSettings::stop
 };
 
@@ -26,14 +26,14 @@ enum class Verdict {
   kExceeded,
 };
 
-/// One number that a cam or a mechanism is judged by, in the profile's units: an extreme on the whole path,
-/// or a size that would keep a limit.
+/// One figure by which a cam or mechanism is judged, in the profile's units: an extreme over the whole path,
+/// or a dimension that would keep a limit.
 struct CheckFigure {
   std::string item;             ///< "contacts.touch", "joints.guide", "cam.flank", "driver"
   std::string quantity;         ///< "pressure_angle"; docs/check.md has all
-  std::string of;               ///< the curve that it is about, "cam.flank"; empty: the item itself
-  std::optional<double> value;  ///< none: without bounds
-  std::string unit;             ///< "1" of a pure number
+  std::string of;               ///< the curve that it refers to, "cam.flank"; empty: the item itself
+  std::optional<double> value;  ///< none: unbounded
+  std::string unit;             ///< "1" for a pure number
   std::optional<double> at;     ///< position of the (first) driver at which it is reached
   std::optional<double> limit;
   Verdict verdict = Verdict::kNoLimit;
@@ -43,18 +43,18 @@ struct CheckFigure {
 struct CheckReport {
   std::string title;
   std::string driver_unit;           ///< of CheckFigure::at
-  std::vector<CheckFigure> figures;  ///< those of one item together
-  std::vector<Event> events;         ///< as Motion::events, for what makes the path not good
+  std::vector<CheckFigure> figures;  ///< grouped by item
+  std::vector<Event> events;         ///< as Motion::events: what keeps the path from being good
   bool good = true;                  ///< no limit is exceeded, no contact opens, and the whole path is good
-  bool stopped = false;              ///< figures are missing
-  Diagnostics notes;                 ///< limits that apply to nothing, and those of Analysis::notes
+  bool stopped = false;              ///< stopped early: figures are missing
+  Diagnostics notes;                 ///< about limits that apply to nothing, and those of Analysis::notes
 };
 
-/// Works out for every contact, follower and driver what a cam is judged by, and holds it to the limits:
-/// pressure angles, radii of curvature, the width of flat faces, sliding and rolling speeds, contact forces
-/// and Hertz's pressure, accelerations and jerks, driving efforts, the speed up to which no contact opens; of
-/// flanks that a law has shaped also the sizes that would keep the limits. Extremes are those of the whole
-/// path, whatever its rows. Fails as Model::run does.
+/// Computes for every contact, follower and driver the figures by which a cam is judged, and compares them
+/// with the limits: pressure angles, radii of curvature, the width of flat faces, sliding and rolling speeds,
+/// contact forces and Hertzian pressure, accelerations and jerks, driving efforts, the speed up to which no
+/// contact opens; for flanks generated from a law also the dimensions that would keep the limits. Extremes
+/// are taken over the whole path, between its rows too. Fails as Model::run does.
 [[nodiscard]] Result<CheckReport> check(const Model& model, const CheckSettings& settings = {});
 
 /// "exceeded", "kept", "" as results print it.

@@ -13,43 +13,44 @@ namespace higherpair {
 struct ExportSettings {
   enum class Path {
     kCurve,   ///< the curve itself
-    kPitch,   ///< path of the centre of the roller that touches it, by the contacts of the profile
+    kPitch,   ///< path of the centre of the roller that touches it in a contact of the profile
     kCutter,  ///< path of the centre of a round cutter that cuts it
   };
 
   std::vector<std::string> curves;  ///< "BODY.CURVE"
-  std::string body;                 ///< all curves of this body; without both: the only curve there is
+  std::string body;                 ///< all curves of this body; if both are empty: the only curve of the
+                                    ///< model
   Path path = Path::kCurve;
   double cutter = 0;  ///< kCutter: radius [m]
-  /// How far lines and conics without ends are followed, from the vertex or the point that gives them [m].
+  /// How far unbounded lines and conics extend from their point or vertex [m].
   std::optional<double> reach;
 };
 
 /// A curve to be written, in the frame of its body.
 struct ExportedCurve {
-  std::string name;  ///< "BODY.CURVE", and "-pitch" or "-cutter" where it is that path
+  std::string name;  ///< "BODY.CURVE", followed by "-pitch" or "-cutter" for these paths
   Boundary boundary;
 };
 
-/// The curves in the order of the settings, or of the body. Fails (kInput) where a name names nothing, where
-/// a curve has no ends and no reach is given, where one is a point, where no roller or several of different
-/// radii touch it (kPitch), and where the cutter is too large; the message says where, and how large it may
-/// be.
+/// The curves in the order of the settings, or of the body. Fails (kInput) for a name that does not exist, an
+/// unbounded curve without a reach, a point, a curve that no roller or rollers of different radii touch
+/// (kPitch), and a cutter that is too large; the message says where, and how large it may be.
 [[nodiscard]] Result<std::vector<ExportedCurve>> exported_curves(const Model& model,
                                                                  const ExportSettings& settings);
 
 /// How closely the file follows the curve.
 struct ExportAccuracy {
-  /// Largest distance of arcs and lines (of CSV: of lines between its points) from the curve [m]; none:
-  /// kDefaultExportTolerance of the size of each curve. At least 1e-9 of it.
+  /// Largest distance of arcs and lines (in CSV: of lines between its points) from the curve [m]; none:
+  /// kDefaultExportTolerance times the size of each curve. At least 1e-9 times that size.
   std::optional<double> tolerance;
-  std::optional<int> points;  ///< of CSV: so many at equal distances along the curve instead; at least 2
+  std::optional<int> points;  ///< CSV only: this many points, equally spaced along the curve, instead; at
+                              ///< least 2
 };
 
 inline constexpr double kDefaultExportTolerance = 1e-5;
 
 /// \name A curve as text of a file
-/// Lengths in the units' length. Fail where the accuracy cannot be had (kInput).
+/// Lengths in the units' length. Fail if the accuracy cannot be reached (kInput).
 /// @{
 
 /// A row for each point: `x`, `y`, the outward unit normal `nx`, `ny`, the curvature, > 0 where the material
@@ -58,7 +59,7 @@ inline constexpr double kDefaultExportTolerance = 1e-5;
 [[nodiscard]] Result<std::string> curve_csv(const Model& model, const ExportedCurve& curve,
                                             const ExportAccuracy& accuracy, const Units& units);
 
-/// A DXF (io/dxf_writer.hpp) with a layer for each curve, called as it is with a dash for the dot.
+/// A DXF (io/dxf_writer.hpp) with a layer for each curve, named after it with a dash for the dot.
 [[nodiscard]] Result<std::string> curves_dxf(const Model& model, const std::vector<ExportedCurve>& curves,
                                              const ExportAccuracy& accuracy, const Units& units);
 

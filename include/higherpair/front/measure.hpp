@@ -11,28 +11,26 @@
 
 namespace higherpair {
 
-/// What a measure comes to. Numbers are in the units of the run.
+/// The value of a measure, in the units of the run.
 struct Measured {
-  /// Undefined (NaN) where no row has a value; of first, last and at where this row has none, or is not
-  /// there.
+  /// NaN if no row has a value; for first, last and at: if that row has none, or does not exist.
   double value = std::numeric_limits<double>::quiet_NaN();
-  /// The row that it is from, of several the first: position of the (first) driver, of a run in
-  /// time the time. NaN of range, mean and rms, and where the value is undefined.
+  /// The row that the value comes from (the first of several), by the position of the (first) driver, or by
+  /// the time in a run in time. NaN for range, mean and rms, and if the value is undefined.
   double where = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The settings with the columns that the measures need, and no others; forces and jerk are worked out where
-/// a column needs it. Fails, with the place of each, for columns that do not exist (the message names those
-/// that are like it) or hold words, and where the model's rows have none at the place that `at` wants.
+/// The settings with only the columns that the measures need; forces and jerk are turned on if a column needs
+/// them. Fails, with the place of each mistake, for columns that do not exist (the message suggests similar
+/// names) or hold words, and if none of the model's rows is where `at` asks for.
 [[nodiscard]] Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
                                                RunSettings settings = {});
 
-/// Works measures out row by row, so that no table need be kept. A row counts in a measure whatever its
-/// status, if it has a value in the column: what numbers of rows that are not ok are worth, their statuses
-/// say.
+/// Evaluates measures row by row, so that no table need be kept. Every row with a value in the column counts,
+/// whatever its status: the statuses say how far the numbers of rows that are not ok can be trusted.
 class MeasureSet {
 public:
-  /// \param columns  of a run with settings_for() these measures
+  /// \param columns  of a run with the settings from settings_for() for these measures
   MeasureSet(std::vector<Measure> measures, const std::vector<Column>& columns);
 
   /// Forgets all rows.
@@ -41,9 +39,9 @@ public:
   void add(const Row& row);
 
   [[nodiscard]] std::size_t size() const { return measures_.size(); }
-  /// Of the rows so far.
+  /// The value over the rows so far.
   [[nodiscard]] Measured value(std::size_t measure) const;
-  /// Of the value, "deg/s^2".
+  /// The unit of the value, "deg/s^2".
   [[nodiscard]] const std::string& unit(std::size_t measure) const { return units_[measure]; }
   /// The column of Measured::where in a row, and its unit, "deg".
   [[nodiscard]] std::size_t where_slot() const { return where_slot_; }
@@ -56,22 +54,23 @@ private:
   };
   // What one measure keeps of the rows.
   struct State {
-    Seen best;              // the row whose value it is; of range the largest
-    double low = 0;         // of range the smallest value; of at how far the row is from the place
-    long double sum = 0;    // of v or v²: neither rounds nor overflows where a double's would
-    std::int64_t rows = 0;  // with a value; not counted of first, last and at
+    Seen best;              // the row with the value; for range that of the largest
+    double low = 0;         // for range the smallest value; for at the distance of the row from the place
+                            // asked for
+    long double sum = 0;    // of v or v²: more digits and range than a double, against rounding and overflow
+    std::int64_t rows = 0;  // with a value; not counted for first, last and at
   };
 
   void take(const Seen& seen, const Measure& measure, State& state) const;
 
   std::vector<Measure> measures_;
   std::vector<State> states_;
-  std::vector<std::size_t> slots_;  // of their columns in a row
+  std::vector<std::size_t> slots_;  // indices of their columns in a row
   std::vector<std::string> units_;
   std::size_t where_slot_ = 0;
   std::string where_unit_;
   std::int64_t rows_ = 0;
-  double low_where_ = 0;  // where rows have been
+  double low_where_ = 0;  // range of `where` over the rows so far
   double high_where_ = 0;
 };
 

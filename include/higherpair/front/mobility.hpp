@@ -9,21 +9,22 @@
 
 namespace higherpair {
 
-/// Bodies that are placed together, and how.
+/// Bodies whose positions are solved together, and how.
 struct PlanStep {
-  std::vector<int> bodies;  ///< of Mechanism::bodies
+  std::vector<int> bodies;  ///< indices into Mechanism::bodies
   std::string text;
 };
 
-/// What a mechanism can do.
+/// The mobility of a mechanism, and how it is solved.
 struct MobilityFindings {
   Model model;
   Mobility mobility;           ///< SI units
-  std::vector<PlanStep> plan;  ///< in the order of solution; empty where the drivers do not place all bodies
+  std::vector<PlanStep> plan;  ///< in the order of solution; empty if the drivers do not determine the
+                               ///< positions of all bodies
   std::optional<std::string> objection;  ///< why it cannot be run
 };
 
-/// Counts freedoms, finds the rank, and tries to start the mechanism. Fails only for wrong input, as a
+/// Counts freedoms, finds the rank, and tries to start the mechanism. Fails only for invalid input, such as a
 /// driver's positions.
 [[nodiscard]] Result<MobilityFindings> mobility_of(const Model& model, double tolerance = 1e-9);
 
@@ -50,7 +51,7 @@ struct MobilityFindings {
 ///   `time_ratio`, `turn_in`, `outer`, `inner` {`crank`, `slider`}}, crank angles from the line of
 ///   sliding; `harmonic` null (with an offset) or the largest errors {`position`, `velocity`,
 ///   `acceleration`} in units of r, rω, rω²; `quick_return` null unless ground is the crank or coupler of
-///   the loop, then by what its parts are called in that inversion: `frame`, `crank`, `lever` (null: a
+///   the loop, then with its parts as they are called in that inversion: `frame`, `crank`, `lever` (null: a
 ///   slot in the rod), `ram` (null if there is none), `frame_length`, `crank_length`, and null where the
 ///   crank does not turn fully: `lever_turns`, `swing`, `time_ratio`
 /// - `gears` [{`joint`, `first`, `second` (bodies), `pitch_radii` [two], `pressure_angle`, `module` (null if

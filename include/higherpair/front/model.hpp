@@ -35,29 +35,28 @@ struct Parameter {
 };
 
 /// A mechanism that can be analysed: its description, units and drivers, and the order in which it is solved.
-/// Never changes once made; cheap to copy; any number of threads may analyse one model at once.
+/// Immutable and cheap to copy; any number of threads may analyse one model at once.
 class Model {
 public:
-  /// Reads a profile from a file; all mistakes of meaning are in the error, of syntax the first.
+  /// Reads a profile from a file; the error holds all semantic mistakes, but only the first syntax error.
   /// \param overrides  "PATH=VALUE" each, as of the option --set
   [[nodiscard]] static Result<Model> open(const std::string& path,
                                           std::span<const std::string> overrides = {});
 
   /// The same for a text, UTF-8.
-  /// \param name  what messages call it
+  /// \param name  its name in messages
   [[nodiscard]] static Result<Model> from_text(std::string_view text, const std::string& name = "profile",
                                                std::span<const std::string> overrides = {});
 
-  /// A mechanism built in C++ (mechanism/build.hpp helps). Fails where an index refers to nothing or a number
-  /// is not finite; the message names it.
+  /// A mechanism built in C++, for example with the functions of mechanism/description.hpp. Fails if an index
+  /// refers to nothing or a number is not finite; the message names it.
   /// \param units     of columns and of `programs`; the mechanism itself is in SI units and radians
-  /// \param programs  what each driver does; empty: default_program for each
+  /// \param programs  the motion of each driver; empty: default_program for each
   [[nodiscard]] static Result<Model> from(Mechanism mechanism, const Units& units = {},
                                           std::vector<DriverProgram> programs = {});
 
-  /// The same model with other numbers or keys. Where only numbers differ the order of solution is kept and
-  /// its dimensions are filled in anew. For models that were read; with_mechanism() is for
-  /// those that were built.
+  /// The same model with other numbers or keys. If only numbers differ, the order of solution is reused with
+  /// the new dimensions. For models read from a profile; with_mechanism() is for those built in C++.
   [[nodiscard]] Result<Model> with(std::span<const Setting> settings) const;
   [[nodiscard]] Result<Model> with(std::initializer_list<Setting> settings) const {
     return with(std::span(settings.begin(), settings.size()));
@@ -66,23 +65,23 @@ public:
   /// The same units and drivers with another mechanism, such as mechanism() with other dimensions.
   [[nodiscard]] Result<Model> with_mechanism(Mechanism mechanism) const;
 
-  /// Every number of the profile, in the order of the file; none of a model that was built.
+  /// Every number of the profile, in the order of the file; none for a model built in C++.
   [[nodiscard]] std::vector<Parameter> parameters() const;
 
   [[nodiscard]] const Profile& profile() const;
   [[nodiscard]] const Mechanism& mechanism() const { return profile().mechanism; }
   [[nodiscard]] const Units& units() const { return profile().units; }
-  /// What in the profile is probably a slip although it may be meant.
+  /// Notes on what is valid in the profile but probably a slip.
   [[nodiscard]] const Diagnostics& notes() const { return profile().notes; }
 
-  /// The run of this model at the drivers' positions, or in time: all rows at once, or one after the other.
-  /// Fails for settings that are wrong (kInput), a mechanism that cannot be started (kMechanism), and where
-  /// it is stopped before the first row.
+  /// Runs this model at the drivers' positions, or in time: run() computes all rows, start() lets them be
+  /// taken one after the other. Fails for invalid settings (kInput), for a mechanism that cannot be started
+  /// (kMechanism), and if it is stopped before the first row.
   [[nodiscard]] Result<Motion> run(const RunSettings& settings = {}) const;
   [[nodiscard]] Result<Analysis> start(const RunSettings& settings = {}) const;
 
   struct Data;
-  /// For the library itself; no part of what stays the same from version to version.
+  /// For the library's own use; not part of the stable interface.
   [[nodiscard]] const Data& data() const { return *data_; }
 
 private:
@@ -92,20 +91,20 @@ private:
   std::shared_ptr<const Data> data_;
 };
 
-/// One model again and again with other numbers: Model::with for loops of many variants. No text is taken
-/// apart, and nothing is noted that may be a slip. One thread at a time may use it; models that it has made
-/// are independent of it.
+/// Makes many variants of one model that differ in numbers: a fast Model::with for loops. No text is parsed
+/// again, and the variants have no notes. One thread at a time may use it; the models that it makes are
+/// independent of it.
 class ModelVariants {
 public:
-  /// \param paths  of numbers of the profile, as of a Setting. Fails for one that leads to none, and for a
-  ///               model that was built
+  /// \param paths  of numbers of the profile, as in a Setting. Fails for one that leads to no number, and for
+  ///               a model built in C++
   [[nodiscard]] static Result<ModelVariants> of(const Model& model, std::span<const std::string> paths);
   ModelVariants(ModelVariants&& other) noexcept;
   ModelVariants& operator=(ModelVariants&& other) noexcept;
   ~ModelVariants();
 
-  /// The model with these numbers, in the profile's units, at the paths. Fails where the profile would be
-  /// wrong.
+  /// The model with these numbers, in the profile's units, at the paths. Fails if the profile would be
+  /// invalid.
   [[nodiscard]] Result<Model> with(std::span<const double> values);
 
 private:

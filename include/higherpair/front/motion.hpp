@@ -16,48 +16,49 @@
 
 namespace higherpair {
 
-/// What to work out, and where.
+/// What to compute, and where.
 struct RunSettings {
   bool in_time = false;  ///< rows in time (duration and time_step of the drivers), not positions
-  std::optional<std::int64_t> samples;  ///< in place of that of the profile; in time: rows over the duration
-  std::vector<double> positions;     ///< of the only driver, in the profile's unit; in place of the profile's
+  std::optional<std::int64_t> samples;  ///< instead of that of the profile; in time: rows over the duration
+  std::vector<double> positions;     ///< of a single driver, in the profile's unit; instead of the profile's
   bool forces = false;               ///< columns of the reactions of joints, contacts and drivers
   bool jerk = false;                 ///< columns of the jerk, and of that of the frozen equivalent linkage
-  std::optional<int> derivatives;    ///< columns of the third to this time derivative, 3 … 6
-  std::vector<std::string> columns;  ///< names or globs ("follower.*"); empty: all. No others are worked out
+  std::optional<int> derivatives;    ///< columns of the time derivatives from the third to this one, 3 … 6
+  std::vector<std::string> columns;  ///< names or globs ("follower.*"); empty: all. Only these are computed
   std::optional<Units> units;  ///< of columns and events; none: the profile's. kSiUnits: metres, radians
-  double tolerance = 1e-9;     ///< largest closure error of an ok row, of the size of the mechanism
-  const std::atomic<bool>* stop = nullptr;  ///< read at every inner step: once true, no further row comes
+  double tolerance = 1e-9;     ///< largest closure error of an ok row, relative to the size of the mechanism
+  const std::atomic<bool>* stop = nullptr;  ///< checked at every inner step: once true, no further row is
+                                            ///< returned
 };
 
 /// A column of a table.
 struct Column {
   std::string name;                         ///< "follower.alpha"
-  std::string unit;                         ///< "deg/s^2", "1" of a pure number; empty for words
-  std::span<const std::string_view> words;  ///< of a column of words: its values are indices of these
+  std::string unit;                         ///< "deg/s^2", "1" for a pure number; empty for words
+  std::span<const std::string_view> words;  ///< of a column of words: its values are indices into these
 };
 
-/// A row of the table of a run, in the units of the run. It is the caller's: it may be kept and copied.
+/// A row of the table of a run, in the units of the run. The caller owns it and may keep and copy it.
 struct Row {
   std::int64_t number = -1;  ///< from 0
   RowStatus status = RowStatus::kNotConverged;
   std::vector<double> values;  ///< one for each column; NaN where undefined (an empty field in CSV)
 };
 
-/// What happened on the path to a row.
+/// An event on the path to a row.
 struct Event {
   EventType type = EventType::kLimitPosition;
   double driver = 0;           ///< position of the (first) driver in the units of the run
-  std::optional<double> time;  ///< of a run in time
-  std::string item;            ///< name of the joint or contact at which it happened; empty: none
+  std::optional<double> time;  ///< in a run in time
+  std::string item;            ///< name of the joint or contact concerned; empty: none
   std::string cause;           ///< a sentence
-  std::int64_t row = 0;        ///< the row that the path led to
+  std::int64_t row = 0;        ///< it happened on the path from the row before to this row
   double driver_si = 0;        ///< the position in [rad or m]
-  std::optional<int> joint;    ///< of Mechanism::joints
-  std::optional<int> contact;  ///< of Mechanism::contacts
-  /// Of a stroke end: the joint's coordinate there, in the units of the run.
+  std::optional<int> joint;    ///< index into Mechanism::joints
+  std::optional<int> contact;  ///< index into Mechanism::contacts
+  /// For a stroke end: the joint's coordinate there, in the units of the run.
   std::optional<double> value;
-  double share = 1;  ///< of the path from the row before to `row`: where it happened
+  double share = 1;  ///< where it happened, as a fraction of the path from the row before to `row`
 };
 
 /// The word in a column of words; empty where undefined.
@@ -78,8 +79,8 @@ struct SmallestForce {
   double driver = 0;  ///< position of the (first) driver
 };
 
-/// A run under way, row by row: for more rows than memory should hold. Made by Model::start. One thread at a
-/// time may use it; any number of them may run on one model at once.
+/// A run that is computed row by row, for more rows than memory should hold. Made by Model::start. One thread
+/// at a time may use it; any number of them may run on one model at once.
 ///
 ///     Row row;
 ///     while (analysis.next(row)) { … row.values[k] … }
@@ -100,17 +101,17 @@ public:
   /// Whether RunSettings::stop ended it.
   [[nodiscard]] bool stopped() const;
 
-  /// Of the rows so far. What an opened contact would need to stay closed, which all rows have a part in, is
-  /// in its `cause` after the last one.
+  /// The events up to the last row taken. What would keep an opened contact closed depends on all rows, and
+  /// is in the event's `cause` after the last one.
   [[nodiscard]] const std::vector<Event>& events() const;
-  /// What is far from its pose once the mechanism is assembled: probably a slip in the profile.
+  /// Notes on what is far from its pose once the mechanism is assembled, probably a slip in the profile.
   [[nodiscard]] Diagnostics notes() const;
   /// With RunSettings::forces, after the last row: the smallest force of each contact on the whole path,
-  /// whatever its rows; of contacts whose force is defined somewhere.
+  /// between its rows too; only contacts whose force is defined somewhere.
   [[nodiscard]] std::vector<SmallestForce> smallest_forces() const;
-  /// Factor on the drivers' speed up to which no contact opens; none where dampers act or nothing is known.
+  /// Factor on the drivers' speed up to which no contact opens; none if dampers act or the factor is unknown.
   [[nodiscard]] std::optional<double> highest_speed() const;
-  /// Whether the whole path so far is good: every row `ok`, and on the path no limit position (but at its
+  /// Whether the whole path so far is good: every row `ok`, and on the path no limit position (except at its
   /// very ends), no overlap and no contact that opens.
   [[nodiscard]] bool good() const;
 
@@ -134,7 +135,8 @@ struct ColumnValues {
   [[nodiscard]] auto end() const { return values.end(); }
 };
 
-/// A whole run: its table by columns, and its events. A value; what its members refer to lives as long as it.
+/// A whole run: its table by columns, and its events. A value; what its members return refers to it and is
+/// valid as long as it lives.
 class Motion {
 public:
   /// All rows of an analysis.
@@ -144,12 +146,12 @@ public:
   [[nodiscard]] std::size_t size() const { return statuses_.size(); }
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
 
-  /// The column of that name; the error names those that are like it.
+  /// The column of that name; the error suggests similar names.
   [[nodiscard]] Result<ColumnValues> find_column(std::string_view name) const&;
   Result<ColumnValues> find_column(std::string_view name) const&& = delete;
 
-  /// The same for a name that is known to be there, as one of RunSettings::columns.
-  /// \throws std::out_of_range  where it is not, with the message of the error
+  /// The same for a name that is known to exist, such as one of RunSettings::columns.
+  /// \throws std::out_of_range  if it does not exist, with the message of the error
   [[nodiscard]] ColumnValues column(std::string_view name) const&;
   ColumnValues column(std::string_view name) const&& = delete;
 
@@ -182,19 +184,18 @@ struct RowBlock {
   }
 };
 
-/// What is written of a block: as many texts as there are outputs.
+/// The text to be written for a block, one for each output.
 using BlockTexts = std::vector<std::string>;
 
-/// Works out all rows of a run in blocks, on several threads at once, and gives them to `take` in their
-/// order, one block at a time. Rows, events and everything else are those of Analysis::next to the last bit,
-/// whatever the number of threads; the analysis is left as it is after the last row, without motion() and
-/// reactions(). Memory does not grow with the number of rows. Ends early where `take` returns false, or the
-/// run is stopped.
+/// Computes all rows of a run in blocks, on several threads at once, and passes them to `take` in order, one
+/// block at a time. Rows, events and everything else are those of Analysis::next to the last bit, whatever
+/// the number of threads; events() and the other queries of the analysis then answer as after its last row.
+/// Memory does not grow with the number of rows. Ends early if `take` returns false or the run is stopped.
 /// \pre no row of the analysis has been taken
-/// \param threads  so many; 0: as many as there are cores to be used
-/// \param texts    makes what is written of a block, on any thread, several at once; the texts that it gets
-///                 are empty, as many as it left of an earlier block, so that their memory is used again
-/// \param take     gets the blocks and their texts in order, one at a time; false ends the run
+/// \param threads  number of threads; 0: one for each available core
+/// \param texts    makes the texts of a block; called on any thread, several at once. It gets the strings
+///                 that it left for an earlier block, emptied, to reuse their memory
+/// \param take     receives the blocks and their texts in order, one at a time; returning false ends the run
 void run_blocks(Analysis& analysis, int threads,
                 const std::function<void(const RowBlock&, BlockTexts&)>& texts,
                 const std::function<bool(const RowBlock&, const BlockTexts&)>& take);

@@ -15,39 +15,41 @@ namespace higherpair {
 
 /// Which positions of a mechanism a picture shows.
 struct SceneSettings {
-  std::optional<double> at;     ///< the (first) driver's position, in its unit; none: the first position
-  std::optional<double> every;  ///< instead: every so much of the driver from the first to the last position
-  std::vector<std::string> traces;          ///< "BODY.POINT": also these points leave traces
-  bool forces = false;                      ///< with the forces of joints, contacts and drivers
-  double tolerance = 1e-9;                  ///< as RunSettings::tolerance
+  std::optional<double> at;         ///< the (first) driver's position, in its unit; none: the first position
+  std::optional<double> every;      ///< instead: positions of the driver at this spacing, from the first to
+                                    ///< the last
+  std::vector<std::string> traces;  ///< "BODY.POINT": further points whose paths are drawn
+  bool forces = false;              ///< with the forces of joints, contacts and drivers
+  double tolerance = 1e-9;          ///< as RunSettings::tolerance
   const std::atomic<bool>* stop = nullptr;  ///< as RunSettings::stop
 };
 
 /// The scenes of a picture.
 struct Scenes {
   std::vector<Scene> scenes;  ///< at least one
-  /// Where `at` cannot be reached: the limit position before it, in the driver's unit, which the scene shows.
+  /// If `at` cannot be reached: the limit position before it, in the driver's unit, which the scene shows
+  /// instead.
   std::optional<double> limit;
-  std::string cause;  ///< of the limit, a sentence
+  std::string cause;  ///< of the limit, as a sentence
   /// Positions of `every` that cannot be assembled and are left out, in the driver's unit.
   std::vector<double> left_out;
-  /// What lies on the way to a scene and keeps the path from being good: limit positions, overlaps.
+  /// Events on the path to a scene that keep it from being good: limit positions, overlaps.
   std::vector<Event> passed;
 };
 
-/// How a picture is drawn in these units.
+/// Settings for a picture in these units.
 [[nodiscard]] DrawSettings draw_settings(const Units& units);
 
 /// Whether there is anything that could load the joints: masses, loads or springs.
 [[nodiscard]] bool has_forces(const Mechanism& mechanism);
 
-/// The scenes of a model. All rows of the profile's own run, thinned to a few hundred, decide how much room
-/// the picture has and which paths points trace. Fails as Model::run does, where a trace names no point,
-/// where forces are wanted but has_forces says no, and where `at` or `every` do not suit the drivers: several
-/// are drawn at the row nearest to `at`.
+/// The scenes of a model. The extent of the picture and the traces of points come from all rows of the
+/// profile's own run, thinned to a few hundred. With several drivers the row nearest to `at` is drawn. Fails
+/// as Model::run does, if a trace names no point, if forces are requested but has_forces() is false, and if
+/// `at` or `every` do not suit the drivers.
 [[nodiscard]] Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings = {});
 
-/// The point that "BODY.POINT" names; the error names those that are like it.
+/// The point that "BODY.POINT" names; the error suggests similar names.
 [[nodiscard]] Result<PointRef> find_point(const Model& model, const std::string& name);
 
 /// What is plotted against what.
@@ -84,11 +86,11 @@ struct PolygonSettings {
 /// The polygons of one position, in the profile's units.
 struct Polygons {
   std::vector<Polygon> polygons;  ///< of velocities, of accelerations, of the forces on each body
-  double driver = 0;              ///< position that they are of, in the driver's unit
+  double driver = 0;              ///< the driver's position to which they belong, in its unit
   std::string driver_unit;
-  /// Where `at` cannot be reached: `driver` is the limit position before it, and this is why, a sentence.
+  /// If `at` cannot be reached: the reason, as a sentence; `driver` is then the limit position before it.
   std::optional<std::string> limit;
-  /// Else what lies on the way there and keeps the path from being good: limit positions, overlaps.
+  /// Else the events on the path there that keep it from being good: limit positions, overlaps.
   std::vector<Event> passed;
 };
 
@@ -96,14 +98,15 @@ struct Polygons {
 void to_units(std::vector<Polygon>& polygons, const Units& units);
 
 /// The polygons where the driver, coming from its first position, is at `at`. With several drivers they are
-/// of the row in which the first one is nearest to it. Fails as Model::run does.
+/// those of the row in which the first driver is nearest to it. Fails as Model::run does.
 [[nodiscard]] Result<Polygons> polygons_of(const Model& model, const PolygonSettings& settings);
 
-/// What a report is to show.
+/// What a report shows.
 struct ReportSettings {
   bool in_time = false;                 ///< rows in time, as RunSettings::in_time
-  std::optional<std::int64_t> samples;  ///< in place of that of the profile
-  double tolerance = 1e-9;              ///< largest closure error of an ok row, of the size of the mechanism
+  std::optional<std::int64_t> samples;  ///< instead of that of the profile
+  double tolerance = 1e-9;              ///< largest closure error of an ok row, relative to the size of
+                                        ///< the mechanism
   std::int64_t most_rows = 1441;        ///< >= 2; of a longer run the page holds every n-th row and the last
   std::string source;                   ///< text of the profile, shown at the foot; empty: none
   const std::atomic<bool>* stop = nullptr;  ///< once true, the run ends and there is no page
@@ -113,18 +116,18 @@ struct ReportSettings {
 
 /// An interactive page about a run, and how the run went.
 struct Report {
-  std::string html;           ///< one self-contained file; asks nothing of any network; empty once stopped
+  std::string html;           ///< one self-contained file that needs no network; empty if stopped
   bool good = true;           ///< as Analysis::good
   bool stopped = false;       ///< by ReportSettings::stop
   std::int64_t size = 0;      ///< rows of the run
-  std::int64_t every = 1;     ///< the page holds one row in so many of them, and the last
+  std::int64_t every = 1;     ///< the page holds one of this many rows, and the last
   Diagnostics notes;          ///< as Analysis::notes
   std::vector<Event> events;  ///< as Analysis::events
 };
 
-/// Runs the model once, with forces where it has masses, loads or springs, and puts what it does into a page.
-/// Fails for settings that are wrong or where the page was not built in (kInput), and where the mechanism
-/// cannot be started (kMechanism).
+/// Runs the model once, with forces if it has masses, loads or springs, and makes a page of the result. Fails
+/// for invalid settings or in a build without the page (kInput), and if the mechanism cannot be started
+/// (kMechanism).
 [[nodiscard]] Result<Report> report_of(const Model& model, const ReportSettings& settings = {});
 
 }  // namespace higherpair

@@ -12,7 +12,7 @@
 
 namespace higherpair {
 
-/// Everything from low to high, both included.
+/// The closed interval from low to high.
 struct Bounds {
   double low = 0;
   double high = 0;
@@ -22,26 +22,25 @@ struct Bounds {
 };
 
 enum class PieceKind {
-  kArc,     ///< φ moves through an interval: upwards along the boundary where it is convex, downwards where
-            ///< it is concave; a corner is an arc of radius 0
-  kClosed,  ///< the whole curve; φ goes round once
+  kArc,     ///< φ runs through an interval: it rises along the boundary where this is convex, and falls
+            ///< where it is concave; a corner is an arc of radius 0
+  kClosed,  ///< the whole curve; φ makes one full turn
   kFace,    ///< flat: one normal only
 };
 
-/// A part of a boundary, in the body's frame. Two pieces that follow each other share a point: with the same
-/// normal it is a smooth joint or a jump of curvature; with another one a corner lies between them, which is
-/// a piece of its own; where none follows, the boundary ends.
+/// A part of a boundary, in the body's frame. Consecutive pieces share a point: if their normals agree it is
+/// a smooth joint or a jump of curvature; if not, there is a corner between them, which is a piece of its
+/// own. Where no piece follows, the boundary ends.
 struct SupportPiece {
   PieceKind kind = PieceKind::kArc;
-  /// Normals [rad]; of a face: encloses the angle of its normal; of a closed curve without meaning.
+  /// Range of normals [rad]; for a face it encloses the angle of its normal; unused for a closed curve.
   Bounds phi;
-  Bounds along;  ///< of a face: p·t of its ends, t = normal turned +90° [m]; ±infinity: no end
+  Bounds along;  ///< faces only: p·t of the ends, t = normal turned +90° [m]; ±infinity: no end
 };
 
 /// The support h = p·n of a boundary point p with outward normal n(φ), both in the body's frame, and what
 /// follows from it: h′ = p·t, so that p = h n + h′ t, the radius of curvature ρ = h + h″ (> 0 convex,
-/// < 0 concave), and its derivative. Of a face: those of one of its points, whichever, as if it were a
-/// corner.
+/// < 0 concave), and its derivative. For a face: those of any one of its points, as if it were a corner.
 struct SupportValue {
   double h = 0;      ///< [m]
   double dh = 0;     ///< [m]
@@ -50,10 +49,10 @@ struct SupportValue {
   double error = 0;  ///< h and h′ are within this of the truth [m]
 };
 
-/// A boundary that is given piece by piece by its support: any curve made of smooth arcs, corners and flat
-/// faces. What it promises is all that the library needs to place, follow and list contacts and to miss none:
-/// a new kind of curve is a class that gives it (see make_curve in curve.hpp). Conics, lines and points have
-/// closed forms instead.
+/// A boundary given piecewise by its support function: any curve of smooth arcs, corners and flat faces. This
+/// interface is all that the library needs to find, follow and list contacts without missing any: a new kind
+/// of curve is a class that implements it (see make_curve). Conics, lines and points have closed forms
+/// instead.
 class SupportCurve {
 public:
   SupportCurve() = default;
@@ -63,10 +62,10 @@ public:
 
   /// The pieces in their order along the boundary.
   [[nodiscard]] virtual const std::vector<SupportPiece>& pieces() const = 0;
-  /// The support at one normal of the piece; any angle of a closed curve, else one between its bounds.
+  /// The support at one normal of the piece: any angle for a closed curve, else one within its bounds.
   [[nodiscard]] virtual SupportValue at(std::size_t piece, double phi) const = 0;
-  /// Bounds of ρ over an interval of normals of the piece: the closer, the faster the search; they may be
-  /// wide, never too narrow.
+  /// Bounds of ρ over an interval of normals of the piece: they may be wide but never too narrow; the tighter
+  /// they are, the faster the search.
   [[nodiscard]] virtual Bounds radius(std::size_t piece, const Bounds& phi) const = 0;
 };
 
@@ -76,11 +75,11 @@ enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint, 
 enum class Side { kInside, kOutside };
 
 /// The boundary of a body in the body's frame B: a conic, a flat face (line) or a knife edge (point), which
-/// have closed forms; or any curve that gives its support. The rest of the library asks curve_queries.hpp and
-/// support.hpp instead of these numbers, but for the algebra of conics.
+/// have closed forms; or any curve given by its support. Except for the algebra of conics, the rest of the
+/// library uses curve_queries.hpp and support.hpp instead of these numbers.
 ///
-/// A conic is held by a vertex on its focal axis. With x from the vertex along `axis_B` (to the convex side)
-/// and y across,
+/// A conic is represented by a vertex on its focal axis. With x from the vertex along `axis_B` (to the convex
+/// side) and y across,
 ///     y² = 2 ℓ x - q x²,    ℓ = semi_latus > 0,    q = 1 - e²  (e: eccentricity).
 /// One form for circle (q = 1), ellipse (0 < q < 1), parabola (q = 0) and the branch of a hyperbola at that
 /// vertex (q < 0). It stays well conditioned through q = 0 and for huge, nearly flat curves, where centre and
@@ -91,9 +90,9 @@ struct Curve {
   Vector2d vertex_B = Vector2d::Zero();  ///< vertex [m]; a point of the line; the point itself; else origin
   Vector2d axis_B = Vector2d::UnitX();  ///< unit; from the vertex to the convex side; line: into the material
   double semi_latus = 0;                ///< ℓ [m], radius of curvature at the vertex; 0 for all but conics
-  double q = 1;                         ///< 1 - e²; 1 for line and point, 0 for a curve by its support
-  const SupportCurve* support = nullptr;  ///< of kSupport: not owned
-  std::size_t piece = 0;                  ///< of `support`: the one that touches
+  double q = 1;                         ///< 1 - e²; 1 for line and point, 0 for a curve given by its support
+  const SupportCurve* support = nullptr;  ///< for kSupport; not owned
+  std::size_t piece = 0;                  ///< index of the piece of `support` that touches
 };
 
 enum class CurveError {
@@ -102,7 +101,7 @@ enum class CurveError {
   kZeroNormal,       ///< the normal of a line is the zero vector
   kNoQuadraticPart,  ///< A = B = C = 0: not a conic
   kImaginary,        ///< no real point satisfies the equation
-  kSinglePoint,      ///< only one point does
+  kSinglePoint,      ///< only a single point satisfies it
   kLines,            ///< it is a pair of lines (crossing, parallel or one counted twice)
   kOutOfRange,       ///< its size, place or axis ratio leaves the range of double (beyond 1e±150 or so)
   kBranchNeeded,     ///< a hyperbola, and no point near the wanted branch is given
@@ -117,7 +116,7 @@ using CurveResult = tl::expected<Curve, CurveError>;
 /// \name Curves by their natural parameters; lengths [m], angles [rad], all in the body's frame.
 /// @{
 [[nodiscard]] CurveResult make_circle(const Vector2d& center_B, double radius, Side side = Side::kInside);
-/// `rotation` turns the first semi-axis from the x axis.
+/// `rotation` is the angle of the first semi-axis from the x axis.
 [[nodiscard]] CurveResult make_ellipse(const Vector2d& center_B, const std::array<double, 2>& semi_axes,
                                        double rotation, Side side = Side::kInside);
 /// `rotation` is the direction from the vertex to the focus.
@@ -130,15 +129,16 @@ using CurveResult = tl::expected<Curve, CurveError>;
 [[nodiscard]] CurveResult make_line(const Vector2d& point_B, const Vector2d& normal_B);
 /// A knife edge.
 [[nodiscard]] CurveResult make_point(const Vector2d& at_B);
-/// A smooth piece of a curve of any other kind. Its side is kOutside where it is concave.
-/// \param support  outlives the curve \pre `piece` is convex or concave throughout; no face, which is a line
+/// A smooth piece of a curve of any other kind. Its side is kOutside if it is concave.
+/// \param support  outlives the curve \pre `piece` is convex or concave throughout, and not a face, which is
+///                 a line
 [[nodiscard]] Curve make_curve(const SupportCurve& support, std::size_t piece = 0);
 /// @}
 
-/// The conic A x² + B y² + C x y + D x + E y + F = 0 (that order); a common factor of the six, also a
-/// negative one, means nothing. `near_B` picks the branch of a hyperbola (required there, ignored elsewhere).
-/// What is within rounding of the coefficients of a parabola counts as one (|λ₁| <= 8 eps |λ₂| for the
-/// eigenvalues of the quadratic part), and what is within rounding of a degenerate conic is refused.
+/// The conic A x² + B y² + C x y + D x + E y + F = 0 (that order); a common factor of the six, even a
+/// negative one, has no effect. `near_B` picks the branch of a hyperbola (required there, ignored elsewhere).
+/// A conic within rounding of a parabola counts as one (|λ₁| <= 8 eps |λ₂| for the eigenvalues of the
+/// quadratic part), and one within rounding of a degenerate conic is refused.
 [[nodiscard]] CurveResult make_conic(const std::array<double, 6>& coefficients, Side side = Side::kInside,
                                      const std::optional<Vector2d>& near_B = std::nullopt);
 
@@ -162,7 +162,7 @@ using CurveResult = tl::expected<Curve, CurveError>;
   return !is_line(curve) && !is_point(curve);
 }
 
-/// Whether the closed forms of conics hold.
+/// Whether the curve is a conic, to which their closed forms apply.
 [[nodiscard]] inline bool is_conic(const Curve& curve) {
   return is_curved(curve) && curve.kind != CurveKind::kSupport && curve.kind != CurveKind::kChain;
 }

@@ -19,8 +19,8 @@ template <class T>
   return {x, y};
 }
 #ifdef EIGEN_VECTORIZE_SSE2
-/// The same by one store: Eigen loads both components at once, and a load that spans two stores waits for
-/// them.
+/// The same with a single store: Eigen loads both components at once, and a load that spans two stores has to
+/// wait for them.
 [[nodiscard]] inline Vector2d vector_of(double x, double y) {
   Vector2d v;
   _mm_store_pd(v.data(), _mm_set_pd(y, x));
@@ -75,7 +75,7 @@ struct Rotation {
     return {cos(angle), sin(angle)};
   }
 
-  /// The same rotation backwards.
+  /// The rotation by the opposite angle.
   [[nodiscard]] Rotation inverse() const { return {cos, -sin}; }
 
   [[nodiscard]] Vector2<T> operator*(const Vector2<T>& v) const {
@@ -86,7 +86,8 @@ struct Rotation {
     return {cos * other.cos - sin * other.sin, sin * other.cos + cos * other.sin};
   }
 
-  /// Removes the rounding that products have gathered: cos² + sin² = 1 again (first order, for small errors).
+  /// Removes the rounding errors that products have accumulated: cos² + sin² = 1 again (first order, for
+  /// small errors).
   [[nodiscard]] Rotation normalised() const {
     const T scale = T(1.5) - T(0.5) * (cos * cos + sin * sin);
     return {cos * scale, sin * scale};
@@ -133,23 +134,23 @@ struct BodyMotion {
           body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W};
 }
 
-/// The same of the point fixed in a moving body that is just at p_W [m].
+/// The same for the body-fixed point that is currently at p_W [m].
 [[nodiscard]] inline PointMotion motion_at_place(const BodyMotion& body, const Vector2d& p_W) {
   return point_motion(body, body.X_WB.inverse_times(p_W));
 }
 
 /// Motion of the frame of a rigid body from the motions of two of its points A and B.
 /// \param p_A, p_B where the points are in the body's frame [m]; they must differ.
-/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Used are the direction of b - a
-///                 and, of the relative velocity and acceleration, what a rigid body can have (the part along
-///                 ẑ×(b - a)).
+/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Only the direction of b - a is
+///                 used, and of the relative velocity and acceleration what a rigid body can have (the part
+///                 along ẑ×(b - a)).
 /// The angle is in (-π, π]. ω = (ẑ×r)·(v_b - v_a)/r², α = (ẑ×r)·(a_b - a_a)/r² with r = b - a.
 [[nodiscard]] BodyMotion body_motion_from_points(const Vector2d& p_A, const PointMotion& a,
                                                  const Vector2d& p_B, const PointMotion& b);
 
-/// Motion in W of a body B that moves against a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r + R v_CB
-/// and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB.
-/// \param motion_CB  seen from C, in its frame
+/// Motion in W of a body B that moves relative to a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r +
+/// R v_CB and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB.
+/// \param motion_CB  relative to C, expressed in its frame
 [[nodiscard]] BodyMotion compose(const BodyMotion& motion_WC, const BodyMotion& motion_CB);
 
 }  // namespace higherpair

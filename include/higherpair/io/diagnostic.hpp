@@ -24,35 +24,35 @@ struct Diagnostic {
 /// All mistakes found, in the order of the file; those of overrides come last.
 using Diagnostics = std::vector<Diagnostic>;
 
-/// A mistake of a source as a whole.
+/// A mistake that concerns a source as a whole.
 [[nodiscard]] Diagnostic about(std::string source, std::string message);
 
 /// "file:line:column: message", or "source: message" where no line is known.
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
 
-/// The same of what may be meant though it is probably a slip: "file:line:column: note: message".
+/// The same for a note, on something valid that is probably a slip: "file:line:column: note: message".
 [[nodiscard]] std::string note_text(const Diagnostic& note);
 
 /// How many single-character edits (insert, delete, replace, swap of neighbours) turn one name into the
 /// other; upper and lower case count as equal.
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
-/// "did you mean `revolute`?": the existing names that the field also calls `name` (pin, hinge), else the at
-/// most three nearest; empty if there is none.
+/// "did you mean `revolute`?": the existing names for which `name` is a common synonym (pin, hinge), else at
+/// most three of the most similar; empty if there is none.
 [[nodiscard]] std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing);
 
-/// The end of a message about a name that does not exist: did_you_mean; if that is empty, a list of what
-/// exists; "there is none" without any.
+/// The end of a message about a name that does not exist: did_you_mean; if that is empty, a list of the
+/// existing names, or "there is none".
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& existing);
 
 enum class ErrorKind {
   kInput,      ///< the profile, a value or an option is wrong: nothing was tried
   kMechanism,  ///< the mechanism cannot be started: its mobility, no assembly, no contact
-  kInternal,   ///< two ways of working the same out disagree: a fault of the library
+  kInternal,   ///< two computations of the same result disagree: a fault of the library
 };
 
 /// Why something could not be done: what is wrong, where, and what would be right. At least one diagnostic;
-/// of a profile all mistakes of meaning at once.
+/// for a profile all semantic mistakes at once.
 struct Error {
   ErrorKind kind = ErrorKind::kInput;
   Diagnostics diagnostics;

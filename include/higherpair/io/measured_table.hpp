@@ -16,24 +16,24 @@ namespace higherpair {
 struct MeasuredColumn {
   std::string name;                   ///< "slider.x"
   std::string unit;                   ///< of the header, "mm" in `slider.x[mm]`; empty: it has none
-  std::vector<double> values;         ///< of each row as written; NaN: missing
-  int present = 0;                    ///< so many are not missing
+  std::vector<double> values;         ///< one for each row, as written; NaN: missing
+  int present = 0;                    ///< number of values that are not missing
   Place place;                        ///< of the header
   std::optional<Diagnostic> mistake;  ///< the first field that is no number, if there is one
 };
 
 /// A table of numbers with a line that names the columns.
 struct MeasuredTable {
-  std::string source;  ///< what messages call it
+  std::string source;  ///< its name in messages
   std::vector<MeasuredColumn> columns;
-  std::vector<int> lines;  ///< of each row, from 1
+  std::vector<int> lines;  ///< line number of each row, from 1
 };
 
 /// Reads a text of columns separated by commas, semicolons, tabs or spaces. The first line names them, each
 /// with a unit in brackets or without. Missing values are empty fields, `nan`, `na` or `null`. Empty lines
-/// and lines that begin with # are left out. A field that is no number spoils its column alone. Fails where
-/// there is no header, no row, a row with another number of fields, or a name twice.
-/// \param names  of the columns of a text without header; empty: it needs one
+/// and lines that begin with # are left out. A field that is not a number invalidates its column only. Fails
+/// for a missing header, no rows, a row with a different number of fields, and a repeated name.
+/// \param names  of the columns, for a text without a header; empty: it must have one
 [[nodiscard]] tl::expected<MeasuredTable, Diagnostics> read_measured_text(
     std::string_view text, const std::string& source, const std::vector<std::string>& names = {});
 /// The same for a file.

@@ -14,28 +14,28 @@
 
 namespace higherpair {
 
-/// What one driver is to do, in the profile's own units (angle for a revolute joint, length for a prismatic
-/// one), so that tables repeat the given positions digit by digit.
+/// The prescribed motion of one driver, in the profile's own units (angle for a revolute joint, length for a
+/// prismatic one), so that tables repeat the given positions digit by digit.
 struct DriverProgram {
   double start = 0;           ///< the profile's, or the joint's coordinate in the poses
   std::optional<double> end;  ///< none: a full turn after `start`; a prismatic joint stays at `start`
   std::optional<std::int64_t> samples;  ///< >= 1; none: kDefaultSamples
-  std::vector<double> positions;        ///< if not empty, takes the place of start, end and samples
+  std::vector<double> positions;        ///< if not empty, replaces start, end and samples
   double velocity = 0;                  ///< the profile's, or 1 rad/s or 1 length unit per second
   double acceleration = 0;
-  std::optional<double> duration;   ///< of `step`, >= 0
-  std::optional<double> time_step;  ///< of `step`, > 0
-  /// The coordinate as a function of time; takes the place of start, end, velocity and acceleration.
+  std::optional<double> duration;   ///< for `step`, >= 0
+  std::optional<double> time_step;  ///< for `step`, > 0
+  /// The coordinate as a function of time; replaces start, end, velocity and acceleration.
   std::optional<MotionLaw> law;
-  std::string law_name;  ///< what messages call it
+  std::string law_name;  ///< its name in messages
   Place place;           ///< of the driver's table, for messages
 };
 
-/// One degree a row over a full turn.
+/// One row per degree over a full turn.
 inline constexpr std::int64_t kDefaultSamples = 361;
 
-/// What a driver does unless told otherwise, in these units: from its coordinate in the poses a full turn at
-/// 1 rad/s; a prismatic one stays there, its velocity 1 length unit per second.
+/// The default motion of a driver, in these units: a full turn at 1 rad/s from its coordinate in the poses; a
+/// prismatic one stays there, with a velocity of 1 length unit per second.
 [[nodiscard]] DriverProgram default_program(const Mechanism& mechanism, const Driver& driver,
                                             const Units& units);
 
@@ -44,19 +44,19 @@ struct DesignTask;
 struct SweepTask;
 struct ToleranceTask;
 
-/// A profile as read: the mechanism in SI units, its units, and what its drivers do.
+/// A profile as read: the mechanism in SI units, the units of the profile, and the motion of the drivers.
 struct Profile {
   Mechanism mechanism;
   Units units;
   std::vector<DriverProgram> programs;              ///< one for each of mechanism.drivers, in the same order
   Looks looks;                                      ///< how it is drawn
-  std::string source;                               ///< what diagnostics call it: the file's name
-  std::vector<std::string> files;                   ///< paths of what was read besides: points, drawings
-  Diagnostics notes;                                ///< what is probably a slip although it may be meant
-  std::shared_ptr<const CheckLimits> limits;        ///< of [limits]; none without it
-  std::shared_ptr<const DesignTask> design;         ///< of [design]; none without it
-  std::shared_ptr<const SweepTask> sweep;           ///< of [sweep]; none without it
-  std::shared_ptr<const ToleranceTask> tolerances;  ///< of [tolerances]; none without it
+  std::string source;                               ///< its name in diagnostics: that of the file
+  std::vector<std::string> files;                   ///< paths of the other files read: points, drawings
+  Diagnostics notes;                                ///< on what is valid but probably a slip
+  std::shared_ptr<const CheckLimits> limits;        ///< [limits]; null without it
+  std::shared_ptr<const DesignTask> design;         ///< [design]; null without it
+  std::shared_ptr<const SweepTask> sweep;           ///< [sweep]; null without it
+  std::shared_ptr<const ToleranceTask> tolerances;  ///< [tolerances]; null without it
 };
 
 }  // namespace higherpair

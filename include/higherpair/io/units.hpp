@@ -11,8 +11,8 @@
 
 namespace higherpair {
 
-/// The units that a profile may be written in. The library itself knows only SI units and radians; these
-/// conversions are the border.
+/// The units that a profile may be written in. Inside the library everything is in SI units and radians; the
+/// functions below convert.
 enum class Unit {
   kMetre,
   kCentimetre,
@@ -35,7 +35,7 @@ enum class Unit {
   kPoundForce,
 };
 
-/// The five base units of a profile; every compound quantity is in products of them (a torque in
+/// The five base units of a profile; units of compound quantities are products of them (a torque in
 /// force·length, an inertia in mass·length²). Each member holds a unit of its own kind.
 struct Units {
   Unit length = Unit::kMillimetre;
@@ -51,7 +51,8 @@ struct Units {
 inline constexpr Units kSiUnits = {Unit::kMetre, Unit::kRadian, Unit::kKilogram, Unit::kSecond,
                                    Unit::kNewton};
 
-/// Exponents of the base units. Force has its own one, so that a torque is written N*mm and not kg*mm^2/s^2.
+/// Exponents of the base units. Force has an exponent of its own, so that a torque is written N*mm and not
+/// kg*mm^2/s^2.
 struct Dimension {
   int length = 0;
   int mass = 0;
@@ -102,22 +103,22 @@ public:
 
 private:
   double high_ = 1;  ///< the factor, rounded
-  double low_ = 0;   ///< what the rounding took away
+  double low_ = 0;   ///< the exact factor less high_
 };
 
 /// From the units given to SI units and radians, and back. Either way the result is correctly rounded, so
-/// that there and back is the identity wherever the SI doubles lie dense enough. Set up once per column:
+/// that the round trip is the identity wherever the SI doubles are dense enough. Set up once per column:
 /// `apply` costs a few flops.
 [[nodiscard]] Scaling to_si(const Dimension& dimension, const Units& units);
 [[nodiscard]] Scaling from_si(const Dimension& dimension, const Units& units);
 
-/// Whether rounding leaves an angle [rad] its place within the turn: it has not more than 1e9 turns.
+/// Whether an angle [rad] is at most 1e9 turns: beyond that rounding blurs its position within the turn.
 [[nodiscard]] inline bool is_sharp_angle(double angle) {
   constexpr double kMostTurns = 1e9;
   return std::abs(angle) <= kMostTurns * 2 * kPi;
 }
 
-/// The name by which profiles know a unit: "mm", "deg", "lbf".
+/// The name of a unit in profiles: "mm", "deg", "lbf".
 [[nodiscard]] std::string_view name_of(Unit unit);
 
 /// What kind of quantity the unit measures.
@@ -140,7 +141,8 @@ struct Quantity {
   double profile = 0;  ///< in the units asked for, correctly rounded; `value` itself where they are the same
 };
 
-/// In SI units: products of several quantities that are no larger stay in the range of a double.
+/// Largest quantity accepted, in SI units: products of several such quantities stay within the range of a
+/// double.
 inline constexpr double kLargestQuantity = 1e50;
 
 /// Reads "25.4 mm", "300 rpm", "9.81 m/s^2", "0.2 N m", "2.1e-4 kg m^2": a decimal number and a unit made of

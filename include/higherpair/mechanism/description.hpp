@@ -14,7 +14,7 @@
 namespace higherpair {
 
 /// A mechanism as its user describes it: plain data in SI units and radians. Bodies, points and curves refer
-/// to each other by index. Whoever fills it (the profile reader, a program) keeps the indices valid.
+/// to each other by index. Whoever fills it (the profile reader, a program) must keep the indices valid.
 
 struct NamedPoint {
   std::string name;
@@ -24,15 +24,16 @@ struct NamedPoint {
 struct NamedCurve {
   std::string name;
   Curve curve;  ///< in the body's frame [m]
-  /// Of a curve with ends, or of several spans; `curve` is of kind kChain then. None of a whole conic, line
-  /// or point.
+  /// Set for a curve with ends or of several spans, whose `curve` is of kind kChain; null for a whole conic,
+  /// line or point.
   std::shared_ptr<const Boundary> boundary = nullptr;
-  /// Of a contact's own copy (see use_boundaries): index of the curve itself, of several the first.
+  /// For a contact's own copy (see use_boundaries): index of the original curve, or of the first of several;
+  /// else -1.
   int copy_of = -1;
-  std::vector<int> parts = {};  ///< of several curves of the body that a contact takes as one: their indices
+  std::vector<int> parts = {};  ///< indices of the curves of the body that a contact takes as one; else empty
 };
 
-/// Whether one of a body's curves is another one, or has it as a part.
+/// Whether curve `index` of a body is curve `other`, or has it as a part.
 [[nodiscard]] inline bool is_or_has(const std::vector<NamedCurve>& curves, int index, int other) {
   const std::vector<int>& parts = curves[static_cast<std::size_t>(index)].parts;
   return index == other || std::find(parts.begin(), parts.end(), other) != parts.end();
@@ -69,12 +70,12 @@ enum class JointType {
   kPrismatic,  ///< no relative turning, second point on a line of the first body; coordinate: displacement
                ///< [m]
   kSlot,       ///< second point on a line of the first body, free to turn; coordinate: displacement [m]
-  kGears,      ///< the turning of two wheels on a carrier is coupled; coordinate: angle of the second wheel
-               ///< relative to the carrier [rad]
+  kGears,      ///< the rotations of two wheels on a carrier are coupled; coordinate: angle of the second
+               ///< wheel relative to the carrier [rad]
   kBelt,       ///< the same by a belt or chain that does not slip
 };
 
-/// Whether a joint couples the turning of two wheels: θ2 - θc = turning_ratio (θ1 - θc) + relative_angle.
+/// Whether a joint couples the rotations of two wheels: θ2 - θc = turning_ratio (θ1 - θc) + relative_angle.
 [[nodiscard]] constexpr bool couples_turning(JointType type) {
   return type == JointType::kGears || type == JointType::kBelt;
 }
@@ -84,7 +85,7 @@ enum class JointType {
   return type == JointType::kRevolute || couples_turning(type);
 }
 
-/// Whether a joint passes on a moment.
+/// Whether a joint transmits a moment.
 [[nodiscard]] constexpr bool has_moment(JointType type) {
   return type == JointType::kPrismatic || couples_turning(type);
 }
@@ -94,9 +95,9 @@ enum class JointType {
   return type == JointType::kRevolute || type == JointType::kPrismatic;
 }
 
-/// What forces need to know of the teeth of two gears. Without it a pair passes on its torque alone.
+/// The data of the teeth of two gears that forces need. Without it a pair transmits only its torque.
 struct GearTeeth {
-  /// Between the line along which the teeth press and the common tangent of the pitch circles [rad].
+  /// Between the line of action of the teeth and the common tangent of the pitch circles [rad].
   double pressure_angle = 20 * kPi / 180;
   double module = 0;  ///< of the rack that cuts both [m]; 0: not known
 };
@@ -108,12 +109,12 @@ struct Joint {
   PointRef second;
   Vector2d direction_A =
       Vector2d::UnitX();      ///< unit direction of the line in the first body's frame (not revolute)
-  double relative_angle = 0;  ///< angle of the second body relative to the first [rad] (prismatic); what the
-                              ///< wheels of gears and belts are out of step
+  double relative_angle = 0;  ///< angle of the second body relative to the first [rad] (prismatic); phase
+                              ///< between the wheels (gears and belts)
   int carrier = 0;            ///< gears and belts: the body on which both wheels turn
   double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
   std::optional<GearTeeth> teeth;  ///< gears: see tooth_row of dynamics/tooth_force.hpp
-  /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: endless.
+  /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: unbounded.
   std::optional<double> from = {};
   std::optional<double> to = {};
 };
@@ -125,10 +126,10 @@ enum class Approach {
   kNegative,  ///< first touch towards smaller coordinates
 };
 
-/// What becomes of a contact that ends.
+/// What happens where a contact cannot be kept.
 enum class Keep {
-  kTouching,  ///< the curves touch throughout; where they cannot, the motion ends
-  kGap,       ///< they may part: the body that the contact moves then stays where it is on its joint
+  kTouching,  ///< the curves always touch; where they cannot, the motion ends
+  kGap,       ///< the curves may part; the body that the contact moves then stays where it is on its joint
 };
 
 struct Contact {
@@ -138,10 +139,10 @@ struct Contact {
   bool rolling = false;
   Approach approach = Approach::kNearest;
   Keep keep = Keep::kTouching;
-  bool both_sides = false;  ///< a wall on either side: what touches is held, and may pull
-  bool jump = true;         ///< go over to a second contact of the same curves when it appears
+  bool both_sides = false;  ///< walls on both sides, as in a slot: the contact is held and may pull
+  bool jump = true;         ///< continue with a second contact of the same curves when one appears
   bool by_boundary =
-      false;  ///< found by places along the boundaries, which both curves have: see use_boundaries
+      false;  ///< located by places along the boundaries, which both curves have: see use_boundaries
 };
 
 struct Driver {
@@ -149,8 +150,8 @@ struct Driver {
   int joint = 0;     ///< index into Mechanism::joints
 };
 
-/// A motion law that something in the mechanism follows: of the coordinate of a joint [rad or m], or of time
-/// [s].
+/// A motion law that something in the mechanism follows: a function of the coordinate of a joint [rad or m],
+/// or of time [s].
 struct NamedLaw {
   std::string name;
   LawDescription law;
@@ -191,36 +192,36 @@ struct Mechanism {
   std::vector<NamedLaw> laws;
 };
 
-/// Builds a mechanism piece by piece: metres and radians, names as in a profile. Ground is body 0 and comes
-/// by itself. What is added is not checked here but by Model::from.
+/// Functions that build a mechanism piece by piece, in metres and radians, with names as in a profile. Ground
+/// is body 0 and is added automatically. Nothing is checked here; Model::from does that.
 
 inline constexpr int kGround = 0;
 
-/// A body whose frame is at p_W, turned by theta, roughly, at the start; returns its index.
+/// Adds a body whose frame is roughly at p_W, turned by theta, at the start; returns its index.
 int add_body(Mechanism& mechanism, const std::string& name, const Vector2d& p_W = Vector2d::Zero(),
              double theta = 0);
 
-/// A point of a body, or the boundary of one, in the body's frame.
+/// Add a point or a curve of a body's boundary, in the body's frame.
 PointRef add_point(Mechanism& mechanism, int body, const std::string& name, const Vector2d& p_B);
 CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, const Curve& curve);
 
-/// A curve of several spans, or with ends.
+/// Adds a curve of several spans, or with ends.
 CurveRef add_curve(Mechanism& mechanism, int body, const std::string& name, Boundary boundary);
 
-/// Joints; each returns its index. The body of the first point is the reference of the coordinate, and
-/// `direction_A`, of any length > 0, is in its frame. A prismatic joint keeps the angle between the bodies
-/// that they have in their poses.
+/// Add a joint and return its index. The body of the first point is the reference of the coordinate, and
+/// `direction_A`, of any length > 0, is in its frame. A prismatic joint keeps the angle that the bodies have
+/// in their poses.
 int add_revolute(Mechanism& mechanism, const std::string& name, PointRef first, PointRef second);
 int add_prismatic(Mechanism& mechanism, const std::string& name, PointRef first, PointRef second,
                   const Vector2d& direction_A);
 int add_slot(Mechanism& mechanism, const std::string& name, PointRef first, PointRef second,
              const Vector2d& direction_A);
 
-/// A contact that slips, to be found nearest to the poses; returns its index. The other ways are members of
-/// Contact.
+/// Adds a slipping contact, taken nearest to the poses; returns its index. Other kinds are set in the members
+/// of Contact.
 int add_contact(Mechanism& mechanism, const std::string& name, CurveRef first, CurveRef second);
 
-/// Drives a joint; returns the driver's index. Of several drivers each needs a name.
+/// Drives a joint; returns the driver's index. With several drivers each needs a name.
 int add_driver(Mechanism& mechanism, int joint, const std::string& name = "");
 
 }  // namespace higherpair

@@ -28,23 +28,24 @@ struct MobilityCount {
   [[nodiscard]] int mobility() const { return 3 * (bodies - joints() - 1) + freedoms(); }
 };
 
-/// Turning of one body that changes nothing else: about the centre of its pins and of its round curves.
+/// Rotation of one body that moves nothing else, about the common centre of its pins and circular curves.
 struct IdleFreedom {
   int body = 0;
   Vector2d p_W = Vector2d::Zero();  ///< the centre, at the start [m]
 };
 
-/// Why some conditions repeat what others say already.
+/// Why some conditions are redundant.
 enum class RedundancyCause {
-  kSamePin,          ///< joints hold bodies together that other joints of the same pin hold already
+  kSamePin,          ///< joints connect bodies that other joints of the same pin connect already
   kParallelCranks,   ///< three or more equal and parallel links between the same two bodies
-  kRollingOnPivots,  ///< pins keep two rolling curves in touch: only the slip is a condition of its own
-  kSlidingOnPivots,  ///< pins keep two discs in touch that slip on each other: the contact sets nothing
-  kSlidesAlone,      ///< a loop of slides alone: the last one repeats that nothing turns
-  kMember,           ///< any other: a member more than it takes, which fits
+  kRollingOnPivots,  ///< pins already keep two rolling curves in contact: only the absence of slip is a
+                     ///< condition of its own
+  kSlidingOnPivots,  ///< pins already keep two slipping discs in contact: the contact adds no condition
+  kSlidesAlone,      ///< a loop of slides only: the last one repeats the condition that nothing rotates
+  kMember,           ///< any other: a member more than is needed, whose dimensions fit
 };
 
-/// Conditions that depend on each other: without as many as `conditions` of them nothing would change.
+/// Conditions that depend on each other: `conditions` of them could be removed without effect on the motion.
 struct Redundancy {
   int conditions = 0;
   RedundancyCause cause = RedundancyCause::kMember;
@@ -53,30 +54,30 @@ struct Redundancy {
   std::vector<int> bodies;  ///< kParallelCranks: the parallel links
 };
 
-/// What a mechanism can do, by count and by the rank of its conditions.
+/// The mobility of a mechanism, by count and by the rank of its conditions.
 struct Mobility {
   MobilityCount count;
-  bool assembled = false;         ///< nothing but `count` is filled otherwise
+  bool assembled = false;         ///< false: only `count` is filled
   bool drivers_held = false;      ///< the start is at the given positions of the drivers
-  std::vector<BodyMotion> start;  ///< of Mechanism::bodies
+  std::vector<BodyMotion> start;  ///< one for each of Mechanism::bodies
   int conditions = 0;             ///< rows of the constraint Jacobian, without drivers
   int rank = 0;                   ///< the largest over the positions looked at
-  int positions = 0;              ///< how many these are
+  int positions = 0;              ///< number of positions looked at
   int start_freedom = 0;          ///< dimension of the null space at the start
   int shaky = 0;                  ///< dimensions of the null space in which it moves infinitesimally only
-  int freedom = 0;                ///< 3 (n - 1) - rank - shaky: what it moves in
+  int freedom = 0;                ///< 3 (n - 1) - rank - shaky: degrees of freedom of finite motion
   bool singular = false;          ///< the start has a larger null space: a change point, or shaky
   std::vector<IdleFreedom> idle;
   std::vector<Redundancy> redundancies;
 
-  std::vector<int> useless_drivers;  ///< indices of drivers that move nothing that the others do not
-  int missing_drivers = 0;           ///< freedoms, idle ones apart, that no driver sets
+  std::vector<int> useless_drivers;  ///< indices of drivers that set nothing that those before them do not
+  int missing_drivers = 0;           ///< freedoms, without idle ones, that no driver sets
   std::vector<int> joints_to_drive;  ///< revolute and prismatic joints that still move with all drivers held
-  std::vector<int> loose_bodies;     ///< bodies that do
+  std::vector<int> loose_bodies;     ///< bodies that still move then
   /// Velocities with the drivers moving at given rates; empty unless they set all but idle freedoms.
   std::vector<BodyMotion> moving;
 
-  /// Freedoms that are worth a driver.
+  /// Freedoms that need a driver: all but the idle ones.
   [[nodiscard]] int useful() const { return freedom - static_cast<int>(idle.size()); }
   [[nodiscard]] bool drivers_fit() const { return missing_drivers == 0 && useless_drivers.empty(); }
 };

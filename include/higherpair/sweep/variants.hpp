@@ -13,27 +13,27 @@ namespace higherpair {
 
 enum class DistributionKind {
   kUniform,     ///< equally likely between `low` and `high`
-  kNormal,      ///< of `mean` and `deviation`; cut off at `low` and `high` where these are finite
+  kNormal,      ///< of `mean` and `deviation`; truncated at `low` and `high` if these are finite
   kTriangular,  ///< density rises linearly from `low` to `mode` and falls to `high`
-  kValues,      ///< one of `values`, each as likely as the others
+  kValues,      ///< one of `values`, all equally likely
 };
 
-/// How likely which values of a variable are.
+/// Probability distribution of a variable.
 struct Distribution {
   DistributionKind kind = DistributionKind::kUniform;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   double mean = 0;
-  double deviation = 0;  ///< > 0, before it is cut off
+  double deviation = 0;  ///< > 0, before truncation
   double mode = 0;       ///< low <= mode <= high
   std::vector<double> values;
 
-  /// Whether it is a normal one that is cut off.
+  /// Whether it is a truncated normal distribution.
   [[nodiscard]] bool is_truncated() const;
 };
 
-/// The quantile: the value below which the share u of all values lies, 0 < u < 1. Of `values` the one at this
-/// share of the list. Never below `low` or above `high`.
+/// The quantile: the value below which the share u of all values lies, 0 < u < 1. For kValues, the entry at
+/// this share of the list. Never below `low` or above `high`.
 [[nodiscard]] double quantile(const Distribution& distribution, double u);
 
 /// The quantile of the normal distribution of mean 0 and deviation 1.
@@ -52,50 +52,50 @@ enum class SweepMethod {
 /// A number of the profile that differs from variant to variant.
 struct SweepVariable {
   std::string name;
-  std::vector<std::string> paths;  ///< of the keys that take its value, as of the option --set
-  Distribution distribution;       ///< of a list, and of a grid of values: `values`
-  std::int64_t count = 0;          ///< of a grid: so many values from low to high; 0: `values`
+  std::vector<std::string> paths;  ///< of the keys that take its value, as in the option --set
+  Distribution distribution;       ///< for a list, and a grid of values: `values`
+  std::int64_t count = 0;          ///< for a grid: number of values from low to high; 0: `values`
 };
 
 /// Two normal variables that do not vary independently of each other.
 struct Correlation {
-  std::size_t first = 0;  ///< of the variables
+  std::size_t first = 0;  ///< index of the variable
   std::size_t second = 0;
   double coefficient = 0;  ///< -1 < coefficient < 1
 };
 
-/// Which variants there are.
+/// What defines the variants.
 struct VariantPlan {
   SweepMethod method = SweepMethod::kGrid;
-  std::int64_t count = 0;  ///< of random and Sobol
-  std::uint64_t seed = 1;  ///< the same
+  std::int64_t count = 0;  ///< number of variants; random and Sobol only
+  std::uint64_t seed = 1;  ///< random and Sobol only
   std::vector<SweepVariable> variables;
   std::vector<Correlation> correlations;
 };
 
-/// More variants than this are taken for a slip.
+/// More variants than this are refused as a slip.
 inline constexpr std::int64_t kMostVariants = 100'000'000'000;
 /// More variables than this have no Sobol sequence.
 inline constexpr std::size_t kMostSobolVariables = 3667;
 
-/// How many variants a plan has, as a double: of a grid it may be any number.
+/// How many variants a plan has, as a double: a grid may have any number.
 [[nodiscard]] double count_of(const VariantPlan& plan);
 
 /// The variables that occur in correlations, ascending.
 [[nodiscard]] std::vector<std::size_t> correlated_variables(const VariantPlan& plan);
 
-/// The lower factor L of Cholesky of their correlation matrix: L times independent normal numbers of
-/// deviation 1 are correlated ones. None where the coefficients contradict each other, so that the matrix is
-/// not positive definite.
+/// The lower Cholesky factor L of their correlation matrix: L times a vector of independent standard normal
+/// numbers has these correlations. None if the coefficients contradict each other, so that the matrix is not
+/// positive definite.
 [[nodiscard]] std::optional<Eigen::MatrixXd> correlation_factor(const VariantPlan& plan);
 
-/// The values of the variables in every variant: a function of plan and number alone, whatever was asked for
-/// before, on whichever thread.
+/// The values of the variables in every variant: a function of the plan and the variant's number alone,
+/// whatever the earlier calls and the thread.
 ///
 /// A random number is the word of Threefry-2x64-20 (Salmon et al., SC 2011) at (variant, variable) under the
-/// seed; Sobol points are those of Joe and Kuo (SIAM J. Sci. Comput. 30, 2635), all digits of each variable
-/// exchanged by one random word (a digital shift, which keeps their evenness). Either becomes a value by the
-/// quantile of the variable's distribution.
+/// seed; Sobol points are those of Joe and Kuo (SIAM J. Sci. Comput. 30, 2635), with the digits of each
+/// variable flipped by one random word (a digital shift, which keeps their evenness). The quantile of the
+/// variable's distribution turns either into a value.
 class Variants {
 public:
   /// \pre count_of(plan) <= kMostVariants, values and limits are finite, correlations are consistent, and
@@ -116,10 +116,10 @@ private:
 
   VariantPlan plan_;
   std::int64_t size_ = 0;
-  std::vector<std::uint64_t> directions_;  // of Sobol: of each variable one for each digit of the number
-  std::vector<std::uint64_t> shifts_;      // of Sobol: of each variable
+  std::vector<std::uint64_t> directions_;  // Sobol only: for each variable one for each digit of the number
+  std::vector<std::uint64_t> shifts_;      // Sobol only: one for each variable
   std::vector<std::size_t> correlated_;
-  Eigen::MatrixXd factor_;  // of these
+  Eigen::MatrixXd factor_;  // Cholesky factor of their correlation matrix
 };
 
 }  // namespace higherpair

@@ -12,7 +12,7 @@ namespace {
 
 using Root = Kernel::Algebraic_real_1;
 
-// Signs at the roots of one pair.
+// Decides the signs at the roots of one pair.
 class Decider {
 public:
   Decider(const ContactPair& pair, const ExactPair& exact) : pair_(pair), exact_(exact) {
@@ -37,7 +37,7 @@ private:
   [[nodiscard]] int sign(const P& p, const Root& root) const {
     return kernel_.sign_at_1_object()(to_real(p, exact_.motion.turns), root);
   }
-  // factor1 S1 + factor2 S2(q), the factors of equal order in z.
+  // factor1 S1 + factor2 S2(q); the factors have the same order in z.
   [[nodiscard]] M member(const P& factor1, const P& factor2) const {
     const auto moving = moved_primal(exact_.second.S, exact_.motion);
     M result;
@@ -47,7 +47,7 @@ private:
         for (const auto& matrix : moving) {
           entry.push_back(matrix[i][j]);
         }
-        // S1 is constant: z² times it has the order of the entry.
+        // S1 is constant: times z² it has the order of the entry.
         P fixed(exact_.motion.turns ? 3 : 1);
         fixed.back() = exact_.first.S[i][j];
         result[i][j] = padded(sum(factor1 * fixed, 1, factor2 * entry), factor1.size() + entry.size() - 1);
@@ -61,7 +61,7 @@ private:
     return p;
   }
 
-  // Everything of the double root λ₀ = n/m: M = m (λ₀ S1 + S2), up to the sign of m.
+  // Polynomials of the double root λ₀ = n/m: M = m (λ₀ S1 + S2), up to the sign of m.
   struct Member {
     P lambda;  ///< n
     P factor;  ///< m
@@ -69,7 +69,7 @@ private:
     P adj01, adj22, trace;  ///< adj22 < 0: definite quadratic part
     std::array<P, 3> kernel;
     P m22;
-    P opening;  ///< S1 of the direction of a double line: 0 where that is the axis of a parabola
+    P opening;  ///< S1 along the direction of a double line: 0 where that is the axis of a parabola
   };
 
   [[nodiscard]] Member make_member(const P& n, const P& m) const {
@@ -112,7 +112,8 @@ private:
         make_member(P{{Integer(-1), Integer(0)}} * b, padded(P{{Integer(3), Integer(0)}} * a, b.size()));
   }
 
-  // Whether p (homogeneous, polynomials) is on the branches that exist; w: sign of its third coordinate.
+  // Whether a point p (homogeneous, of polynomials) is on the branches that exist; w: sign of its third
+  // coordinate.
   [[nodiscard]] bool on_branches(const std::array<P, 3>& p, int w, const Root& root) const {
     if (exact_.branch1) {
       P value;
@@ -176,12 +177,12 @@ private:
       return decision;  // at infinity
     }
     if (trace == 0) {
-      // The line at infinity twice, or nothing at all: the curves coincide.
+      // M is the line at infinity twice, or 0: then the curves coincide.
       decision.degenerate = sign(member.m22, root) == 0;
       decision.contacts = decision.degenerate ? 1 : 0;
       return decision;
     }
-    // A double line: it meets the first conic in two, one or no points; one may be at infinity.
+    // A double line: it meets the first conic in two, one or no points, of which one may be at infinity.
     const int meets = sign(member.trace, root) * trace * f;
     const int far = sign(member.opening, root) == 0 ? 1 : 0;
     decision.contacts = meets > 0 ? 2 - far : (meets == 0 ? 1 : 0);

@@ -23,7 +23,7 @@ Point rational_rotation(double angle) {
   const Number& quarter = boost::math::constants::half_pi<Number>();
   const Number turns = round(Number(Number(angle) / quarter));
   const Number rest = Number(angle) - turns * quarter;
-  // The double nearest to a quarter turn is meant to be one.
+  // The double nearest to a quarter turn is taken as one.
   const bool is_quarter = abs(rest) <= std::abs(angle) * std::ldexp(1.0, -53);
   Point rotation{Rational(1), Rational(0)};
   if (!is_quarter) {
@@ -44,7 +44,7 @@ Integer lcm(const Integer& a, const Integer& b) {
   return a / CGAL::gcd(a, b) * b;
 }
 
-// Whole multiples of some rational complex numbers, by a common positive factor.
+// Makes rational numbers integers, by a common positive factor.
 struct Common {
   Integer denominator = 1;
 
@@ -99,7 +99,7 @@ Form<Integer> whole(const Form<Rational>& form) {
   return result;
 }
 
-// ℓ - q x > 0
+// The half-plane ℓ - q x > 0, on the side of the hyperbola's branch that exists.
 std::optional<Vector3c<Integer>> branch_line(const Curve& curve, const Point& v, const Point& u) {
   if (curve.q >= 0) {
     return std::nullopt;
@@ -153,7 +153,7 @@ ExactPolynomial to_real(const ComplexPolynomial<Integer>& p, bool turns) {
     }
     return ExactPolynomial(real.begin(), real.end());
   }
-  // z = (1 + it)/(1 - it): Horner's rule, with one factor 1 - it more at each step.
+  // z = (1 + it)/(1 - it): Horner's rule, with one more factor 1 - it at each step.
   const ComplexPolynomial<Integer> up = {{Integer(1), Integer(0)}, {Integer(0), Integer(1)}};
   const ComplexPolynomial<Integer> down = {{Integer(1), Integer(0)}, {Integer(0), Integer(-1)}};
   ComplexPolynomial<Integer> result = {p.back()};

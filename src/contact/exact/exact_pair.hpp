@@ -10,7 +10,7 @@
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_BigRat.h>
 
-// CGAL's number types stay within the sources that decide exactly.
+// CGAL's number types are confined to the sources of exact decisions.
 
 namespace higherpair {
 
@@ -19,12 +19,12 @@ using Rational = CORE::BigRat;
 using Kernel = CGAL::Algebraic_kernel_d_1<Integer>;
 using ExactPolynomial = Kernel::Polynomial_1;
 
-/// A pair of curves in whole numbers. Forms are scaled by positive factors.
+/// A pair of curves with integer coefficients. Forms are scaled by positive factors.
 struct ExactPair {
   Form<Integer> first;
   Form<Integer> second;  ///< at the coordinate 0 of the chart
   PencilMotion<Integer> motion;
-  /// Of a hyperbola: the line hᵀp > 0 on the side of the branch that exists.
+  /// For a hyperbola: the line h with hᵀp > 0 on the side of the branch that belongs to the body.
   std::optional<Vector3c<Integer>> branch1, branch2;
   /// q = 2 atan(t) + offset (turning) or q = unit·t (sliding) for a root t.
   Extended offset = 0;
@@ -32,11 +32,11 @@ struct ExactPair {
 };
 
 /// The doubles of the pair as exact numbers, the driver turned by a rational rotation within 2^-60 of u.
-/// \param chart  0, 1, …: other places of the position q that t = ∞ stands for
+/// \param chart  0, 1, …: each has t = ∞ at another position q
 [[nodiscard]] ExactPair make_exact(const ContactPair& pair, double u, int chart);
 
-/// A polynomial in z (times z^N, of 2N + 1 coefficients, real for |z| = 1) as one in t = tan(q/2) times
-/// (1 + t²)^N, or a real one in q: up to a positive factor.
+/// Rewrites a polynomial in z (times z^N, with 2N + 1 coefficients, real for |z| = 1) as one in t = tan(q/2)
+/// times (1 + t²)^N; one in q is real already. The result is scaled by a positive factor.
 [[nodiscard]] ExactPolynomial to_real(const ComplexPolynomial<Integer>& p, bool turns);
 
 [[nodiscard]] Extended to_extended(const Rational& x);

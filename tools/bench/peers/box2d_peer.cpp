@@ -1,4 +1,5 @@
-// Box2D: impulses by Gauss-Seidel, first order in the step. The crank is kinematic, so that it turns exactly.
+// Box2D: impulses by Gauss-Seidel iteration, first order in the step. The crank is kinematic and so turns
+// exactly.
 #include "linkage.hpp"
 
 #ifdef PEERS_BOX2D

@@ -1,4 +1,4 @@
-// Chipmunk: impulses by Gauss-Seidel, first order in the step. The crank is kinematic.
+// Chipmunk: impulses by Gauss-Seidel iteration, first order in the step. The crank is kinematic.
 #include "linkage.hpp"
 
 #ifdef PEERS_CHIPMUNK

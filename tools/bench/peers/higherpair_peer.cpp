@@ -1,4 +1,4 @@
-// A row of the motion of all bodies, with accelerations, residual and status.
+// Computes a row: the motion of all bodies with accelerations, residual and status.
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/description.hpp"
 #include "linkage.hpp"

@@ -15,7 +15,7 @@ Solution sliding(const Linkage& linkage, double angle) {
   return solution;
 }
 
-// Two circles about P and Q cut in the point to the left of the way from P to Q.
+// The intersection of two circles about P and Q on the left of the direction from P to Q.
 Point left_of(const Point& P, double p, const Point& Q, double q) {
   const double dx = Q.x - P.x, dy = Q.y - P.y;
   const double d2 = dx * dx + dy * dy;
@@ -24,7 +24,7 @@ Point left_of(const Point& P, double p, const Point& Q, double q) {
   return {P.x + along * dx - across * dy, P.y + along * dy + across * dx};
 }
 
-// Of a rocker about O whose end B is held by a link from A, which turns about the origin at unit rate.
+// Output of a rocker whose end B is held by a link from A, which turns about the origin at unit rate.
 Output rocking(const Point& A, const Point& B, double ground) {
   const double bx = B.x - A.x, by = B.y - A.y;
   const double cx = B.x - ground, cy = B.y;
@@ -44,7 +44,7 @@ Solution solution_at(const Linkage& linkage, double angle) {
   return solution;
 }
 
-// The line of centres is a link.
+// The line of centres acts as a link.
 Output discs_at(const Discs& discs, double angle) {
   const Point A{discs.eccentricity * std::cos(angle), discs.eccentricity * std::sin(angle)};
   const Point B = left_of(A, discs.cam + discs.roller, {discs.ground, 0}, discs.arm);

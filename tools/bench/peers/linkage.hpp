@@ -7,28 +7,29 @@
 namespace higherpair::peers {
 
 /// A crank that turns at 1 rad/s about the origin, a link of length `link` from its end A to B, and at B a
-/// rocker about (ground, 0), or a block that slides along the line y = offset. Lengths of the order of 1, as
-/// engines for games want them; every body has mass 1 and turns about the middle of its two pins.
+/// rocker about (ground, 0) or a block that slides along the line y = offset. Lengths are of the order of 1,
+/// as game engines require; every body has mass 1, centred between its two pins.
 struct Linkage {
   bool slides = false;
   double ground = 0;
   double crank = 0;
   double link = 0;
-  double rocker = 0;  ///< of one that turns
-  double offset = 0;  ///< of one that slides
+  double rocker = 0;  ///< length of the rocker, if it turns
+  double offset = 0;  ///< of the slide's line, if it slides
 };
 
 struct Point {
   double x = 0, y = 0;
 };
 
-/// Output of a linkage: the rocker's angle, unwound, or the block's x; and its rate.
+/// Output of a linkage: the rocker's angle, counted over whole turns, or the block's x; and its rate.
 struct Output {
   double position = 0;
   double rate = 0;
 };
 
-/// The closed form for a crank at `angle`: B above the line from A to the rocker's pivot, or the block ahead.
+/// The closed form for a crank at `angle`: B is above the line from A to the rocker's pivot, or the block is
+/// ahead.
 struct Solution {
   Point A, B;
   Output output;  ///< the angle in (-pi, pi]
@@ -37,7 +38,7 @@ struct Solution {
 
 inline constexpr int kStepsPerTurn = 3600;
 
-/// A linkage in somebody's engine, standing with the crank along x. All engines take the same steps.
+/// A linkage in some engine, starting with the crank along x. All engines take the same steps.
 class PeerRun {
 public:
   PeerRun() = default;
@@ -45,13 +46,13 @@ public:
   PeerRun& operator=(const PeerRun&) = delete;
   virtual ~PeerRun() = default;
 
-  /// On to the crank's next position, a kStepsPerTurn-th of a turn.
+  /// Moves the crank by 1/kStepsPerTurn of a turn.
   virtual void step() = 0;
   [[nodiscard]] virtual Output output() const = 0;
 };
 
-/// Two discs, one on a crank off its centre, the other on an arm, which a torque presses on it. The contact
-/// between them gives the arm's angle.
+/// Two discs, one mounted eccentrically on a crank, the other on an arm and pressed against it by a torque.
+/// Their contact determines the arm's angle.
 struct Discs {
   double eccentricity = 0, cam = 0;        ///< centre at (eccentricity, 0) of the crank, radius
   double ground = 0, arm = 0, roller = 0;  ///< the arm's pivot at (ground, 0), its length, the disc's radius
@@ -61,8 +62,8 @@ struct Discs {
 /// An engine.
 struct Peer {
   std::string name;
-  std::string package;                                            ///< of Debian, if it is not there
-  std::unique_ptr<PeerRun> (*linkage)(const Linkage&) = nullptr;  ///< none: not there
+  std::string package;                                            ///< Debian package that provides the engine
+  std::unique_ptr<PeerRun> (*linkage)(const Linkage&) = nullptr;  ///< none: the engine is not installed
   std::unique_ptr<PeerRun> (*discs)(const Discs&) = nullptr;      ///< none: no such contact
 };
 

@@ -1,5 +1,5 @@
-// The same mechanisms, step by step, in this library and in engines that Debian has: times and errors in one
-// table.
+// The same mechanisms, step by step, in this library and in engines packaged by Debian: a table of times and
+// errors.
 #include "linkage.hpp"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace higherpair::peers {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kTurns = 5;  // the fastest counts
+constexpr int kTurns = 5;  // the fastest one counts
 
 struct Measured {
-  double microseconds = INFINITY;  // a step
+  double microseconds = INFINITY;  // per step
   double position = 0;             // largest error after the first turn [rad or lengths of 1]
-  double rate = 0;                 // the same of the rate, of its largest value
+  double rate = 0;                 // the same for the rate, relative to its largest value
 };
 
 using Exact = std::function<Output(double angle)>;
@@ -36,7 +36,7 @@ Measured measure(PeerRun& run, const Exact& exact, bool turns) {
     }
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
     measured.microseconds = std::min(measured.microseconds, time.count() / kStepsPerTurn);
-    for (int k = 0; turn > 0 && k < kStepsPerTurn; ++k) {  // in the first turn engines settle
+    for (int k = 0; turn > 0 && k < kStepsPerTurn; ++k) {  // engines settle in the first turn
       const Output expected = exact(2 * kPi * (k + 1) / kStepsPerTurn);
       const Output& output = outputs[static_cast<std::size_t>(k)];
       const double error = output.position - expected.position;

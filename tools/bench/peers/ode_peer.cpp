@@ -1,5 +1,5 @@
-// Open Dynamics Engine: all constraints at once (dWorldStep), first order in the step. In space; all axes are
-// parallel. The crank is kinematic.
+// Open Dynamics Engine: solves all constraints at once (dWorldStep), first order in the step. In space, with
+// all axes parallel. The crank is kinematic.
 #include "linkage.hpp"
 
 #ifdef PEERS_ODE

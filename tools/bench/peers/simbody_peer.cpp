@@ -1,5 +1,5 @@
-// Simbody: exact. The crank's motion is prescribed, the loop is closed by a point on a line across the plane;
-// each step projects the positions onto the constraints and works out velocities and accelerations.
+// Simbody: exact. The crank's motion is prescribed, and the loop is closed by a point on a line across the
+// plane. Each step projects the positions onto the constraints and computes velocities and accelerations.
 #include "linkage.hpp"
 
 #ifdef PEERS_SIMBODY
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPrecision = 1e-12;  // of the projection
 
-// The angle is the time.
+// Prescribes an angle equal to the time.
 class UnitSpeed : public SimTK::Motion::Custom::Implementation {
 public:
   [[nodiscard]] SimTK::Motion::Level getLevel(const SimTK::State& /*state*/) const override {
@@ -37,7 +37,7 @@ public:
     const Solution start = solution_at(linkage, 0);
     const Body::Rigid body(MassProperties(1, Vec3(0), Inertia(0.1)));
     MobilizedBody::Pin crank(matter_.Ground(), Transform(), body, Transform());
-    Motion::Custom(crank, new UnitSpeed);  // which it owns then
+    Motion::Custom(crank, new UnitSpeed);  // takes ownership
     MobilizedBody::Pin link(crank, Transform(Vec3(linkage.crank, 0, 0)), body, Transform());
     const double link_angle = std::atan2(start.B.y - start.A.y, start.B.x - start.A.x);
     Vec3 end(linkage.slides ? 0 : linkage.rocker, 0, 0);
@@ -58,7 +58,7 @@ public:
   }
 
   void step() override {
-    // From the rates, so that the projection starts near.
+    // Extrapolate from the rates, so that the projection starts close to the solution.
     const double h = 2 * SimTK::Pi / kStepsPerTurn;
     state_.updQ() += h * state_.getQDot() + h * h / 2 * state_.getQDotDot();
     state_.setTime(2 * SimTK::Pi * ++number_ / kStepsPerTurn);

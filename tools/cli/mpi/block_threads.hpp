@@ -12,20 +12,20 @@
 
 namespace higherpair::cli {
 
-/// Threads that work out blocks of a sweep, first given first begun.
+/// Threads that compute blocks of a sweep, in the order in which they are given.
 class BlockThreads {
 public:
   BlockThreads(const Sweep& sweep, int threads);
-  /// Waits for the blocks under way; those that are not begun are forgotten.
+  /// Waits for the blocks in work; those not yet begun are dropped.
   ~BlockThreads();
   BlockThreads(const BlockThreads&) = delete;
   BlockThreads& operator=(const BlockThreads&) = delete;
 
   void give(std::int64_t block);
-  /// A block that is done, complete or not; none: there is none yet.
+  /// A finished block, complete or not; none if there is none yet.
   [[nodiscard]] std::optional<SweepBlock> collect();
 
-  /// Given and not collected.
+  /// Number of blocks given but not collected.
   [[nodiscard]] std::size_t under_way() const { return under_way_; }
 
 private:

@@ -10,10 +10,10 @@ namespace higherpair::cli {
 namespace {
 
 constexpr std::int64_t kNone = -1;
-// Blocks for each thread of all ranks: one that it works on, one that waits for it, and as many results that
-// wait for a late one.
+// Blocks per thread of all ranks: one in work, one waiting for the thread, and as many results waiting for a
+// late one.
 constexpr std::int64_t kBlocksPerThread = 4;
-// Up to so many ranks rank 0 works on blocks as well.
+// With at most this many ranks, rank 0 also computes blocks itself.
 constexpr int kMostToWorkBeside = 32;
 
 }  // namespace
@@ -74,7 +74,7 @@ void Dispatcher::serve(const Received& message) {
   }
 }
 
-// Of two that are the same the second is not needed.
+// A second result of the same block is dropped.
 void Dispatcher::accept(SweepBlock block) {
   const std::int64_t number = block.number;
   issued_.erase(number);
@@ -90,7 +90,7 @@ void Dispatcher::accept(SweepBlock block) {
   }
 }
 
-// Whether a block has been finished or begun.
+// Computes blocks on this rank; returns whether one was finished or begun.
 bool Dispatcher::work_here() {
   bool worked = false;
   while (auto block = own_.collect()) {

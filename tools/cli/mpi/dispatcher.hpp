@@ -13,28 +13,28 @@
 
 namespace higherpair::cli {
 
-/// Rank 0 of a sweep on many: hands out blocks as ranks ask for them, and gives the results to `take` in
-/// their order. Blocks that wait for one before them are as many as may be under way, whatever the number of
-/// variants. Where one is so late that nothing else may be begun, or nothing else is left, it is given to
-/// another rank as well, and what comes first counts: a slow rank does not hold up the others.
+/// Rank 0 of a sweep on many ranks: hands out blocks as ranks ask for them, and passes the results to `take`
+/// in order. The number of results waiting for an earlier block is limited, whatever the number of variants.
+/// If a block is so late that no other may be begun, or no other is left, it is given to a second rank as
+/// well and the first result counts: a slow rank does not delay the others.
 class Dispatcher {
 public:
   using Take = std::function<bool(const SweepBlock&)>;
 
-  /// \param identity  what the sweep of every rank has to be
+  /// \param identity  which the sweep of every rank has to match
   /// \param threads   of each rank
   Dispatcher(const Sweep& sweep, std::string identity, int threads, const std::atomic<bool>& stop);
 
-  /// From block `first` on.
+  /// Runs the sweep from block `first` on.
   void run(std::int64_t first, const Take& take);
 
 private:
   struct Asker {
     int rank = 0;
-    std::int64_t blocks = 0;  // that it wants
+    std::int64_t blocks = 0;  // number of blocks wanted
   };
   struct Issue {
-    int rank = 0;  // that has it, or had it first
+    int rank = 0;  // to which it was given first
     bool again = false;
   };
 
@@ -49,19 +49,19 @@ private:
   int threads_;
   const std::atomic<bool>& stop_;
   const Take* take_ = nullptr;
-  std::int64_t window_;     // blocks under way or waiting
-  std::int64_t next_ = 0;   // that nobody has been given
-  std::int64_t taken_ = 0;  // all before it have been
+  std::int64_t window_;     // largest number of blocks in work or waiting
+  std::int64_t next_ = 0;   // first block that has not been given out
+  std::int64_t taken_ = 0;  // all blocks before this one have been passed on
   bool ended_ = false;
-  std::map<std::int64_t, Issue> issued_;      // and not come back yet
-  std::map<std::int64_t, SweepBlock> ready_;  // for those before them
+  std::map<std::int64_t, Issue> issued_;      // given out and not returned yet
+  std::map<std::int64_t, SweepBlock> ready_;  // waiting for earlier blocks
   std::vector<Asker> askers_;
-  std::vector<bool> agreed_;  // ranks whose sweep is the same
+  std::vector<bool> agreed_;  // whether the rank's sweep matches
   BlockThreads own_;
   std::size_t own_wanted_;
 };
 
-/// Tells all other ranks that there is no more work, and waits until they have understood.
+/// Tells all other ranks that there is no more work, and waits until they have confirmed it.
 void dismiss_workers();
 
 }  // namespace higherpair::cli

@@ -1,4 +1,5 @@
-// `sweep` on many ranks of MPI, for clusters: a program of its own, so that `higherpair` needs no MPI.
+// `sweep` on many MPI ranks, for clusters. It is a program of its own, so that `higherpair` does not need
+// MPI.
 #include "higherpair/front/model.hpp"
 #include "mpi/dispatcher.hpp"
 #include "mpi/messages.hpp"
@@ -38,13 +39,13 @@ void work(const SweepOptions& options) {
   listen_to_signals();
   const auto opened = open_sweep(options, true, stop);
   if (!opened) {
-    only_listen();  // rank 0 says why, or has a file that this one has not
+    only_listen();  // rank 0 reports the reason, or has a file that is missing here
     return;
   }
   work_for_rank_0(opened->sweep, identity_text(opened->identity), threads_of(options), stop, interruption());
 }
 
-// Every rank reads the same command line; rank 0 speaks.
+// All ranks read the same command line; only rank 0 prints.
 int run(int argc, char** argv) {
   CLI::App app("Many variants of a mechanism on many ranks, as `higherpair sweep` runs them on one machine.",
                "higherpair-sweep-mpi");

@@ -1,4 +1,4 @@
-// The only place where MPI is seen, but for its beginning and end.
+// All uses of MPI are in this file, except initialisation and end.
 #include "mpi/messages.hpp"
 
 #include <chrono>

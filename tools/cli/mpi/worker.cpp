@@ -12,7 +12,8 @@ public:
   Worker(const Sweep& sweep, int threads)
       : sweep_(sweep), wanted_(static_cast<std::size_t>(threads) + 1), threads_(sweep, threads) {}
 
-  /// One block waits for the moment at which another one is done.
+  /// Asks for one block more than there are threads, so that a thread that ends one can begin the next at
+  /// once.
   void ask() {
     const std::size_t expected = threads_.under_way() + asked_;
     if (expected < wanted_) {
@@ -26,7 +27,7 @@ public:
     threads_.give(block);
   }
 
-  /// Whether there was anything to hand in.
+  /// Sends finished blocks to rank 0; returns whether there were any.
   bool hand_in() {
     bool any = false;
     while (const auto block = threads_.collect()) {

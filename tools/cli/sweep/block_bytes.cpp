@@ -35,7 +35,7 @@ std::string causes_of(const SweepBlock& block) {
   return bytes;
 }
 
-// Whether so many bytes follow the head.
+// Whether the head is consistent with `width` and with the number of bytes that follow it.
 bool has_all_of(const BlockHead& head, std::size_t rest, std::size_t width) {
   const auto bytes = static_cast<std::int64_t>(rest);
   const auto row = static_cast<std::int64_t>(width * sizeof(double));

@@ -10,17 +10,18 @@
 
 namespace higherpair::cli {
 
-/// A block of a sweep as bytes, in the order of the machine: what a record of the journal holds, and what
-/// ranks send to each other. \param width  values in each row
+/// A block of a sweep as bytes in the machine's representation, for records of the journal and for messages
+/// between ranks.
+/// \param width  number of values in each row
 [[nodiscard]] std::string block_bytes(const SweepBlock& block, std::size_t width);
 
-/// The block; none where bytes are missing, too many, or of another width.
+/// The block; none if there are too few or too many bytes, or the width differs.
 [[nodiscard]] std::optional<SweepBlock> block_of(std::string_view bytes, std::size_t width);
 
-/// Takes a block; false: no more of them.
+/// Receives a block; returns false to get no more.
 using TakeBlock = std::function<bool(const SweepBlock&)>;
 
-/// Takes records of a journal as the blocks whose numbers they have; refuses one that is no such block.
+/// A receiver of journal records that passes them on as blocks numbered from 0; it refuses any other record.
 [[nodiscard]] std::function<bool(std::string_view)> records_as_blocks(std::size_t width, TakeBlock take);
 
 }  // namespace higherpair::cli

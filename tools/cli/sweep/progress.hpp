@@ -20,10 +20,10 @@ namespace higherpair::cli {
   return fmt::format("{} s", whole);
 }
 
-/// Share that is done, rate and time left, on standard error where that is a terminal.
+/// The share done, the rate and the remaining time, on standard error if that is a terminal.
 class SweepProgress {
 public:
-  /// \param done  variants that were there before
+  /// \param done  variants that were done before
   SweepProgress(std::int64_t done, std::int64_t size, bool wanted)
       : wanted_(wanted && isatty(STDERR_FILENO) == 1), before_(done), size_(size), start_(Clock::now()) {}
   ~SweepProgress() { clear(); }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kBars = 12;
 constexpr std::size_t kLongestBar = 40;
-constexpr std::size_t kMostCauses = 1000;  // different ones that are counted
+constexpr std::size_t kMostCauses = 1000;  // largest number of different causes that are counted
 constexpr std::size_t kShownCauses = 5;
 constexpr std::array kShares = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
 
@@ -132,7 +132,7 @@ void SweepSummary::add(const SweepBlock& block) {
   for_each_value(block, [](ColumnStatistics& of, double value) { of.add(value); });
 }
 
-// Those that differ in their numbers alone are one.
+// Causes that differ only in their numbers are counted as one.
 void SweepSummary::add_cause(const std::string& cause) {
   if (cause.empty()) {
     return;

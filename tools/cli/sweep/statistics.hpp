@@ -9,11 +9,11 @@
 
 namespace higherpair::cli {
 
-/// What a summary says of a column of numbers, in two passes over them and constant memory: least, largest
-/// value, mean and deviation by the first; by the second how they lie between.
+/// Statistics of a column of numbers, in two passes and constant memory: the first gives least and largest
+/// value, mean and deviation; the second the distribution in between.
 class ColumnStatistics {
 public:
-  /// First pass. NaN is left out.
+  /// First pass; NaN is ignored.
   void add(double value);
   /// Second pass, over the same values.
   void place(double value);
@@ -22,11 +22,12 @@ public:
   [[nodiscard]] double least() const { return least_; }
   [[nodiscard]] double largest() const { return largest_; }
   [[nodiscard]] double mean() const;
-  /// With n - 1 in the denominator; 0 of a single value.
+  /// Standard deviation with n - 1 in the denominator; 0 for a single value.
   [[nodiscard]] double deviation() const;
-  /// The value below which a share of all lies, good to 1/65536 of the range. \pre count() > 0
+  /// The value below which the fraction `share` of all values lies, to within 1/65536 of the range.
+  /// \pre count() > 0
   [[nodiscard]] double quantile(double share) const;
-  /// How many values lie in each of `bars` equal parts of the range.
+  /// The number of values in each of `bars` equal parts of the range.
   [[nodiscard]] std::vector<std::int64_t> histogram(std::size_t bars) const;
 
 private:
@@ -35,13 +36,13 @@ private:
   std::int64_t count_ = 0;
   double least_ = 0;
   double largest_ = 0;
-  double first_ = 0;         // value: sums are of differences from it
+  double first_ = 0;         // first value; the sums are of differences from it
   long double sum_ = 0;      // of v - first
   long double squares_ = 0;  // of (v - first)²
   std::vector<std::int64_t> bins_;
 };
 
-/// What is said of a sweep when it is done.
+/// The summary that is printed at the end of a sweep.
 class SweepSummary {
 public:
   explicit SweepSummary(const Sweep& sweep);
@@ -52,7 +53,7 @@ public:
   [[nodiscard]] std::int64_t variants() const { return variants_; }
   [[nodiscard]] bool good() const { return good_ == variants_; }
 
-  /// Readable, at most 80 characters to a line.
+  /// Readable text with at most 80 characters per line.
   [[nodiscard]] std::string text(const std::string& title) const;
 
 private:
@@ -70,8 +71,8 @@ private:
   std::int64_t variants_ = 0;
   std::int64_t good_ = 0;
   std::int64_t rows_ = 0;
-  std::map<int, std::int64_t> statuses_;  ///< of rows, by their place in the words of the column
-  std::map<std::string, Cause> causes_;   ///< by the text before the first number
+  std::map<int, std::int64_t> statuses_;  ///< rows by status, as its index in the words of the column
+  std::map<std::string, Cause> causes_;   ///< by their text before the first number
   std::vector<ColumnStatistics> results_;
 };
 

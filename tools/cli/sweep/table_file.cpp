@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A table that a killed run has begun: nobody else writes it while this one has the journal.
+// Removes incomplete tables left by killed runs. No other run can be writing them while this one holds the
+// journal.
 void remove_torn_tables(const std::string& target) {
   const std::string prefix = fs::path(target).filename().string() + ".part";
   const fs::path folder = fs::path(target).parent_path();
@@ -34,7 +35,7 @@ void remove_torn_tables(const std::string& target) {
   for (const fs::path& path : torn) fs::remove(path, code);
 }
 
-// Digits take longer than anything else here: several blocks at once, written in their order.
+// Formatting numbers takes most of the time: several blocks are formatted at once and written in order.
 std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep, std::size_t threads,
                                      const EachBlock& each) {
   OutputFile file(path);

@@ -8,22 +8,24 @@
 
 namespace higherpair::cli {
 
-/// What stands at the head of an HDF5 file of a sweep.
+/// Attributes of the HDF5 file of a sweep.
 struct SweepTitle {
   std::string title;    ///< of the mechanism
-  std::string profile;  ///< name of the file
+  std::string profile;  ///< file name of the profile
 };
 
-/// Calls its argument with every block, in order; false where that fails.
+/// Passes every block to its argument, in order; returns false on failure.
 using EachBlock = std::function<bool(const std::function<void(const SweepBlock&)>&)>;
 
-/// Whether a name is one of HDF5, .h5 or .hdf5; else the table is CSV.
+/// Whether a path ends in .h5 or .hdf5; otherwise the table is CSV.
 [[nodiscard]] bool is_hdf5(const std::string& path);
 
-/// Writes the table of a sweep: a regular file beside its place, and renamed at the end. What a killed run
-/// has left beside it is removed. \return none: it is written. Else why not; empty where nobody wants to read
-/// it, or `each` has failed. \param threads  so many make lines of CSV; 0: as many as there are cores. As
-/// HDF5: a dataset for each column, and `cause` as text
+/// Writes the table of a sweep. A regular file is written under a temporary name and renamed at the end;
+/// temporary files left by killed runs are removed. In HDF5 there is a dataset for each column, and `cause`
+/// as text.
+/// \param threads  number of threads that format CSV; 0: as many as there are cores
+/// \return none: the table is written. Otherwise the reason; empty if nobody reads the output any more, or
+/// `each` has failed
 [[nodiscard]] std::optional<std::string> write_table(const std::string& path, const Sweep& sweep,
                                                      const SweepTitle& title, int threads,
                                                      const EachBlock& each);

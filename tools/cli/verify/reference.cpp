@@ -15,12 +15,12 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr double kSmallestColumn = 1e-6;  // of the largest value of that unit: less is rounding
+constexpr double kSmallestColumn = 1e-6;  // relative to the largest value of the same unit: less is rounding
 
 template <class T>
 using Or = tl::expected<T, std::string>;
 
-// A number, a word of a column without unit, or nothing.
+// A number, a word of a column without a unit, or an empty field.
 using Wanted = std::variant<std::monostate, double, std::string>;
 
 struct Expected {
@@ -94,7 +94,7 @@ std::string head_of(const Column& column) {
   return column.unit.empty() ? column.name : column.name + "[" + column.unit + "]";
 }
 
-// Where the expected columns stand among those of the run.
+// The indices of the expected columns among those of the run.
 Or<std::vector<std::size_t>> match(const Expected& expected, const std::vector<Column>& columns) {
   std::vector<std::size_t> places;
   for (const std::string& head : expected.head) {
@@ -116,8 +116,8 @@ std::string_view unit_of(std::string_view head) {
   return head.substr(std::min(head.find('['), head.size()));
 }
 
-// A column's largest value. What is only rounding (a joint that stands still) has none of its own: then a
-// share of the largest of that unit.
+// The largest value of each column, but not less than a small fraction of the largest value of the same unit:
+// a column may contain nothing but rounding (a joint at rest).
 std::vector<double> scales(const Expected& expected) {
   std::vector<double> scale(expected.head.size(), 0);
   for (const auto& row : expected.rows) {
@@ -153,12 +153,12 @@ std::string wanted_text(const Wanted& wanted) {
   return word == nullptr ? "empty" : *word;
 }
 
-// Whether both are numbers, the same word, or both undefined.
+// Whether both are numbers, or the same word, or both undefined.
 bool is_alike(const Wanted& cell, const Wanted& wanted) {
   return std::holds_alternative<std::string>(wanted) ? cell == wanted : cell.index() == wanted.index();
 }
 
-// Compares a row; the reason where its cells are not even alike.
+// Compares a row; returns the reason if its cells are not even of the same kind.
 std::string compare(const Expected& expected, const std::vector<double>& scale, std::size_t k,
                     const std::vector<Wanted>& cells, std::vector<ColumnCheck>& checks) {
   const double* key = std::get_if<double>(&cells.front());
@@ -204,7 +204,7 @@ Or<std::vector<ColumnCheck>> compare(const Expected& expected, Analysis& analysi
       return tl::unexpected(std::move(reason));
     }
   }
-  // The residual is rounding that differs from machine to machine; of words there is no error.
+  // Residuals are rounding errors, which differ between machines; words have no error.
   std::erase_if(checks, [](const ColumnCheck& check) {
     return check.column.empty() || check.column.starts_with("residual[");
   });

@@ -7,22 +7,22 @@
 
 namespace higherpair::cli {
 
-/// A mechanism whose motion is known: a profile (its `title` names it, its `description` is the source) and
-/// the table that is right for it, a CSV whose head is that of the program's own tables, those of `step`
-/// where there is a column `time`. Columns may be left out, rows not. Words and empty fields have to be the
-/// same, the residual not; rows need not be `ok` only where there is a column `status`.
+/// A mechanism whose motion is known: a profile (`title` gives its name, `description` the source) and a CSV
+/// table of the correct values. Its header is that of the program's tables, those of `step` if there is a
+/// column `time`. Columns may be left out, rows may not. Words and empty fields have to agree; the residual
+/// is not compared. All rows have to be `ok`, unless the table has a column `status`.
 struct Reference {
   std::string_view name;
   std::string_view profile;
   std::string_view table;
 };
 
-/// The references that the program carries: the files of tools/cli/verify, put into it by the build.
+/// The references built into the program: the files in tools/cli/verify.
 [[nodiscard]] std::span<const Reference> shipped_references();
 
-/// One column of a reference where it is worst.
+/// The row of a column with the largest error.
 struct ColumnCheck {
-  std::string column;  ///< with its unit, as in the head
+  std::string column;  ///< with its unit, as in the header
   double key = 0;      ///< driver position or time of the row
   double value = 0;
   double expected = 0;
@@ -39,11 +39,11 @@ struct Verdict {
 
   /// The column with the largest error. \pre there are columns
   [[nodiscard]] const ColumnCheck& worst() const;
-  /// Whether everything was compared and no error is larger than `bound`.
+  /// Whether everything was compared and no error exceeds `bound`.
   [[nodiscard]] bool holds(double bound) const;
 };
 
-/// Runs a reference the way a user's file runs, and compares every cell of its table.
+/// Runs a reference as a user's file would be run, and compares every cell of its table.
 [[nodiscard]] Verdict verify(const Reference& reference);
 
 }  // namespace higherpair::cli

@@ -7,7 +7,8 @@
 
 namespace higherpair::cli {
 
-/// What `verify --json` writes. \param bound  of errors, relative to the column's largest value
+/// The output of `verify --json`.
+/// \param bound  largest error accepted, relative to the column's largest value
 [[nodiscard]] std::string verdicts_json(const std::vector<Verdict>& verdicts, double bound);
 
 }  // namespace higherpair::cli

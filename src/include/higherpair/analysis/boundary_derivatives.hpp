@@ -12,47 +12,49 @@ namespace higherpair {
 
 /// How the boundaries of contacts change with a parameter p from which a mechanism is made.
 ///
-/// A contact depends on its boundaries by nothing but their points, normals and curvatures about the place of
-/// contact, which are those of the curve that is like them there (local_curve). The derivatives of these by
-/// p, at the same share of the same span, are differences of the eighth order of the boundaries made with p
-/// changed; whatever else depends on p follows exactly. Which place counts as the same for another p does not
-/// matter: a curve that slides along itself stays the same curve. So this needs no kind of curve to know how
-/// it is made.
+/// A contact depends on its boundaries only through their points, normals and curvatures near the contact,
+/// which are those of a simple curve that agrees with the boundary there (local_curve). Their derivatives
+/// with respect to p, at the same fraction of the same span, are eighth-order differences of boundaries made
+/// with changed p; everything else that depends on p is differentiated exactly. Which place is taken as the
+/// same for another p does not matter: a curve that slides along itself stays the same curve. So curves need
+/// not know how they depend on p.
 class BoundaryDerivatives {
 public:
-  /// With p changed by -4 … 4 steps.
+  /// The mechanisms made with p changed by -4 … 4 steps.
   using Family = std::array<const Mechanism*, 9>;
 
   /// None where not all of them have the same spans.
   [[nodiscard]] static std::optional<BoundaryDerivatives> of(const Family& mechanisms, double step);
 
-  /// The derivatives by p of the numbers of the curve that is like the boundary at a place.
+  /// Derivatives with respect to p of the numbers of the curve that agrees with the boundary at a place.
   /// \param side  0: of the contact's first curve, 1: of its second
   [[nodiscard]] Curve of_local_curve(std::size_t contact, std::size_t side, const BoundaryPlace& place) const;
 
-  /// How far the derivatives are from differences of the sixth order, of the larger of what they are and of
-  /// what is to be expected where a change of p by `scale` makes another boundary: more than their error.
+  /// Deviation of the derivatives from sixth-order differences, relative to the larger of their size and the
+  /// size to be expected if a change of p by `scale` makes a different boundary: an upper estimate of their
+  /// error.
   [[nodiscard]] double error(double scale) const;
 
-  /// The largest derivative of a point, normal or curvature, of what is to be expected as above.
+  /// The largest derivative of a point, normal or curvature, relative to the size to be expected as above.
   [[nodiscard]] double largest(double scale) const;
 
 private:
   using Boundaries = std::array<std::shared_ptr<const Boundary>, 9>;
 
-  std::vector<std::array<Boundaries, 2>> contacts_;  // null of those that are not by_boundary
+  std::vector<std::array<Boundaries, 2>> contacts_;  // null for contacts that are not by_boundary
   double step_ = 0;
 };
 
-/// The derivative of a mechanism by a parameter.
+/// The derivative of a mechanism with respect to a parameter p.
 struct MechanismDerivative {
   MechanismDerivative() = default;
   MechanismDerivative(Mechanism by)  // NOLINT(google-explicit-constructor)
       : numbers(std::move(by)) {}
 
-  Mechanism numbers;                                      ///< every number by p, in place of the number
-  std::shared_ptr<const BoundaryDerivatives> boundaries;  ///< null: those of contacts do not change
-  /// By differences: the step of p, and how far off boundaries may be (see BoundaryDerivatives::error).
+  Mechanism numbers;                                      ///< every number replaced by its derivative
+  std::shared_ptr<const BoundaryDerivatives> boundaries;  ///< null: the boundaries of contacts do not change
+  /// If found by differences: the step of p, and the error of the boundaries (see
+  /// BoundaryDerivatives::error).
   double step = 0, error = 0;
 };
 

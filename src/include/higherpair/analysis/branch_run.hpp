@@ -9,28 +9,28 @@
 namespace higherpair {
 
 /// \name Runs on a chosen branch
-/// A branch is the assembly modes of all groups of a plan that have two, as bits of a number in their order:
-/// for other dimensions it stays the same branch, whatever the poses. What else there is to choose, such as a
-/// contact, is taken nearest to the poses.
+/// A branch is given by the assembly modes of all groups of a plan that have two, as bits of a number in
+/// their order: it stays the same branch for other dimensions, whatever the poses. Other choices, such as
+/// that of a contact, are made by closeness to the poses.
 /// @{
 
-/// 2 to the number of groups with two modes, at most 2¹⁶: groups beyond are in mode +1.
+/// 2 to the number of groups with two modes, at most 2¹⁶: further groups are in mode +1.
 [[nodiscard]] int branch_count(const Plan& plan);
 
-/// The branch on which a run is.
+/// The branch that a run is on.
 [[nodiscard]] int branch_of(const Run& run);
 
-/// As start_run, on this branch. The numbers of redundant mechanisms are not checked. None where it cannot be
-/// assembled there at the first positions of the drivers.
+/// Like start_run, on this branch. The dimensions of redundant mechanisms are not checked. None where it
+/// cannot be assembled there at the first positions of the drivers.
 [[nodiscard]] std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers,
                                                  int branch, double tolerance = kDefaultClosure);
 
 /// By how much a group of links is too short, or too long, to be assembled between the bodies that it depends
-/// on, at their present positions [m]; < 0: what it has to spare. None for groups that are no dyads.
+/// on, at their present positions [m]; < 0: its reserve. None for groups that are not dyads.
 [[nodiscard]] std::optional<double> closure_gap(const Group& group, const std::vector<BodyMotion>& bodies);
 
-/// The same at drivers' positions that no row need exist at: groups are placed near `run`, those that cannot
-/// be and all after them are left out. A number for each group of the plan.
+/// The same at positions of the drivers for which no row need exist: groups are placed near `run`; those that
+/// cannot be placed and all after them are left out. One number for each group of the plan.
 [[nodiscard]] std::vector<std::optional<double>> closure_gaps(const Run& run,
                                                               const std::vector<double>& drivers);
 
@@ -39,7 +39,7 @@ namespace higherpair {
                                                                     const std::vector<double>& drivers,
                                                                     int branch);
 
-/// Sine of the angle between two links that a pin joins, each of which has a pin of its own at its other end
+/// Sine of the angle between two links joined by a pin, each of which has another pin at its other end
 /// (RrrDyad); ±. None where the pin joins no such links.
 [[nodiscard]] std::optional<double> transmission_sine(const Plan& plan, int joint,
                                                       const std::vector<BodyMotion>& bodies);

@@ -15,20 +15,20 @@ struct ContactPlace {
   ContactPair pair;            ///< body 1: the known one
   double u = 0;                ///< its coordinate
   bool known_is_first = true;  ///< whether the contact names the known body first
-  double carrier_angle =
-      0;             ///< of a turning follower: its coordinate in the pair less that on its carrier [rad]
-  double posed = 0;  ///< follower's coordinate on its carrier in the poses [rad or m]
+  /// For a turning follower: its coordinate in the pair less that on its carrier [rad].
+  double carrier_angle = 0;
+  double posed = 0;  ///< coordinate of the follower on its carrier in the poses [rad or m]
 };
 
 struct Branches {
   std::vector<ContactPlace> contacts;           ///< those that place a follower by themselves
   std::vector<std::vector<double>> assemblies;  ///< coordinates of Mechanism::joints [rad or m]
-  bool complete = true;                         ///< false: more assemblies than are listed, or coupled bodies
+  bool complete = true;  ///< false: there are more assemblies than listed, or coupled bodies
 };
 
-/// What `branches` lists at the drivers' positions: the contacts of followers (where their carriers stand in
-/// the assembly nearest to the poses), and every combination of assembly modes that closes. Contacts in an
-/// assembly are those that their `approach` picks.
+/// Contents of `branches` at the drivers' positions: the contacts of followers (with their carriers placed as
+/// in the assembly nearest to the poses), and every combination of assembly modes that can be closed.
+/// Contacts in an assembly are those that their `approach` selects.
 [[nodiscard]] tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
                                                                  const std::vector<double>& drivers);
 

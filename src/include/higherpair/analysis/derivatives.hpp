@@ -10,18 +10,17 @@
 
 namespace higherpair {
 
-/// Time derivatives of a body's frame in ground, from the 0th to the one asked for; the others are 0.
+/// Time derivatives of a body's frame in ground, from the 0th up to the requested order; the others are 0.
 struct BodyDerivatives {
   std::array<Vector2d, kHighestDerivative + 1> p_WB;  ///< of the origin [m/s^k]
   std::array<double, kHighestDerivative + 1> theta;   ///< of the angle [rad/s^k]
 };
 
-/// The time derivatives of all bodies up to `order` at run.row. With every coordinate a power
-/// series in time, the conditions of joints, contacts (gap, common normal, no slip) and drivers hold order by
-/// order:
-///     J x_k = -(what lower orders leave of the conditions at order k),
-/// with the same Jacobian J in each. No differences are taken, and no equivalent linkage. None where the
-/// conditions leave a body free to move (a singular position), or the row has no rates.
+/// The time derivatives of all bodies up to `order` at run.row. With every coordinate a power series in time,
+/// the conditions of joints, contacts (gap, common normal, no slip) and drivers hold order by order:
+///     J x_k = -(contribution of the lower orders to the conditions at order k),
+/// with the same Jacobian J in each. Neither finite differences nor equivalent linkages are used. None where
+/// the conditions leave a body free to move (a singular position), or the row has no rates.
 /// \param drivers  those of the row \param order  1 … kHighestDerivative
 /// \param higher  of the drivers; none: their accelerations are constant
 [[nodiscard]] std::optional<std::vector<BodyDerivatives>> derivatives_of(

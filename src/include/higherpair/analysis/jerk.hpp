@@ -11,18 +11,20 @@ namespace higherpair {
 
 /// The jerks of a row; SI units, ground frame.
 struct JerkRow {
-  std::vector<std::optional<BodyJerk>> bodies;   ///< of Mechanism::bodies; none where not defined
-  std::vector<std::optional<BodyJerk>> linkage;  ///< the same of the frozen equivalent linkage: every contact
-                                                 ///< replaced by its link, the motion up to acceleration kept
+  std::vector<std::optional<BodyJerk>> bodies;  ///< of Mechanism::bodies; none where not defined
+  /// The same for the frozen equivalent linkage: every contact replaced by its link, with the motion up to
+  /// acceleration unchanged.
+  std::vector<std::optional<BodyJerk>> linkage;
 };
 
 /// The third time derivatives of run.row: group by group from the conditions of its joints, contacts and
 /// drivers, differentiated once more. None where the row has no rates or the conditions leave a group's jerks
-/// open; of the frozen linkage besides where a rolling contact was all that set a body in motion (discs about
-/// their centres). Allocates. \param higher  of the drivers; none: their accelerations are constant
+/// undetermined; for the frozen linkage also where a body's motion was determined by a rolling contact alone
+/// (discs about their centres). Allocates. \param higher  rates of the drivers; none: their accelerations are
+/// constant
 [[nodiscard]] JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher = {});
 
-/// JerkRow::bodies alone.
+/// Only JerkRow::bodies.
 [[nodiscard]] std::vector<std::optional<BodyJerk>> true_jerks_of(const Run& run,
                                                                  std::span<const HigherRates> higher = {});
 

@@ -9,56 +9,55 @@
 
 namespace higherpair {
 
-/// The positions of a linkage all of whose joints are pins, again and again with other dimensions: bodies
-/// driven about pins, and dyads of two links. In closed form, without a table, an angle or an allocation; and
-/// how the positions change with any parameter of the dimensions, exactly. What happens between two positions
-/// remains unseen, and poses are those of a branch (branch_run.hpp).
+/// The positions of a linkage with pins only (bodies driven about pins, and dyads of two links), for many
+/// sets of dimensions: in closed form, without tables, angles or allocation; and the exact derivatives of the
+/// positions with respect to any parameter of the dimensions. What happens between two positions remains
+/// unknown; the poses are those of a branch (branch_run.hpp).
 ///
-/// Of a dyad A, C, B with r_a = C - A, r_b = C - B, and h what the ends would part by if both links kept
-/// their angles, h = ∂C along b - ∂C along a:
+/// For a dyad A, C, B with r_a = C - A, r_b = C - B, and h the rate at which the ends at C would separate if
+/// both links kept their angles, h = ∂C along b - ∂C along a:
 ///     ∂θ_a r_a^⊥ - ∂θ_b r_b^⊥ = h,   ∂θ_a = h·r_b/(r_a × r_b),   ∂θ_b = h·r_a/(r_a × r_b).
 class PinLinkage {
 public:
-  /// None where the plan has anything but such groups, or conditions in surplus.
+  /// None where the plan has other groups, or surplus conditions.
   [[nodiscard]] static std::optional<PinLinkage> of(const Mechanism& mechanism, const Plan& plan);
 
-  /// \param numbers  all of the mechanism, in the order of for_each_number (numbers.hpp)
+  /// \param numbers  all numbers of the mechanism, in the order of for_each_number (numbers.hpp)
   void set_numbers(std::span<const double> numbers);
-  /// The branch on which bodies are placed; 0 at first. From now on bodies have the poses that they were
+  /// The branch on which bodies are placed; 0 at first. From then on bodies have the poses that they were
   /// given.
   void set_branch(int branch);
 
-  /// Places all bodies. False where a dyad does not reach; it and the bodies after it stay where they were
-  /// last. \param drivers  cosine and sine of the angle of each driver
+  /// Places all bodies. False where a dyad does not reach; it and the bodies after it keep their last poses.
+  /// \param drivers  cosine and sine of the angle of each driver
   bool place(std::span<const Rotation<double>> drivers);
 
   [[nodiscard]] const Pose<double>& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
-  /// Where a point is, in ground [m].
+  /// Position of a point in ground [m].
   [[nodiscard]] Vector2d place_of(const PointRef& point) const { return in_ground(end_of(point)); }
 
   [[nodiscard]] std::size_t dyads() const { return dyads_.size(); }
-  /// Of how many dyads, the first ones in the order of solution, the gap is known: up to the first that does
-  /// not reach.
+  /// Number of dyads, in the order of solution, whose gap is known: up to the first that does not reach.
   [[nodiscard]] std::size_t known_gaps() const { return known_; }
   /// closure_gap of a dyad [m]. \pre dyad < known_gaps()
   [[nodiscard]] double gap(std::size_t dyad) const { return dyads_[dyad].gap; }
-  /// The dyad that has this joint.
+  /// The dyad that contains this joint.
   [[nodiscard]] std::optional<std::size_t> dyad_at(int joint) const;
   /// transmission_sine of a dyad that has been placed.
   [[nodiscard]] double transmission(std::size_t dyad) const;
 
-  /// \name Derivatives by a parameter at the last place()
+  /// \name Derivatives with respect to a parameter, at the last place()
   /// @{
-  /// \param slopes  derivative of every number by it; has to live until the others have been asked for
+  /// \param slopes  derivative of every number; must stay valid until the other functions have been called
   void differentiate(std::span<const double> slopes);
-  /// Of place_of(point).
+  /// Derivative of place_of(point).
   [[nodiscard]] Vector2d place_slope(const PointRef& point) const { return slope_of(end_of(point)); }
   [[nodiscard]] double gap_slope(std::size_t dyad) const;
   [[nodiscard]] double transmission_slope(std::size_t dyad) const;
   /// @}
 
 private:
-  // A point of a body, by the place of its x among the numbers; y follows.
+  // A point of a body; `number` is the index of its x among the numbers, y follows.
   struct End {
     int body = 0;
     std::size_t number = 0;
@@ -108,16 +107,16 @@ private:
     return {slopes_[end.number], slopes_[end.number + 1]};
   }
   [[nodiscard]] Vector2d slope_of(const End& end) const;
-  // Of a point of a link about another one that is known, apart from the turning of the link.
+  // Derivative of a link's point relative to another one that is known, without the rotation of the link.
   [[nodiscard]] Vector2d fixed_slope(int link, const End& from, const End& to) const;
 
-  std::vector<std::size_t> point_numbers_;  // of each body: of x of its first point
+  std::vector<std::size_t> point_numbers_;  // for each body: index of x of its first point
   std::vector<Step> steps_;
   std::vector<Driven> driven_;
   std::vector<Dyad> dyads_;
   std::vector<double> numbers_;
   std::vector<Pose<double>> posed_, poses_;
-  std::size_t known_ = 0, placed_ = 0;  // gaps, and steps
+  std::size_t known_ = 0, placed_ = 0;  // numbers of known gaps and of placed steps
   std::span<const double> slopes_;
   std::vector<PoseSlope> pose_slopes_;
 };

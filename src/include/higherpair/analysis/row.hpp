@@ -11,27 +11,27 @@
 
 namespace higherpair {
 
-/// Everything that one row of a motion table shows; SI units, ground frame.
+/// The contents of one row of a motion table; SI units, ground frame.
 struct MotionRow {
   RowStatus status = RowStatus::kNotConverged;
-  double residual = 0;  ///< largest closure error, and disagreement of velocities times size/speed [m]
-  std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies; meaningless where not assemblable
-  std::vector<bool> has_rates;          ///< whether the body's rates are defined
-  bool all_rates = true;                ///< whether those of all bodies are
+  double residual = 0;             ///< largest closure error, and mismatch of velocities times size/speed [m]
+  std::vector<BodyMotion> bodies;  ///< of Mechanism::bodies; meaningless where not assemblable
+  std::vector<bool> has_rates;     ///< whether the body's rates are defined
+  bool all_rates = true;           ///< whether those of all bodies are
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
-  std::vector<bool> arcs_hold;          ///< whether the contact has been one and the same since the first row
+  std::vector<bool> arcs_hold;  ///< whether it has been the same contact without a jump since the first row
 };
 
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
   double driver = 0;         ///< coordinate of the first driven joint [rad or m]
-  double share = 0;          ///< of the drivers' path from the row before to this one
-  std::optional<int> joint;  ///< what it happens at, if one can be named
+  double share = 0;          ///< fraction of the drivers' path from the previous row to this one
+  std::optional<int> joint;  ///< where it happens, if one can be named
   std::optional<int> contact;
   std::string cause;            ///< a sentence
-  std::string effect;           ///< what follows on it, "; ..."; or empty
-  std::optional<double> value;  ///< of what reverses: the joint's coordinate there [rad or m]
-  std::optional<std::array<double, 2>> curvature;  ///< where it jumps: before and after [1/m]
+  std::string effect;           ///< its consequence, "; ..."; or empty
+  std::optional<double> value;  ///< for a reversal: the joint's coordinate there [rad or m]
+  std::optional<std::array<double, 2>> curvature;  ///< for a jump of curvature: before and after [1/m]
 };
 
 }  // namespace higherpair

@@ -15,15 +15,17 @@
 
 namespace higherpair {
 
-/// What a group remembers between positions.
+/// Data of a group that is kept from position to position.
 struct GroupState {
-  int mode = 1;     ///< assembly mode σ, or the sign of ∂gap/∂q of a contact: the branch
-  double sine = 1;  ///< goes through 0, with its sign, where branches cross; 0 to within rounding: singular
+  int mode = 1;  ///< assembly mode σ, or the sign of ∂gap/∂q of a contact: the branch
+  /// Signed measure of singularity: changes sign at a change point; 0 to within rounding: singular.
+  double sine = 1;
   double sine_rate = 0;  ///< per unit of the path
-  double lever = 1;      ///< what `sine` is of the order of, away from there
-  double noise = 0;      ///< |sine| up to which it says nothing but 0
-  bool held = false;     ///< of a contact that may part (Keep::kGap): it is open, the body stays on its joint
-  double held_at = 0;    ///< there, at this coordinate of its freedom [rad or m]
+  double lever = 1;      ///< order of magnitude of `sine` away from change points
+  double noise = 0;      ///< |sine| up to this counts as 0
+  /// Contact that may separate (Keep::kGap): it is open, the body stays in place on its joint.
+  bool held = false;
+  double held_at = 0;  ///< then: the coordinate of its freedom [rad or m]
 };
 
 using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, StandingContact>;
@@ -31,18 +33,18 @@ using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, Stand
 /// A position of a whole mechanism and its rates.
 struct State {
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
-  std::vector<KnownRotation> turns;     ///< of bodies: near where each was turned last
+  std::vector<KnownRotation> turns;     ///< rotation of each body, known at a position near by
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
   std::vector<GroupState> groups;       ///< of Plan::groups
-  std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is no tracked pair
+  std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is not a tracked pair
 };
 
-/// How coupled bodies are led from a limit to where they can be assembled again, on the way of the least
-/// violation of their conditions F = 0: where that is not 0 their derivative J is singular. The sign of the
-/// determinant of J, bordered by its singular vectors, changes where another part of them turns over.
+/// Continuation of coupled bodies from a limit to where they can be assembled again, along the path of least
+/// violation of their conditions F = 0: while the violation is not 0 the Jacobian J is singular. The sign of
+/// the determinant of J bordered by its singular vectors changes where another part of the bodies turns over.
 struct LeastViolation {
-  Eigen::VectorXd left, right;  ///< singular vectors of J, continuous on the way; empty: J is not square
-  int sign = 0;                 ///< of the bordered determinant where the way began; 0: unknown
+  Eigen::VectorXd left, right;  ///< singular vectors of J, continuous along the path; empty: J is not square
+  int sign = 0;                 ///< sign of the bordered determinant where the path began; 0: unknown
 };
 
 /// A driver's coordinate and its rates.

@@ -6,8 +6,8 @@
 
 namespace higherpair {
 
-/// At how many places the two bodies of a contact touch at the last position of a run, corners left out: 2
-/// where two pairs of teeth are in mesh, 0 where a contact that may part is open.
+/// Number of places, corners excepted, at which the two bodies of a contact touch at the last position of a
+/// run: 2 where two pairs of teeth are in mesh, 0 where a contact that may separate is open.
 [[nodiscard]] std::size_t touching_places(const Run& run, std::size_t contact);
 
 }  // namespace higherpair

@@ -9,25 +9,26 @@ namespace higherpair {
 /// Why a round cutter cannot cut a flank.
 struct CutterFault {
   enum class Kind {
-    kHollow,    ///< the flank is hollower than the cutter is round: it would cut away more (gouge, undercut)
-    kNotch,     ///< a hollow corner, which no round cutter can cut
-    kCrossing,  ///< while it cuts one part of the flank it would cut into another
+    kHollow,    ///< the flank's concave radius is smaller than the cutter's: it would cut away more (gouge,
+                ///< undercut)
+    kNotch,     ///< a concave corner, which no round cutter can cut
+    kCrossing,  ///< while cutting one part of the flank it would cut into another
   } kind = Kind::kHollow;
   Vector2d at_B = Vector2d::Zero();  ///< point of the flank, or where the path crosses itself
-  double largest = 0;                ///< radius of the largest cutter that can [m]; kNotch: 0
+  double largest = 0;                ///< radius of the largest possible cutter [m]; kNotch: 0
 };
 
 /// Path of the centre of a round cutter, or roller, of this radius [m] that touches the flank throughout: the
-/// flank's offset along its outward normals. Where the flank's radius of curvature is hollow and not larger
-/// than the cutter's the path has a cusp and turns back (but about a hollow arc of its own radius the cutter
-/// waits, and its path has a notch); where the path crosses itself the cutter is too
-/// large as well (Rothbart, Cam Design Handbook, on undercutting). Around convex corners it is an arc. The
-/// largest cutter is -1/κ at the hollowest place, to within rounding, or by bisection to 1e-9 of the radius
-/// what just does not make the path cross itself (see find_self_crossing). \pre radius > 0
+/// flank's offset along its outward normals; around convex corners it is an arc. Where the flank is concave
+/// with a radius of curvature not larger than the cutter's, the path has a cusp and turns back (but along a
+/// concave arc of its own radius the cutter's centre rests, and its path has a notch). Where the path crosses
+/// itself the cutter is too large as well (Rothbart, Cam Design Handbook, on undercutting). The largest
+/// cutter is -1/κ at the place of least curvature, to within rounding, or found by bisection, to 1e-9 of the
+/// radius, as the largest whose path does not cross itself (see find_self_crossing). \pre radius > 0
 [[nodiscard]] tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double radius);
 
-/// The place of least signed curvature of a boundary's spans but corners, to within rounding of the zero of
-/// dκ/ds between four times as many places as show the shape. None of corners alone.
+/// The place of least signed curvature on the spans of a boundary except its corners, to within rounding: a
+/// zero of dκ/ds between samples, four times as many as show the shape. None if there are only corners.
 struct HollowestPlace {
   BoundaryPlace place;
   SpanPoint point;

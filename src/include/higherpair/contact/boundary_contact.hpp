@@ -20,7 +20,7 @@ struct BoundaryPair {
 
 /// Where two boundaries touch.
 struct BoundaryContact {
-  CommonNormal at;  ///< ρ: of a face +∞, of a corner 0
+  CommonNormal at;  ///< ρ: +∞ on a face, 0 at a corner
   double q = 0;     ///< follower's coordinate [rad or m]
   BoundaryPlace place1, place2;
   double gap_q = 0;  ///< ∂gap/∂q = n·(velocity of body 2 at p per q)
@@ -29,14 +29,15 @@ struct BoundaryContact {
 struct BoundaryResult {
   ContactStatus status = ContactStatus::kNotConverged;
   BoundaryContact contact;  ///< with kOk, kOtherBranch
-  int ended = 0;  ///< kNoContact because boundary 1 or 2 has an end or a notch where the contact would go on
+  /// kNoContact because boundary 1 or 2 has an end or a notch where the contact would continue.
+  int ended = 0;
 };
 
-/// The equivalent link of two places; flat where κ is 0. \pre not both corners
+/// The equivalent link at two places; on flat ones κ is 0. \pre not both corners
 [[nodiscard]] EquivalentLink link_between(const SpanPoint& point1, bool corner1, const SpanPoint& point2,
                                           bool corner2);
 
-/// The same of a contact by its radii, of which +∞ means flat.
+/// The same for a contact, from its radii; +∞ means flat.
 [[nodiscard]] inline EquivalentLink link_at(const CommonNormal& at) {
   return equivalent_link(std::isinf(at.rho1), at.rho1, std::isinf(at.rho2), at.rho2);
 }
@@ -46,39 +47,39 @@ struct BoundaryResult {
 /// t, c the velocity per q at p2 and ω = 1 for a turning follower, else 0:
 ///     δq = -g/c·n,   E = ε + ω δq,   Σ = σ + c·t δq,
 ///     δs1 = z E + w2 Σ,   δs2 = z E - w1 Σ     (both along t),
-/// the equivalent link's own equations, finite for faces and corners. Steps lead over joints of spans. Unlike
-/// an iteration in the normal's angle it passes inflections like any other place.
+/// the equivalent link's own equations, finite for faces and corners. Steps continue across joints of spans.
+/// Unlike an iteration in the normal's angle it passes inflections without trouble.
 /// \param branch  sign of ∂gap/∂q wanted; 0: either
 [[nodiscard]] BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double q,
                                                     const BoundaryPlace& place1, const BoundaryPlace& place2,
                                                     int branch);
 
 /// Places along both boundaries with a common normal near a guess, the bodies held at their poses; the gap is
-/// that of the result. None where the iteration finds none, or an end is in the way.
+/// that of the result. None where the iteration finds none or is stopped by an end.
 [[nodiscard]] std::optional<BoundaryContact> find_boundary_normal(
     const Boundary& boundary1, const Pose<double>& X_W1, const Boundary& boundary2, const Pose<double>& X_W2,
     const BoundaryPlace& place1, const BoundaryPlace& place2);
 
-/// Every contact of opposed normals and κ1 + κ2 > 0 whose coordinate is in `range` (turning: in (-π, π],
-/// whatever the range), by rising q. With the supports h = p·n and h′ = p·t about the follower's pivot a
+/// Every contact with opposed normals and κ1 + κ2 > 0 whose coordinate is in `range` (turning: in (-π, π],
+/// whatever the range), by rising q. With the supports h = p·n and h′ = p·t about the follower's pivot, a
 /// contact is a common point of the plane curves (h1, h1′) and (-h2, -h2′); for a follower that slides along
-/// d, of (angle of n, p·d⊥) of both. Crossings of their polylines are refined by Newton's method: two
-/// contacts closer than the samples of the boundaries may be missed.
+/// d, of the curves (angle of n, p·d⊥) of both. Crossings of their polylines are refined by Newton's method:
+/// two contacts closer than the samples of the boundaries may be missed.
 [[nodiscard]] std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u,
                                                                   const Bounds& range);
 
-/// The place with an outward normal, by Newton's method from another place; none where an end or a face is in
-/// the way, or no place near has this normal.
+/// The place with the given outward normal, by Newton's method from another place; none where an end or a
+/// face is in between, or no place near has this normal.
 [[nodiscard]] std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary,
                                                              const BoundaryPlace& from, const Vector2d& n_B);
 
-/// Of the samples of both boundaries those that face each other best: near, with normals opposed.
+/// The pair of samples of both boundaries that face each other best: close, with normals opposed.
 [[nodiscard]] std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
 
-/// How deep one body is in the other [m], near the deepest of their outlines' samples and of points between
-/// their crossings; 0 where they are free of each other to within `tolerance`.
+/// Depth of overlap of two bodies [m], near the deepest of the samples of their outlines and of points
+/// between their crossings; 0 where the overlap is within `tolerance`.
 struct Penetration {
   double depth = 0;
   BoundaryPlace place1, place2;

@@ -9,8 +9,8 @@
 
 namespace higherpair {
 
-/// Where two curves face each other: their points with a common normal, in ground W; t = n turned +90°. They
-/// touch where p2 = p1: then this is their touching point, of whatever kind of search it comes.
+/// Where two curves face each other: their points with a common normal, in ground W; t = n turned +90°. Where
+/// p2 = p1 this is their contact point, whatever search found it.
 struct CommonNormal {
   Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of curve 1 at p1; curve 2 has -n at p2
   Vector2d p1_W = Vector2d::Zero();
@@ -22,16 +22,17 @@ struct CommonNormal {
   [[nodiscard]] double gap() const { return (p2_W - p1_W).dot(n_W); }
   /// Midway between the two points [m].
   [[nodiscard]] Vector2d p_W() const { return (p1_W + p2_W) / 2; }
-  /// The same with the two curves named the other way round.
+  /// The same with the two curves exchanged.
   [[nodiscard]] CommonNormal exchanged() const { return {-n_W, p2_W, p1_W, rho2, rho1}; }
 };
 
 /// A position of a pair in which its two curves are tangent; vectors in ground W.
 struct TangentPosition {
-  double u = 0;                      ///< driver's coordinate [rad or m]
-  double q = 0;                      ///< follower's coordinate [rad or m]
-  Vector2d p_W = Vector2d::Zero();   ///< the common point [m]
-  Vector2d n_W = Vector2d::UnitX();  ///< unit outward normal of body 1; where that is a point, -(body 2's)
+  double u = 0;                     ///< driver's coordinate [rad or m]
+  double q = 0;                     ///< follower's coordinate [rad or m]
+  Vector2d p_W = Vector2d::Zero();  ///< the common point [m]
+  /// Unit outward normal of body 1; if its curve is a point, opposite to body 2's.
+  Vector2d n_W = Vector2d::UnitX();
 };
 
 /// The common normal near a guess: the root of (p2 - p1)·t = 0, t = n turned +90°, by Newton's method with
@@ -42,9 +43,9 @@ struct TangentPosition {
                                                              const Curve& curve2, const Pose<double>& X_W2,
                                                              const Vector2d& n_W);
 
-/// Whether two contacts of the same curves may lie on one smooth branch, by their sums ρ1 + ρ2. Of contacts
-/// whose normals are neighbours one is a least and one a greatest gap, and the sum changes its sign only at a
-/// conforming contact, where they merge. The normals of a line have no neighbours.
+/// Whether two contacts of the same curves may lie on one smooth branch, by their sums ρ1 + ρ2. Of two
+/// contacts with neighbouring normals one is a least and one a greatest gap; the sum changes sign only at a
+/// conforming contact, where they merge. Lines have no neighbouring normals.
 [[nodiscard]] inline bool same_curvature(const Curve& curve1, const Curve& curve2, double sum_a,
                                          double sum_b) {
   return is_line(curve1) || is_line(curve2) || (sum_a > 0) == (sum_b > 0);
@@ -59,7 +60,7 @@ struct EquivalentLink {
   double z = 0;           ///< [m]
 };
 
-/// Of two curves neither of which is a line.
+/// For two curves neither of which is a line.
 [[nodiscard]] inline EquivalentLink link_of_curved(double rho1, double rho2) {
   const double w = 1 / (rho1 + rho2);
   return {rho2 * w, rho1 * w, w, rho1 * rho2 * w};
@@ -72,12 +73,12 @@ struct EquivalentLink {
   return line1 ? EquivalentLink{0, 1, 0, rho2} : link_of_curved(rho1, rho2);
 }
 
-/// How a contact of two moving bodies moves.
+/// Rates of a contact of two moving bodies.
 struct ContactRates {
   double sliding = 0;              ///< v_s = t·(v2 - v1) of the material points at the contact [m/s]
   double phi_dot = 0;              ///< rate of the normal's angle [rad/s]
   double along1 = 0, along2 = 0;   ///< speed of the contact point along each curve, u1 and u2, along t [m/s]
-  double normal_acceleration = 0;  ///< n·(a2 - a1) of the material points that keeps the contact [m/s²]
+  double normal_acceleration = 0;  ///< n·(a2 - a1) of the material points that maintains the contact [m/s²]
 };
 
 /// With ω_r = ω2 - ω1:  u1 = z ω_r + w2 v_s,  u2 = z ω_r - w1 v_s,  φ̇ = ω1 + w1 ω_r + w v_s,
@@ -95,18 +96,19 @@ struct ContactRates {
   return rates;
 }
 
-/// The same from the velocities of the bodies.
+/// The same from the motions of the bodies.
 [[nodiscard]] ContactRates contact_rates(const EquivalentLink& link, const CommonNormal& at,
                                          const BodyMotion& body1, const BodyMotion& body2);
 
-/// The state of a contact, seen from its first body: 1 is the first, 2 the second body of the file.
+/// The state of a contact, seen from its first body: 1 and 2 are the first and second body in the file.
 struct ContactMotion {
   CommonNormal at;
-  bool touches = true;  ///< false while a contact that may part is open: the rest means nothing
-  double phi = 0;       ///< angle of at.n_W, continuous [rad]
-  std::array<BoundaryPlace, 2> place;  ///< on both boundaries, of a contact by_boundary
+  /// False while a contact that may separate is open: the other members are then meaningless.
+  bool touches = true;
+  double phi = 0;                      ///< angle of at.n_W, continuous [rad]
+  std::array<BoundaryPlace, 2> place;  ///< on both boundaries, for a contact by_boundary
   ContactRates rates;                  ///< of the current velocities
-  double arc_difference = 0;           ///< rolling: arc of the first less arc of the second curve, held [m]
+  double arc_difference = 0;  ///< rolling: arc of the first less arc of the second curve, constant [m]
 };
 
 }  // namespace higherpair

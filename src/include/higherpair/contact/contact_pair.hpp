@@ -19,9 +19,9 @@ struct ContactPair {
   return pair.curve1.support == nullptr && pair.curve2.support == nullptr;
 }
 
-/// What counts as the size of a pair, whatever its position [m]: the arms of the joints to the two curves,
-/// the distance of the joints, and the smaller of the two curves' sizes (a nearly flat curve makes no huge
-/// pair). > 0.
+/// The size of a pair, independent of its position [m]: the arms from the joints to the two curves, the
+/// distance of the joints, and the smaller of the two curves' sizes (so a nearly flat curve does not make the
+/// pair huge). > 0.
 [[nodiscard]] double size_of_pair(const ContactPair& pair);
 
 /// Where the two curves touch (p2 - p1 = 0 to within rounding) and how the contact moves with the driver.
@@ -50,10 +50,10 @@ struct ContactResult {
   double step_n = 0;   ///< |change of n| from the guess to the solution
 };
 
-/// The follower's position that makes the two curves touch, by osculating circles: both curves are replaced
-/// by their circles of curvature for the normals n and -n, the equivalent linkage is solved in closed form
-/// for the follower, its line of centres is the next n. Written in increments from the present pose, so that
-/// huge radii do not cancel. Rates are those of a unit driver velocity; they are 0 where gap_q = 0.
+/// The follower's position at which the two curves touch, by osculating circles: both curves are replaced by
+/// their circles of curvature for the normals n and -n, the equivalent linkage is solved in closed form for
+/// the follower, and its line of centres gives the next n. Formulated in increments from the present pose, so
+/// that huge radii do not cancel. Rates are for unit driver velocity; they are 0 where gap_q = 0.
 /// \param u       driver coordinate
 /// \param q       guess of the follower's coordinate; the answer is continuous with it (no whole turns are
 ///                taken off)

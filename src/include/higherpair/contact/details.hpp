@@ -16,16 +16,17 @@ struct ContactSide {
   double arc = 0;  ///< arc coordinate of the contact point on the curve, growing along t of body 1 [m]
 };
 
-/// What a contact says beyond its position: the equivalent linkage and the angles that judge it.
+/// The equivalent linkage at a contact, and the angles by which its force transmission is judged.
 struct ContactDetails {
   ContactSide side1;
   ContactSide side2;
-  std::string_view linkage;  ///< four-bar, slider-crank, …; link where a body is not on ground
-  std::array<std::optional<double>, 4> lengths;  ///< r1 … r4 [m]; none where a link has an infinite end
-  std::optional<double> pressure;  ///< angle between n and the direction in which body 2's joint lets p move
-                                   ///< [rad], 0 … π/2; none for a body without such a joint that is at rest
-  std::optional<double> transmission;  ///< angle between n and O2C2 [rad], 0 … π/2; none where body 2 is flat
-                                       ///< or has no pivot on ground
+  std::string_view linkage;  ///< four-bar, slider-crank, …; "link" where a body has no joint to ground
+  std::array<std::optional<double>, 4> lengths;  ///< r1 … r4 [m]; none for a link with an end at infinity
+  /// Angle between n and the direction in which body 2's joint lets p move [rad], 0 … π/2; none for a body at
+  /// rest without such a joint.
+  std::optional<double> pressure;
+  /// Angle between n and O2C2 [rad], 0 … π/2; none where body 2 is flat or has no pivot on ground.
+  std::optional<double> transmission;
 };
 
 /// One body of a contact, at its present position.
@@ -45,8 +46,8 @@ struct ContactBody {
 /// The same for a driver and a follower on ground.
 [[nodiscard]] ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi);
 
-/// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]; on a line
-/// the distance from its given point, else from the vertex.
+/// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]: on a line
+/// the distance from its given point, otherwise from the vertex.
 /// \param normal_angle  angle of n_W, continuous over turns [rad]
 [[nodiscard]] double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W,
                                  const Vector2d& n_W, double normal_angle);

@@ -8,8 +8,8 @@ namespace higherpair {
 
 enum class FindStatus {
   kFound,
-  kOverlapAtStart,  ///< the bodies overlap where the follower is to start from
-  kNoContact,       ///< the follower passes through its whole range and nothing touches
+  kOverlapAtStart,  ///< the bodies overlap in the follower's start position
+  kNoContact,       ///< the follower passes through its whole range without touching
   kUnbounded,       ///< neither body is bounded, and their contacts cannot be listed
 };
 
@@ -22,16 +22,15 @@ struct FindResult {
 /// The first touch when the follower moves from coordinate `q` in the sense `direction` (+1, -1), the driver
 /// being held at u. Steps of at most (signed distance)/(largest distance of the bounded body from the
 /// follower's pivot), or the signed distance itself for a sliding follower, cannot jump over a contact; close
-/// to it the osculating iteration takes over. Where no such bound exists (two unbounded bodies) or the steps
-/// come to rest beside a grazing position, the list of all contacts (conic_contacts.hpp) answers. A turning
-/// follower searches one turn; a sliding one until the bodies are far apart.
-/// \param from_overlap  true: the bodies may overlap at the start; then the position where they come apart is
-///   meant
+/// to it the osculating iteration takes over. Where no such bound exists (two unbounded bodies), or the steps
+/// stall next to a grazing position, the list of all contacts (conic_contacts.hpp) is used. A turning
+/// follower is searched over one turn, a sliding one until the bodies are far apart.
+/// \param from_overlap  true: the bodies may overlap at the start; the result is then the position where they
+/// separate
 [[nodiscard]] FindResult find_contact(const ContactPair& pair, double u, double q, int direction,
                                       bool from_overlap);
 
-/// Of the contacts that leave the interiors of the bodies disjoint the one whose coordinate is nearest to
-/// `q`.
+/// The contact nearest to coordinate `q` among those that leave the interiors of the bodies disjoint.
 /// \param branch  if given, only contacts with this sign of ∂gap/∂q
 [[nodiscard]] FindResult find_nearest_contact(const ContactPair& pair, double u, double q,
                                               std::optional<int> branch = std::nullopt);

@@ -8,8 +8,8 @@
 
 namespace higherpair {
 
-/// What is left of `gap_q_scale2` where a contact passes over the follower's pivot: the radii of curvature,
-/// and a share of the distances from the pivots [m²]; 0 of a sliding follower.
+/// The value of `gap_q_scale2` where a contact passes over the follower's pivot: from the radii of curvature,
+/// clamped between fractions of the distances from the pivots [m²]; 0 for a sliding follower.
 [[nodiscard]] inline double least_gap_q_scale2(const ContactPair& pair, const ContactPosition& at) {
   if (!pair.motion2.turns) {
     return 0;
@@ -23,8 +23,8 @@ namespace higherpair {
          std::numeric_limits<double>::min();
 }
 
-/// Square of what ∂gap/∂q is of the order of near a contact, for telling when it vanishes: of a sliding
-/// follower 1, of a turning one the arm [m²], with the above.
+/// Square of the order of magnitude of ∂gap/∂q near a contact, for deciding when it vanishes: 1 for a sliding
+/// follower; for a turning one the arm squared plus the above [m²].
 [[nodiscard]] inline double gap_q_scale2(const ContactPair& pair, const ContactPosition& at) {
   return velocity_per_q(pair.motion2, at.p2_W).squaredNorm() + least_gap_q_scale2(pair, at);
 }

@@ -6,16 +6,18 @@
 
 namespace higherpair {
 
-/// What keeping a contact asks of the jerks of two bodies. n out of body 1, t = n turned +90°; u1, u2 speeds
-/// of the contact point along each curve, φ the angle of n, v_s the sliding velocity (see ContactRates).
+/// Conditions on the jerks of two bodies that maintain a contact. n out of body 1, t = n turned +90°; u1, u2
+/// speeds of the contact point along each curve, φ the angle of n, v_s the sliding velocity (see
+/// ContactRates).
 struct ContactJerk {
   double phi_ddot = 0;             ///< φ̈ [rad/s²]
   double along1 = 0, along2 = 0;   ///< u̇1, u̇2 [m/s²]
   double linkage_normal_jerk = 0;  ///< n·(j2 - j1) of the equivalent linkage frozen at this instant [m/s³]
-  std::array<double, 2> rate_of_curvature{};  ///< what each curve adds to it: (dρi/dφ) (φ̇ - ωi)³ [m/s³]
-  double rolling_jerk = 0;  ///< t·(j2 - j1) that a contact without slip asks for besides [m/s³]
+  /// Contribution of each curve to it: (dρi/dφ) (φ̇ - ωi)³ [m/s³].
+  std::array<double, 2> rate_of_curvature{};
+  double rolling_jerk = 0;  ///< t·(j2 - j1) that a contact without slip also requires [m/s³]
 
-  /// n·(j2 - j1) of the material points at the contact that keeps it [m/s³].
+  /// n·(j2 - j1) of the material points at the contact that maintains it [m/s³].
   [[nodiscard]] double normal_jerk() const {
     return linkage_normal_jerk + rate_of_curvature[0] + rate_of_curvature[1];
   }
@@ -27,10 +29,10 @@ struct ContactJerk {
 ///     u̇1 = z α_r + w2 a_s + C,   u̇2 = z α_r - w1 a_s + C,   C = w1 ρ1' ν1² - w2 ρ2' ν2²,
 ///     φ̈ = α1 + w1 α_r + w a_s - w (ρ1' ν1² + ρ2' ν2²),
 ///     n·(j2 - j1) = 2 (α2 u2 - α1 u1) + ω2 u̇2 - ω1 u̇1 - 2 φ̇ a_s - v_s φ̈,
-/// in which the terms with ρ' come together to ρ1' ν1³ - ρ2' ν2³. A line or a point has none (its ρ' ν² is
-/// 0), nor has a circle, nor a vertex of a conic: there the jerk of the equivalent linkage is the true one.
+/// in which the terms with ρ' combine to ρ1' ν1³ - ρ2' ν2³. They vanish for a line or a point (its ρ' ν² is
+/// 0), a circle, and at a vertex of a conic: there the jerk of the equivalent linkage is the true one.
 /// Without slip (v_s = 0 at all times, u1 = u2 = u) also t·(j2 - j1) = ω_r (ω1 + ω2 + φ̇) u.
-/// Uses the velocities and accelerations of the bodies only. \pre They keep the contact.
+/// Uses only the velocities and accelerations of the bodies. \pre They maintain the contact.
 [[nodiscard]] ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
                                        const BodyMotion& body1, const BodyMotion& body2);
 

@@ -7,14 +7,15 @@
 
 namespace higherpair {
 
-/// How far two bodies are apart, over their whole boundaries; vectors in ground W.
+/// Distance of two bodies over their whole boundaries; vectors in ground W.
 struct Separation {
-  double gap = 0;  ///< signed distance [m]: > 0 apart, 0 touching, < 0 overlapping; -inf: always
-  Vector2d n_W =
-      Vector2d::UnitX();  ///< the normal (out of body 1) at which it is taken; contact happens there
+  /// Signed distance [m]: > 0 apart, 0 touching, < 0 overlapping; -inf: overlapping however far apart.
+  double gap = 0;
+  /// The normal (out of body 1) along which it is measured; contact happens there.
+  Vector2d n_W = Vector2d::UnitX();
 };
 
-/// Signed distance of two bodies, each convex or concave throughout, at their poses.
+/// Signed distance of two bodies at their poses, each convex or concave throughout.
 /// With g(n) = (p2 - p1)·n for the points of outward normals n and -n: two convex bodies are apart iff max g
 /// > 0, and that maximum is the distance; a convex body is clear of one with a concave curve (in a ring) iff
 /// min g > 0. The extreme over all n is found by subdivision: on an arc of normals of half-width d about m,
@@ -26,7 +27,7 @@ struct Separation {
                                     const Pose<double>& X_W2, double tolerance);
 
 /// Whether two curves that touch with opposed normals leave the interiors of their bodies disjoint, wherever
-/// that is: always of two convex bodies and of a point, never of two concave ones or of a line in a ring;
+/// they touch: always for two convex bodies and for a point, never for two concave ones or a line in a ring;
 /// none where it depends on the position.
 [[nodiscard]] std::optional<bool> always_free(const Curve& curve1, const Curve& curve2);
 

@@ -6,9 +6,9 @@
 
 namespace higherpair {
 
-/// Whether what is 0 where branches cross has come nearer to 0 in a step h, but not as its rates at both ends
-/// say. Next to a crossing a step agrees with its prediction on either branch; on the one that is not its own
-/// this turns back.
+/// Whether the quantity that is 0 at a change point has come closer to 0 in a step h, but not as its rates at
+/// both ends predict. Next to a change point a step agrees with its prediction on either branch; on the wrong
+/// one this quantity turns back.
 [[nodiscard]] inline bool turns_back(double from, double from_rate, double to, double to_rate, double h) {
   const double rise = to - from;
   return std::abs(to) < std::abs(from) / 2 &&

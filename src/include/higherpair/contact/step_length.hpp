@@ -9,10 +9,10 @@
 
 namespace higherpair {
 
-/// The next step of a follower.
+/// The next step along a path.
 struct Stride {
   double step = 0;
-  bool last = false;  ///< it leads to the end
+  bool last = false;  ///< it reaches the end
 };
 
 /// The shortest step that a coordinate at `at` resolves. \param unit  of the coordinate: a radian, or the
@@ -21,8 +21,8 @@ struct Stride {
   return kStepResolution * (unit + std::abs(at));
 }
 
-/// How long the steps of a follower are, be it of one contact or of a mechanism: half as long where one is
-/// refused, and twice as long again behind it, up to the largest.
+/// Controls the length of steps along a path, of a single contact or of a mechanism: halved where a step is
+/// refused, doubled after an accepted one, up to the largest.
 class StepLength {
 public:
   explicit StepLength(double largest) : largest_(largest), length_(largest) {}
@@ -30,8 +30,8 @@ public:
   [[nodiscard]] double value() const { return length_; }
 
   /// The next step, of at most `most`, where `rest` is left of the path. If that is little more than a step,
-  /// it is taken at once: no remainder of rounding size is left. A step that has been shortened ends where it
-  /// should, however little is left behind it.
+  /// it is taken as a whole: no remainder of rounding size is left. A step that has been shortened ends where
+  /// it should, however little is left behind it.
   [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
     const double h = std::min(length_, most);
     const bool last = std::abs(rest) <= (before_ > 0 ? 1 : kAlmostThere) * h;
@@ -46,7 +46,7 @@ public:
     length_ = std::abs(step) / 2;
     before_ = 0;
   }
-  /// Lets the next step end elsewhere, though none was refused: behind it steps are as long as they were.
+  /// Lets the next step end elsewhere although none was refused: steps after it are as long as before.
   void shorten(double length) {
     before_ = std::max(before_, length_);
     length_ = length;
@@ -55,7 +55,7 @@ public:
 private:
   double largest_;
   double length_;
-  double before_ = 0;  // what it was before it was shortened; 0: it was not
+  double before_ = 0;  // the length before it was shortened; 0: it was not
 };
 
 }  // namespace higherpair

@@ -5,220 +5,290 @@
 #include <array>
 #include <limits>
 
-// The tolerances of this room. Without another word they are shares of what they are compared with: of the
-// size of the pair or of the curves, of a radian, of a unit of the coordinate (a radian, or the size).
+// Tolerances of contact analysis. Unless stated otherwise they are relative to what they are compared with:
+// to the size of the pair or of the curves, to a radian, or to the unit of a coordinate (a radian, or the
+// size).
 
 namespace higherpair {
 
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-// Where a follower's contact is at a limit.
+// Limit positions of a follower.
 
-/// ∂gap/∂q of a contact that may be at a limit or where branches cross, relative to its scale: the square
-/// root of what rounding leaves of a gap.
+/// Below this, relative to its scale, ∂gap/∂q may belong to a limit position or a change point: the square
+/// root of the rounding error of a gap.
 inline constexpr double kGapQMayVanish = 1e-7;
-/// ∂gap/∂q that is 0 to within rounding, relative to its scale.
+/// Below this, relative to its scale, ∂gap/∂q is 0 to within rounding.
 inline constexpr double kGapQIsZero = 1e-12;
-/// Of the distances from the pivots: between them are the radii of curvature that count in that scale.
+/// Bounds of the radii of curvature that enter that scale, as fractions of the distances from the pivots.
 inline constexpr double kLeastGapScale = 1e-3;
 inline constexpr double kMostGapScale = 0.05;
 
 // Steps along a motion.
 
-/// The largest step of a turning driver [rad].
+/// Largest step of a turning driver [rad].
 inline constexpr double kLargestTurn = kPi / 18;
-/// The shortest step that a coordinate resolves, of its unit and of itself.
+/// Shortest step that a coordinate resolves, relative to the sum of its unit and its value.
 inline constexpr double kStepResolution = 1e-14;
-/// Of a step: what is left of a path is taken at once, so that no remainder of rounding size is left.
+/// The rest of the path is taken in one step if it is at most this many steps long; avoids a remainder of
+/// rounding size.
 inline constexpr double kAlmostThere = 1.001;
 /// Largest difference between a step's solution and its prediction that is accepted, as a fraction of the
 /// change in that step: beyond it the step may have jumped to another branch.
 inline constexpr double kStepAgreement = 0.25;
-/// The same where the branch changes, because branches cross within the step.
+/// The same for a step in which branches cross and the branch changes.
 inline constexpr double kCrossingAgreement = 0.03;
-/// The same of the walk from a contact to another one on its branch.
+/// The same for the walk from one contact to another on the same branch.
 inline constexpr double kWalkAgreement = 0.1;
-/// A difference that is rounding, whatever the change.
+/// A difference up to this is always accepted: rounding.
 inline constexpr double kInnerMismatch = 1e-9;
-/// The cosine of the angle by which a contact's normal may turn in one step: 30 degrees.
+/// Cosine of the largest angle by which a contact's normal may turn in one step: 30 degrees.
 inline constexpr double kCosFarthestTurn = 0.866;
-/// Turn of a follower that an inner step may turn out to be [rad].
+/// Largest turn of a follower in one inner step [rad].
 inline constexpr double kFarthestInnerTurn = 3 * kLargestTurn;
-/// Of the change of what is 0 where branches cross: how far it may be from what its rates say.
+/// Largest deviation, as a fraction of its change, of the measure that vanishes at a change point from the
+/// change that its rates predict.
 inline constexpr double kSmoothRise = 0.25;
-// Of the driver's scale: steps that d²φ/du² and d³q/du³, and d³φ/du³, are taken from.
+// Shortest steps, relative to the driver's unit, from which the higher derivatives of a prediction are
+// estimated: d²φ/du² and d³q/du³; d³φ/du³.
 inline constexpr double kShortestForSecond = 1e-14;
 inline constexpr double kShortestForThird = 1e-4;
-inline constexpr double kFarthestReach = 1e3;  // of the step that they are from: what they serve to predict
-inline constexpr double kShortTurn = 0.01;     // of the driver's scale: a short step
+// Longest step that such derivatives serve to predict, relative to the step they were estimated over.
+inline constexpr double kFarthestReach = 1e3;
+// Largest step that counts as short, relative to the driver's unit.
+inline constexpr double kShortTurn = 0.01;
 
 // The osculating iteration.
-inline constexpr int kMaxPasses = 12;      // it converges quadratically, mostly within 4
-inline constexpr double kLastTurn = 1e-8;  // largest last step [rad]: it leaves out what is of third order
-inline constexpr double kLeftOut = kEps / 10;  // angle that the last step may leave out [rad]
-inline constexpr double kLargestSlip = 0.01;   // along nearly straight curves, where the normal is rounding
+inline constexpr int kMaxPasses = 12;  // it converges quadratically, mostly within 4
+// Largest last step [rad]: what it leaves out is of third order.
+inline constexpr double kLastTurn = 1e-8;
+// Largest angle that the last step may leave out [rad].
+inline constexpr double kLeftOut = kEps / 10;
+// Largest tangential distance in a closed contact of nearly straight curves, where rounding of the normal
+// moves the points.
+inline constexpr double kLargestSlip = 0.01;
 
 // Distances of bodies and the search for a first touch.
-inline constexpr double kTouching = 1e-9;   // nearer bodies touch: the last iteration starts from there
-inline constexpr double kFineGap = 1e-12;   // precision of a distance that decides between touch and overlap
-inline constexpr double kRoughGap = 0.1;    // of the distance itself, where only a safe step is asked for
-inline constexpr double kSameTouch = 1e-2;  // of a unit: so near a touch leads to its own contact
-// Of a unit: a start beyond a contact that is not the wanted one.
+inline constexpr double kTouching = 1e-9;  // closer bodies touch: the last iteration starts from there
+// Precision of a distance that decides between touching and overlapping.
+inline constexpr double kFineGap = 1e-12;
+// Precision of a distance that only serves to find a safe step, relative to the distance itself.
+inline constexpr double kRoughGap = 0.1;
+// Largest displacement, in units of the follower, from a position of near touch to its own contact.
+inline constexpr double kSameTouch = 1e-2;
+// Displacement, in units of the follower, beyond a contact that is not the wanted one, to search on from
+// there.
 inline constexpr double kBesideTouch = 1e-6;
-inline constexpr double kFreeOverlap = 1e-10;  // overlap of bodies that only touch, by rounding
-inline constexpr double kFinestArc = 1e-15;    // [rad]: arcs of normals are not halved below it
+inline constexpr double kFreeOverlap = 1e-10;  // overlap, by rounding, of bodies that only touch
+inline constexpr double kFinestArc = 1e-15;    // [rad]: shorter arcs of normals are not halved
 
-// The extreme gap, by Newton's method: its steps below this fall quadratically.
+// Newton's method for the extreme gap: its steps are expected to converge quadratically below this.
 inline constexpr double kExtremeQuadratic = 1e-7;
 
-// A vector that is shorter than this share of what it is the difference of has no direction.
+// A difference of vectors shorter than this fraction of them has no direction.
 inline constexpr double kDirectionless = 1e-12;
 
-// The algebra of tangency, in numbers of 100 digits: what the rounding of the doubles that go in makes of
-// exact double roots and exact zeros. A double root is split by the square root of that rounding, 1e-8, a
-// fourfold one by its fourth root, 1e-4.
-inline constexpr double kSplitTangency = 1e-4;  // a root of the contact polynomial as near to a real position
-inline constexpr double kSplitFoot = 1e-6;      // of the quartic of normals through a pivot
-inline constexpr double kOnCurve = 1e-13;       // distance of a point from a curve on which it lies
-inline constexpr double kAligned = 1e-5;        // sine of the angle between normals at a double root
-inline constexpr double kTwoTangencies = 1e-4;  // squared distance of two that need no closer look
-inline constexpr double kNotDefinite = 1e-13;   // eigenvalue of a semidefinite matrix
-inline constexpr double kSameCurvature = 1e-7;  // difference of curvatures that conform
-inline constexpr double kOnAxis = 1e-14;        // distance of a pivot from an axis, or of a foot from a pivot
-inline constexpr double kFarthestNormal = 1e-12;  // how far from the end of an open curve's cone: sin² of it
-// Points farther off than this are at infinity: curves that near their asymptotes touch 1e-14 rad away from
-// where those are parallel, so that rounding of the numbers decides whether they do.
+// Algebra of tangency, in 100-digit numbers: these tolerances cover what rounding of the input doubles does
+// to exact double roots and exact zeros. It splits a double root by its square root, 1e-8, and a fourfold one
+// by its fourth root, 1e-4.
+
+// Largest distance of a root of the contact polynomial from the real position it stands for.
+inline constexpr double kSplitTangency = 1e-4;
+inline constexpr double kSplitFoot = 1e-6;  // the same for the quartic of the normals through a pivot
+inline constexpr double kOnCurve = 1e-13;   // distance of a point from a curve on which it lies
+inline constexpr double kAligned = 1e-5;    // sine of the angle between normals at a double root
+// Squared distance beyond which two tangencies are distinct without a closer look.
+inline constexpr double kTwoTangencies = 1e-4;
+inline constexpr double kNotDefinite = 1e-13;   // negative eigenvalue, by rounding, of a semidefinite matrix
+inline constexpr double kSameCurvature = 1e-7;  // largest difference of two curvatures that count as equal
+// Distance of a pivot from an axis, or of a foot from a pivot, that counts as zero.
+inline constexpr double kOnAxis = 1e-14;
+// Distance kept from the end of the cone of normals of an open curve, as sin² of the angle.
+inline constexpr double kFarthestNormal = 1e-12;
+// Points beyond this distance count as points at infinity. Curves that approach their asymptotes touch there
+// within 1e-14 rad of the position in which the asymptotes are parallel: rounding of the input decides
+// whether they do.
 inline constexpr double kFarthestFinite = 1e7;
-// The square of a size below 1e-50 is lost in the digits of the numbers here, and the curve is a point to
-// them. One of 1e-40 of the length is not, and moves no contact in the digits of a double.
+// Least size of a conic, relative to the length of the problem. The square of a size below 1e-50 is lost in
+// the 100 digits, and the curve becomes a point; enlarging a curve to 1e-40 moves no contact by a digit of a
+// double.
 inline constexpr double kSmallestConic = 1e-40;
-inline constexpr double kLongestRefinement = 1e-4;  // of a tangency that an equation has given roughly
-inline constexpr double kNoRefinement = 1e-60;      // a step that is none
-inline constexpr double kDoubleLine = 1e-5;         // size of the adjugate, of the matrix: of rank 1
-inline constexpr double kExactTangency = 1e-18;     // distance from being one
-inline constexpr double kSameTangency = 1e-36;      // squared distance of two that are one, found twice
-inline constexpr double kNoiseOfZero = 1e-30;       // of the 100 digits those below are noise of an exact 0
+// Longest step in refining a tangency that an equation gives roughly.
+inline constexpr double kLongestRefinement = 1e-4;
+inline constexpr double kNoRefinement = 1e-60;  // shorter refining steps count as zero
+// Size of the adjugate of a matrix, relative to the matrix: below, the matrix is a double line (rank 1).
+inline constexpr double kDoubleLine = 1e-5;
+// Distance from a tangency below which a point is an exact one.
+inline constexpr double kExactTangency = 1e-18;
+// Squared distance below which two tangencies are the same one, found twice.
+inline constexpr double kSameTangency = 1e-36;
+// Smaller results of the 100-digit arithmetic are noise of an exact 0.
+inline constexpr double kNoiseOfZero = 1e-30;
 
 // Roots of polynomials, in the same numbers.
-inline constexpr long double kNegligibleCoefficient = 1e-80L;  // of the largest
-inline constexpr long double kRoundingOfTerms = 1e-95L;        // of a sum of products, of their sizes
-inline constexpr long double kRootRest = 1e-70L;  // of the sum of the coefficients: what a root leaves
-// To where roots are asked for: those that others take to be there.
+
+// Coefficients below this fraction of the largest count as 0.
+inline constexpr long double kNegligibleCoefficient = 1e-80L;
+// Rounding error of a sum of products, relative to the sum of their sizes.
+inline constexpr long double kRoundingOfTerms = 1e-95L;
+// Largest remainder after dividing by a root, relative to the sum of the coefficients.
+inline constexpr long double kRootRest = 1e-70L;
+// Distance from the real axis or the unit circle, where roots are asked for, within which a root is refined:
+// more than callers accept.
 inline constexpr long double kNearbyRoots = 1e-3L;
-// Squares of the relative corrections that end the iteration, in numbers of the machine and then in these:
-// roots that are 1e-40 apart are two.
+// Squares of the relative corrections that end the iteration, first in long double, then in 100 digits: roots
+// 1e-40 apart are distinct.
 inline constexpr long double kRoughlyConvergedSquared = 1e-30L;
 inline constexpr double kConvergedSquared = 1e-120;
 
-// Certificates: rounding may exchange contacts, split double roots, or move triple ones, by this.
-inline constexpr double kSameRoot = 1e-9;  // list and exact root mean the same contact
+// Certificates: how far rounding may shift a contact or let contacts change places; how far it splits double
+// or fourfold roots.
+inline constexpr double kSameRoot = 1e-9;  // a contact of the list and an exact root this close are the same
+// Next to another contact this close, rounding decides which of the two is free.
 inline constexpr double kCrowded = 1e-12;
+// Distance from a contact at a limit within which its root need not be matched; of fourfold roots below.
 inline constexpr double kFragile = 1e-5;
 inline constexpr double kFragileFourfold = 1e-4;
+// Relative rounding of each number of the pair.
 inline constexpr double kInputRounding = 0x1p-50;
-inline constexpr double kTurnsRounding = 2e-16;  // of whole turns that are added to an angle
+// Rounding error per radian of the whole turns added to an angle.
+inline constexpr double kTurnsRounding = 2e-16;
 
-// tan² of half an angle below which four terms of the series are the arc tangent to within rounding.
+// tan² of half an angle below which four terms of the arctangent series are exact to within rounding.
 inline constexpr double kArcTangentSeries = 1e-5;
 
 // Conforming positions.
-inline constexpr double kConformingRoot = 1e-6;  // of the size²: more is left where the condition jumps
-inline constexpr double kSameConforming = 1e-7;  // mirror images meet at the edges of their arcs
+
+// Residual of the condition at a root, relative to size²: larger ones occur where the condition jumps.
+inline constexpr double kConformingRoot = 1e-6;
+// Positions closer than this are the same: mirror images meet at the edges of their arcs.
+inline constexpr double kSameConforming = 1e-7;
 
 // Boundaries.
 
-/// A depth of two bodies in each other that is none, of the sizes of their boundaries together.
+/// Depth of overlap up to which two bodies still only touch, relative to the sum of the sizes of their
+/// boundaries.
 inline constexpr double kTouchingDepth = 1e-7;
-inline constexpr double kBesideBody = 0.1;  // of the sizes: how far beside a body samples are looked at
-// Of the size: so near a foot its depth is off by the square of that.
+// How far beside a body, relative to the sizes of both, samples of the other one are examined.
+inline constexpr double kBesideBody = 0.1;
+// Distance from the foot, relative to the size, at which the search for it ends: the error of the depth is of
+// second order in it.
 inline constexpr double kNearFoot = 1e-9;
-// Near the center of curvature a whole step would go anywhere.
+// Least 1 + κ·(distance from the foot) for a whole Newton step: close to the centre of curvature one would
+// lead anywhere.
 inline constexpr double kLeastFootStretch = 0.1;
 
 // The iteration towards a contact.
-inline constexpr double kLongestPass = 0.25;      // of the size of a pair: step of one pass
-inline constexpr double kMostTurnOfPass = 0.5;    // of a follower or a corner's normal in one pass [rad]
-inline constexpr double kNoiseOfClosure = 1e-13;  // of the extent: what an error may stall at
-inline constexpr double kNoStepAtEnd = 1e-9;  // of the longest step of q: it stays at the end of a boundary
-inline constexpr double kAtNormal = 1e-14;    // a place with the normal that is asked for [rad]
+inline constexpr double kLongestPass = 0.25;  // longest step of one pass, relative to the size of the pair
+// Largest turn of the follower, or of the normal at a corner, in one pass [rad].
+inline constexpr double kMostTurnOfPass = 0.5;
+// Error, relative to the extent, at which the iteration may stall.
+inline constexpr double kNoiseOfClosure = 1e-13;
+// Follower step, relative to the longest, below which an iteration at the end of a boundary stays there.
+inline constexpr double kNoStepAtEnd = 1e-9;
+inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to within this [rad]
 
 // All contacts, by samples or by pieces.
-inline constexpr double kSameFound = 1e-7;       // of q [rad, or of the size]: two that are one
-inline constexpr double kSameFoundPoint = 1e-5;  // and of their points
-/// How far a curve may pass beside the straight part between two of its points, of the part's length.
+
+// Difference of q [rad, or relative to the size] up to which two contacts are the same ...
+inline constexpr double kSameFound = 1e-7;
+inline constexpr double kSameFoundPoint = 1e-5;  // ... if their points are as close as this
+/// How far a curve may deviate from the chord between two neighbouring points, relative to the chord.
 inline constexpr double kSlackOfPart = 0.25;
-inline constexpr double kSlackOfChord = 0.25;      // of a piece: how far its curve may leave the chord
-inline constexpr double kSlackOfNormal = 0.5;      // the same of its normals
-inline constexpr double kRoundingOfNormal = 1e-9;  // added to the chords of cones of normals that are opposed
-// Of the length of a radian: a gap at a joint that is rounding.
+// How far the curve of a piece may leave its chord, relative to the chord.
+inline constexpr double kSlackOfChord = 0.25;
+inline constexpr double kSlackOfNormal = 0.5;  // the same for its normals
+// Added to the chords of two cones of normals that are tested for being opposed.
+inline constexpr double kRoundingOfNormal = 1e-9;
+// A gap at a joint of spans up to this is rounding, relative to the length that stands for a radian.
 inline constexpr double kSmoothJoint = 1e-12;
-// Rounding of places of a boundary, of its size and their distance from the pivot, and of normals [rad].
+// Rounding error of points of a boundary, relative to its size plus their distance from the pivot, and of
+// normals [rad].
 inline constexpr double kErrorOfPoints = 8 * kEps;
 
-// The enumeration, of the larger boundary's size:
-inline constexpr double kFinestStretch = 1e-8;    // stretches that are not halved any more, ...
-inline constexpr double kCoarsestStretch = 1e-3;  // ... where much has been left open before
-inline constexpr double kFarthestAround = 0.25;   // how far from a contact it may be seen to be the only one
+// Enumeration, relative to the size of the larger boundary.
+inline constexpr double kFinestStretch = 1e-8;    // shortest stretch that is halved further, ...
+inline constexpr double kCoarsestStretch = 1e-3;  // ... its upper limit where many pairs have been left open
+// Largest and smallest distance within which a contact is shown to be the only one.
+inline constexpr double kFarthestAround = 0.25;
 inline constexpr double kNearestAround = 1e-8;
-inline constexpr double kOneOpen = 1e-6;  // contacts that merge, or what is left open, told as one [also rad]
+// Contacts, or undecided ranges, closer than this are reported as one [also rad].
+inline constexpr double kOneOpen = 1e-6;
 
-// Places where boundaries are near each other.
-inline constexpr double kSameNearPlace = 1e-7;      // of the sizes
+// Places where boundaries are close to each other.
+inline constexpr double kSameNearPlace = 1e-7;      // relative to the sizes of both boundaries
 inline constexpr double kSameNormalOfPlace = 1e-3;  // [rad]
-inline constexpr double kAtFoot = 1e-15;            // of the size
+inline constexpr double kAtFoot = 1e-15;            // relative to the size: a foot is reached
 
-// Of the distances of points from joints: how far out on open conics and faces contacts are looked for. Much
-// farther out places have fewer digits than Newton's method asks for.
+// How far out on open conics and faces contacts are searched for, relative to the distances of points from
+// joints. Points much farther out have fewer digits than Newton's method needs.
 inline constexpr double kSupportReach = 100;
 
 // Maps.
-inline constexpr double kDefaultOverlap = 1e-9;  // of a contact that counts as free, where none is asked for
-inline constexpr double kCutResolution = 1e-10;  // critical positions nearer than this are one cut
-inline constexpr double kCrossingResolution = 1e-7;  // rounding makes two folds of a crossing, as far apart
+
+// Default overlap, relative to the bodies' size, up to which a contact counts as free.
+inline constexpr double kDefaultOverlap = 1e-9;
+inline constexpr double kCutResolution = 1e-10;  // critical positions closer than this are one cut
+// Rounding splits a crossing into two folds as far apart as this.
+inline constexpr double kCrossingResolution = 1e-7;
 inline constexpr double kSameEventNormal = 1e-6;
-inline constexpr double kSameMapContact = 1e-6;   // a contact that is followed comes back to itself
-inline constexpr double kNearMapCrossing = 1e-4;  // nearer to a crossing points are interpolated
-inline constexpr double kMapEndMargin = 1e-9;     // a sample keeps this distance from the end of a branch
-// How near to a cut it is looked where a branch ends: nearer until one end is nearest. kAtEnd from it in q
-// and n is near enough to be sure, kSameEnd to be accepted at all.
+// A contact followed back agrees with its start to within this.
+inline constexpr double kSameMapContact = 1e-6;
+inline constexpr double kNearMapCrossing = 1e-4;  // points closer to a crossing are interpolated
+inline constexpr double kMapEndMargin = 1e-9;     // distance of a sample from the end of a branch
+// Where a branch ends at a cut, its contact is compared with the events there from these distances, ever
+// closer until one event is clearly the nearest. A difference in q and n below kAtEnd is certain, one below
+// kSameEnd is accepted at the last distance.
 inline constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 inline constexpr double kAtEnd = 0.02;
 inline constexpr double kSameEnd = 0.3;
-// Of the follower's unit for one of the driver: slower is rounding of a follower at rest.
+// Speed of the follower, in its units per unit of the driver, below which it is at rest but for rounding.
 inline constexpr double kSlowestMotion = 1e-12;
-inline constexpr double kSlowestOnBoundaries = 1e-11;  // the same, by the rates of spans
-// Where intervals and cells are divided: off the middle, which symmetry may make special.
+inline constexpr double kSlowestOnBoundaries = 1e-11;  // the same for boundaries, whose rates come from spans
+// Where intervals and cells are divided, as a fraction: off the middle, which symmetry may make special.
 inline constexpr double kOffMiddle = 0.4713;
-inline constexpr double kOffMiddleOfFace = 0.37;      // the same of the nodes of a part of a face
-inline constexpr double kBisectedCoordinate = 1e-13;  // where a contact stops being free, of the coordinate
+inline constexpr double kOffMiddleOfFace = 0.37;  // the same for the nodes of a part of a face
+// Relative precision of the coordinate at which a contact ceases to be free.
+inline constexpr double kBisectedCoordinate = 1e-13;
 
 // Maps of boundaries.
-// An event so little below the start belongs to the range [rad].
+// An event this little below the start of the range belongs to its beginning [rad].
 inline constexpr double kAtRangeStart = 1e-7;
-inline constexpr double kShortestRest = 1e-4;  // of the driver's unit: a shorter rest is none
-// [rad, of the size]: by which u may fall along a branch, by rounding.
+inline constexpr double kShortestRest = 1e-4;  // shorter dwells are ignored; in units of the driver
+// How far rounding may let u fall along a branch [rad, or relative to the size].
 inline constexpr double kBackwards = 1e-8;
-inline constexpr double kNotConcave = 1e-9;  // of 1 per size: κ1 + κ2 below 0 by rounding
+// Least κ1 + κ2 that may be 0 but for rounding, relative to 1 / size.
+inline constexpr double kNotConcave = 1e-9;
 
-// Sheets of tangencies.
-inline constexpr double kParallelSlides = 1e-12;  // sine between two slides that are parallel
-// Of the size: above the rounding of F, below what changes its zeros.
+// The surface of all tangencies (TangencySheet).
+
+// Sine of the angle between two slides that count as parallel.
+inline constexpr double kParallelSlides = 1e-12;
+// Offset of F on the grid, relative to the size: above the rounding of F, too small to change its zeros.
 inline constexpr double kGridLifted = 1e-12;
-inline constexpr double kGridBeside = 1e-8;  // of a part: a zero that is moved so little stays the same
-// Speed at one end of a part, of that at the other. Far parts of lines and open conics are halved: of even
-// parts the last ones would be nearly all of them.
+// Largest distance, as a fraction of a part, between the zeros of F with and without that offset for the
+// latter to be used.
+inline constexpr double kGridBeside = 1e-8;
+// Ratio of the speeds at both ends of a part beyond which it is halved. Without that, the last part of a line
+// or open conic with an even division would take up nearly all of its length.
 inline constexpr double kEvenSpeed = 4;
-inline constexpr double kStraightSheetCurve = 0.85;  // cosine between a curve and its chord
-inline constexpr double kNoChord = 1e-7;             // of a cell: a chord without a direction
-inline constexpr double kMostSheetTurn = 0.3;        // of a body along a step [rad]
+// Least cosine of the angle between a curve and its chord.
+inline constexpr double kStraightSheetCurve = 0.85;
+// Chords shorter than this fraction of a cell have no direction.
+inline constexpr double kNoChord = 1e-7;
+inline constexpr double kMostSheetTurn = 0.3;  // largest turn of a body along a step [rad]
 
-// Rolling: singular values of the Jacobian below this share are 0, as of discs about their centres.
+// Rolling: singular values of the Jacobian below this fraction of the largest are 0, as for discs about their
+// centres.
 inline constexpr double kRollingRank = 1e-9;
-// Determinant of the normal equations, of their trace squared.
+// Determinant of the normal equations, relative to their trace squared, above which they have full rank.
 inline constexpr double kRollingFullRank = 1e-4;
-inline constexpr double kRollingUlps = 8;          // of angles, that a step of Newton's may be off
-inline constexpr double kRollingSettled = 1e-8;    // of a step of Newton's: its square is rounding
-inline constexpr double kRollingQuadratic = 1e-2;  // of a step to the one before, where steps square
-inline constexpr double kRollingLeast = 1e-15;     // a step that is none
+// Units in the last place of the angles by which a Newton step may be off.
+inline constexpr double kRollingUlps = 8;
+// Newton steps below this leave only rounding when squared ...
+inline constexpr double kRollingSettled = 1e-8;
+// ... provided that they shrink at least by this factor, as quadratic steps do.
+inline constexpr double kRollingQuadratic = 1e-2;
+inline constexpr double kRollingLeast = 1e-15;  // steps up to this count as zero
 
 }  // namespace higherpair

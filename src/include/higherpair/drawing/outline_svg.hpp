@@ -13,8 +13,8 @@ struct NamedOutline {
   ArcPolyline line;  ///< in metres
 };
 
-/// Outlines at their true size (96 px to the inch, as CSS and drawing programs have it) as an SVG picture,
-/// with a cross at the origin of their frame where that is within it. Elements carry data-role (`outline`,
+/// Outlines at their true size (96 px to the inch, as in CSS and drawing programs) as an SVG picture, with a
+/// cross at the origin of their frame if that is within the picture. Elements carry data-role (`outline`,
 /// `origin`) and data-name, the top element data-scale (px per unit) and data-origin ("x y" in px, y up).
 /// \pre at least one outline, each with two vertices
 [[nodiscard]] std::string outline_svg(const std::vector<NamedOutline>& outlines, const std::string& title,

@@ -11,22 +11,22 @@
 
 namespace higherpair {
 
-/// Whether bodies have a place in the row, as its table has: also where that is not to be trusted.
+/// Whether the row has positions of the bodies, as in its table, even if they are not to be trusted.
 [[nodiscard]] bool has_place(const MotionRow& row);
 
 /// Makes the scenes of one mechanism, row by row.
 class SceneMaker {
 public:
-  /// \param mechanism  outlives the maker
-  /// \param rows    of a motion, at least one with a position: how much room the picture needs, and how far
-  ///                slides and contacts travel
-  /// \param traces  points whose paths are drawn, besides those that are joined to nothing
+  /// \param mechanism  must outlive the maker
+  /// \param rows    of a motion, at least one with a position; they determine the extent of the picture and
+  ///                how far slides and contacts travel
+  /// \param traces  points whose paths are drawn, in addition to those that are joined to nothing
   /// \param reactions  in the same rows; empty: no forces are drawn
   SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>& rows,
              const std::vector<PointRef>& traces = {}, const std::vector<Reactions>& reactions = {},
              const Looks& looks = {});
 
-  /// The scene of the row given last; at first of the first one that has a place.
+  /// The scene of the row last passed to at(); at first, of the first row with a position.
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
   /// The scene of a row; the reference holds until the next call.
@@ -36,9 +36,9 @@ public:
 private:
   const Mechanism* mechanism_;
   Scene scene_;
-  double largest_ = 1;  // circle that is drawn [mm]
+  double largest_ = 1;  // radius up to which curves are drawn as circles [mm]
   bool forces_ = false;
-  std::size_t next_ = 0;  // of scene_.moving, while it is filled
+  std::size_t next_ = 0;  // next index in scene_.moving while that is filled
 
   Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
   void add_contact(const MotionRow& row, std::size_t index);

@@ -11,15 +11,16 @@
 
 namespace higherpair {
 
-/// What the drivers do over a whole run, as a function of one parameter, for example the number of the row.
+/// The motion of the drivers over a whole run, as a function of one parameter, for example the row number.
 struct DriverPath {
-  std::vector<double> knots;  ///< ascending; the drivers' motion is smooth between two neighbours, and no
-                              ///< driver turns back there. One knot alone: they stay where they are
+  /// ascending; between two neighbours the drivers' motion is smooth and no driver reverses. A single knot:
+  /// the drivers do not move.
+  std::vector<double> knots;
   std::function<void(double at, std::vector<DriverMotion>& drivers)> motion;
 };
 
-/// The straight path between two positions of the drivers, velocities and accelerations changing in
-/// proportion; its parameter runs from 0 to `length`.
+/// The straight path between two positions of the drivers, with velocities and accelerations interpolated
+/// linearly; its parameter runs from 0 to `length`.
 [[nodiscard]] DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotion> to,
                                        double length = 1);
 
@@ -27,8 +28,8 @@ struct DriverPath {
 struct ContactOpening {
   enum class Kind {
     kRoot,    ///< the contact force passes through 0
-    kPole,    ///< it changes its sign by growing beyond all bounds: a dead point, not a lift-off
-    kPulled,  ///< it pulls from the start, or from the end of a gap or a jump of the motion
+    kPole,    ///< it changes sign by growing without bound: a dead point, not a lift-off
+    kPulled,  ///< it pulls from the start, or right after a gap or a jump of the motion
   };
   std::size_t contact = 0;
   Kind kind = Kind::kRoot;
@@ -36,39 +37,40 @@ struct ContactOpening {
   double driver = 0;  ///< coordinate of the first driven joint [rad or m]
 };
 
-/// The smallest force of a contact on the whole path.
+/// The smallest force of a contact along the whole path.
 struct LowestForce {
   double force = 0;  ///< [N]; < 0: the contact would have to pull
   double at = 0;     ///< where, as in ContactOpening
   double driver = 0;
-  bool is_minimum = true;  ///< false: it still falls where it is last known, next to a singular position
+  /// False: it is still falling at the end of what is known, next to a singular position.
+  bool is_minimum = true;
 };
 
 /// Coefficients of a series in Chebyshev polynomials T_0, T_1, …
 using ForceSeries = std::array<double, 16>;
 
-/// The contact forces on a stretch of the path in which they are smooth. The force of a contact is the sum
-/// of its parts at rest (weights, loads, springs), from dampers and from inertia; the other columns are what
-/// a unit of each preload adds to it. With u the factor by which the drivers go faster, p the preloads:
+/// The contact forces on a stretch of the path in which they are smooth. The force of a contact is the sum of
+/// its parts at rest (weights, loads, springs), from dampers and from inertia; the other columns are the
+/// contributions of a unit of each preload. With u the factor on the speed of the drivers, p the preloads:
 ///     N = rest + u dampers + u² inertia + Σ p_k column_k
 struct ForcePiece {
   static constexpr std::size_t kParts = 3;
 
-  double from = 0;  ///< parameter of the path; the series run from -1 to 1 between the two
+  double from = 0;  ///< parameter of the path; the series run from -1 to 1 between `from` and `to`
   double to = 0;
-  double noise = 0;            ///< forces up to this are rounding [N]
-  bool singular_from = false;  ///< something is left out before
-  bool singular_to = false;    ///< and behind
+  double noise = 0;            ///< smaller forces are rounding [N]
+  bool singular_from = false;  ///< the stretch before it is left out
+  bool singular_to = false;    ///< and the one after it
   std::vector<bool> known;     ///< of Mechanism::contacts: whether the balance determines the force
-  std::vector<ForceSeries>
-      columns;  ///< kParts + number of preloads of the first contact, then of the second …
+  /// kParts + number of preloads for the first contact, then for the second …
+  std::vector<ForceSeries> columns;
 };
 
 /// Contact forces along a whole path, whatever its rows.
 struct ContactForces {
-  std::vector<Preload> preloads;                   ///< that the pieces have columns for
+  std::vector<Preload> preloads;                   ///< those that the pieces have columns for
   std::vector<ContactOpening> openings;            ///< in the order of the path
-  std::vector<std::optional<LowestForce>> lowest;  ///< of Mechanism::contacts; none where never defined
+  std::vector<std::optional<LowestForce>> lowest;  ///< of Mechanism::contacts; none where it is never defined
   std::vector<ForcePiece> pieces;
   bool complete = true;  ///< false: only the first kMostPieces pieces were kept
 
@@ -76,12 +78,12 @@ struct ContactForces {
 };
 
 /// Follows the contact forces along a path: where the motion is smooth they are interpolated at Chebyshev
-/// points, on pieces that are halved until the series has converged to within rounding. So zeros and minima
-/// are those of the force itself. Stretches without a position or without rates are left out, and so is what
-/// is nearer to a singular position than 1.5e-5 of 30 degrees (of a quarter of the size on a slide).
+/// points, on pieces that are halved until the series has converged to within rounding. Zeros and minima are
+/// therefore those of the force itself. Stretches without a position or without rates are left out, and so is
+/// everything closer to a singular position than 1.5e-5 of 30 degrees (of a quarter of the size on a slide).
 /// Ends early where is_stopped(start).
 /// \param start  the mechanism at the path's first positions, as start_run returns it
-/// \param preloads  that the pieces get columns for
+/// \param preloads  those that the pieces get columns for
 [[nodiscard]] ContactForces follow_contact_forces(const Run& start, const DriverPath& path,
                                                   std::vector<Preload> preloads = {});
 

@@ -10,9 +10,10 @@
 namespace higherpair {
 
 /// Inverse dynamics of a running analysis: Newton's and Euler's equations of every moving body with gravity,
-/// inertia, loads, springs and dampers, solved for what joints, contacts and drivers must do. Contacts slip
-/// without friction. Bodies without mass have no inertia. Idle bodies (Plan::idle_bodies, as a roller) do not
-/// spin up: a moment about their pin, which nothing resists, is left out.
+/// inertia, loads, springs and dampers, solved for the reactions of joints and contacts and the efforts of
+/// drivers. Contacts slip without friction. Bodies without mass have no inertia. Idle bodies
+/// (Plan::idle_bodies, such as a roller) have no angular acceleration: a moment about their pin, which
+/// nothing resists, is ignored.
 class InverseDynamics {
 public:
   explicit InverseDynamics(const Run& run);
@@ -31,9 +32,9 @@ private:
 
   Statics statics_;
   std::vector<Wrench> wrenches_;  ///< gravity, loads, springs and inertia of each body
-  std::vector<Wrench> left_;      ///< the same, used up by the balance
+  std::vector<Wrench> left_;      ///< the same, consumed by the balance
   Reactions reactions_;
-  State unit_;  ///< with a unit rate of one of several drivers
+  State unit_;  ///< motion with a unit rate of one of several drivers
 };
 
 }  // namespace higherpair

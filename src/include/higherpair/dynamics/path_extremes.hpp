@@ -10,18 +10,18 @@
 
 namespace higherpair {
 
-/// Which extremes of a quantity are wanted.
+/// Which extremes of a quantity are sought.
 struct Sought {
   bool least = false;
   bool greatest = false;
-  double noise = 0;  ///< values up to this are rounding: 0
+  double noise = 0;  ///< smaller values are rounding: 0
 };
 
-/// Quantities that are worked out together at the position of a run.
+/// Quantities that are computed together at the position of a run.
 struct PathQuantities {
   std::vector<Sought> sought;  ///< one for each
-  /// Writes their values for a run that has moved to a parameter of the path; it finds NaN there, which means
-  /// not defined.
+  /// Writes their values for a run that has moved to a parameter of the path; `values` is preset to NaN,
+  /// which means undefined.
   std::function<void(const Run& run, double at, std::span<double> values)> values;
 };
 
@@ -29,28 +29,29 @@ struct PathExtreme {
   double value = 0;
   double at = 0;       ///< parameter of the path
   double driver = 0;   ///< coordinate of the first driven joint [rad or m]
-  bool grows = false;  ///< it still grows towards a singular position, next to which nothing is known
+  bool grows = false;  ///< it is still growing towards a singular position, next to which nothing is known
 };
 
-/// Of one quantity; none where it is nowhere defined, or was not sought.
+/// Extremes of one quantity; none where it is nowhere defined, or was not sought.
 struct PathRange {
   std::optional<PathExtreme> least, greatest;
 };
 
-/// How closely a path is looked at.
+/// How densely a path is examined.
 struct PathLook {
   std::vector<double> breaks;  ///< ascending parameters at which derivatives are known to jump
-  double parts = 0;            ///< at least so many equal parts of the whole path are sampled
+  double parts = 0;            ///< the whole path is sampled in at least this many equal parts
 };
 
 /// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
-/// degree of a turning driver, or more) say near which places they can lie; there the quantity is
+/// degree of a turning driver, or more) show near which places they can lie; there the quantity is
 /// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
 /// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
-/// first one on the path. What lies entirely between two samples may be missed. Nothing is looked at between
-/// a limit position or dead point and the samples beside it, where rates are rounding or without bounds. Ends
-/// early where is_stopped(start). \param start  the mechanism at the path's first positions, as start_run
-/// returns it \return for each block of quantities a range of each
+/// first one on the path is taken. Extremes that lie entirely between two samples may be missed. The stretch
+/// between a limit position or dead point and the samples next to it is not examined, since rates there are
+/// rounding or unbounded. Ends early where is_stopped(start).
+/// \param start  the mechanism at the path's first positions, as start_run returns it
+/// \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,
                                                                 const PathLook& look = {});

@@ -5,25 +5,25 @@
 
 namespace higherpair {
 
-/// What a joint does to its second body; empty what the balance leaves indeterminate. Springs, dampers and
-/// the driving effort on the joint are not part of it.
+/// Reaction of a joint on its second body; empty where the balance leaves it indeterminate. Springs, dampers
+/// and the driving effort on the joint are not included.
 struct JointReaction {
-  std::optional<double> fx;      ///< in ground [N]
-  std::optional<double> fy;      ///< [N]
-  std::optional<double> moment;  ///< [N m]; prismatic joints: about the second point; gears and
-                                 ///< belts: on the second wheel
+  std::optional<double> fx;  ///< in ground [N]
+  std::optional<double> fy;  ///< [N]
+  /// [N m]; prismatic joints: about the second point; gears and belts: on the second wheel.
+  std::optional<double> moment;
 };
 
-/// What a contact does to its second body.
+/// Reaction of a contact on its second body.
 struct ContactReaction {
-  std::optional<double> force;     ///< along n, the outward normal of the first body [N]: > 0 pressing
-  std::optional<double> friction;  ///< along t = n turned +90° [N]: what keeps a rolling contact from
-                                   ///< slipping; 0 where it slips
-  bool pulls = false;              ///< force < 0, by more than rounding: the contact opens
+  std::optional<double> force;  ///< along n, the outward normal of the first body [N]: > 0 pressing
+  /// Along t = n turned +90° [N]: keeps a rolling contact from slipping; 0 where it slips.
+  std::optional<double> friction;
+  bool pulls = false;  ///< force < 0 by more than rounding: the contact opens
 };
 
-/// What drives a joint: on its second body, positive in the sense of the joint's coordinate
-/// [N m on a revolute joint, else N].
+/// Effort of a driver on its joint: on the second body, positive in the sense of the joint's coordinate [N m
+/// on a revolute joint, else N].
 struct DriverEffort {
   std::optional<double> effort;    ///< from the balance of the bodies
   std::optional<double> by_power;  ///< from virtual power: -Σ wrench·velocity for a unit rate of this driver

@@ -11,51 +11,50 @@
 
 namespace higherpair {
 
-/// The static balance of a mechanism at a row of its run: the multipliers λ of all conditions of
-/// joints, contacts and drivers (ConstraintRow) for which, on every moving body,
+/// The static balance of a mechanism at a row of its run: the multipliers λ of all conditions of joints,
+/// contacts and drivers (ConstraintRow) for which, on every moving body,
 ///     Σ λ·coefficient + W = 0
-/// with W what else acts on it. Group by group in the reverse order of the plan: the conditions of a group
-/// hold its own bodies, and what they take goes on to the bodies of earlier groups.
+/// with W the other loads on it. Group by group in the reverse order of the plan: the conditions of a group
+/// hold its own bodies, and their reactions load the bodies of earlier groups.
 ///
-/// A body whose turning nothing sets (Plan::idle_bodies) keeps its angle in the motion; here an additional
-/// condition holds it, whose multiplier is 0 where no moment acts about its pin.
+/// A body whose rotation is not determined (Plan::idle_bodies) keeps its angle in the motion; here an
+/// additional condition holds it, with multiplier 0 if no moment acts about its pin.
 ///
-/// Conditions more than coordinates make the balance statically indeterminate. Then all bodies are solved at
-/// once, by the pseudoinverse of the transposed Jacobian, and those multipliers are marked that every
-/// solution shares.
+/// More conditions than coordinates make the balance statically indeterminate. Then all bodies are solved at
+/// once, by the pseudoinverse of the transposed Jacobian, and the multipliers common to all solutions are
+/// marked as determined.
 class Statics {
 public:
   explicit Statics(const Run& run);
 
-  /// Takes the conditions of run.row, whose bodies all have rates. `run` must be the one of the constructor,
-  /// or a copy. Does not allocate where no conditions are in surplus.
+  /// Takes over the conditions of run.row, all of whose bodies must have rates. `run` must be the one of the
+  /// constructor, or a copy. Does not allocate where there are no surplus conditions.
   void stand(const Run& run);
 
-  /// Solves for the multipliers. `wrenches` (of Mechanism::bodies) is used up. False where there is no
+  /// Solves for the multipliers. `wrenches` (of Mechanism::bodies) is consumed. False where there is no
   /// balance: the conditions are dependent here, to within rounding.
   [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
 
-  /// Lets those flanks of gears' teeth carry that press in the last balance; true where others did, so that
-  /// stand() and balance() have to be repeated. Only what bearings take changes by it, not the torques.
+  /// Selects the flanks of gear teeth that press in the last balance; true where that changes any, so that
+  /// stand() and balance() have to be repeated. This only changes the forces on bearings, not the torques.
   [[nodiscard]] bool choose_flanks(const Mechanism& mechanism);
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
 
-  /// Of the i-th condition: itself, its multiplier [N], and whether the balance determines that.
+  /// The i-th condition, its multiplier [N], and whether the balance determines it.
   [[nodiscard]] const ConstraintRow& row(std::size_t i) const { return rows_[i]; }
   [[nodiscard]] double multiplier(std::size_t i) const { return multipliers_[i]; }
   [[nodiscard]] bool is_determined(std::size_t i) const { return determined_[i]; }
 
-  /// Where the conditions of a joint, contact or driver begin.
+  /// First row of the conditions of a joint, contact or driver.
   [[nodiscard]] std::size_t joint_row(std::size_t joint) const { return joint_rows_[joint]; }
   [[nodiscard]] std::size_t contact_row(std::size_t contact) const { return contact_rows_[contact]; }
   [[nodiscard]] std::size_t driver_row(std::size_t driver) const { return driver_rows_[driver]; }
 
-  /// What the holding of idle bodies does to them, as a power for these motions [W]; 0 where they do not
-  /// turn.
+  /// Power, for these motions, of the conditions that hold idle bodies [W]; 0 where these do not turn.
   [[nodiscard]] double holding_power(const std::vector<BodyMotion>& bodies) const;
 
-  /// The size that angular conditions are multiplied by [m].
+  /// The size by which angular conditions are multiplied [m].
   [[nodiscard]] double size() const { return size_; }
 
 private:
@@ -66,8 +65,8 @@ private:
   // Two bodies between three pins: the moments about the outer pins give the force at the inner one.
   struct PinnedDyad {
     struct Pin {
-      std::size_t row = 0;   // its condition along x; that along y follows
-      std::size_t side = 0;  // of the row: the dyad's body
+      std::size_t row = 0;   // its condition along x; the one along y follows
+      std::size_t side = 0;  // side of the row that belongs to the dyad's body
     };
     std::array<Pin, 2> outer;  // of the two bodies
     std::array<Pin, 2> inner;
@@ -94,21 +93,21 @@ private:
   [[nodiscard]] bool solve_all(const std::vector<Wrench>& wrenches);
 
   double size_ = 1;
-  bool contacts_may_part_ = false;  // whose condition then is that of the joint that holds their body
+  bool contacts_may_part_ = false;  // if open, their condition is that of the joint that holds their body
   bool redundant_ = false;
   std::vector<std::vector<int>> held_;  // idle bodies of each group
   std::vector<std::size_t> held_rows_;
-  std::vector<int> flanks_;  // of Mechanism::joints: which flank of gears' teeth carries, ±1
+  std::vector<int> flanks_;  // of Mechanism::joints: which flank of gear teeth carries, ±1
   std::vector<ConstraintRow> rows_;
-  std::vector<std::array<int, 3>> columns_;  // of each row and body: where the body is in its block, or -1
+  std::vector<std::array<int, 3>> columns_;  // for each row and body: column of the body in its block, or -1
   std::vector<double> multipliers_;
   std::vector<bool> determined_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> joint_rows_;
   std::vector<std::size_t> contact_rows_;
   std::vector<std::size_t> driver_rows_;
-  Eigen::MatrixXd jacobian_;       // of all bodies, where redundant
-  Eigen::MatrixXd pseudoinverse_;  // its pseudoinverse
+  Eigen::MatrixXd jacobian_;       // of all bodies, if redundant
+  Eigen::MatrixXd pseudoinverse_;  // of jacobian_
 };
 
 }  // namespace higherpair

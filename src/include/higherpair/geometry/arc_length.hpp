@@ -45,10 +45,11 @@ template <class T>
   return series / (mean * sqrt(mean));
 }
 
-// To the normal turned by the angle of cosine c and sine s, |angle| <= π/2, from R_F and R_D of (c², 1, w²)
-// by duplication (DLMF 19.26.18, 19.26.20), which takes the same square roots for both, until the arguments
-// differ by 1 %: what the series leave out is below 1e-16 then. \pre c >= 0: it is itself the first square
-// root, whose derivative at c = 0 would be lost. \param w2  w² = c² + q s²
+// Arc length from the vertex to the normal turned by the angle of cosine c and sine s, |angle| <= π/2, from
+// R_F and R_D of (c², 1, w²) by duplication (DLMF 19.26.18, 19.26.20), with the same square roots for both,
+// until the arguments differ by at most 1 %: the series then leave out less than 1e-16. \pre c >= 0: c itself
+// serves as the first square root, since the derivative of √c² at c = 0 would be lost. \param w2  w² = c² + q
+// s²
 template <class T>
 [[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s, const T& w2) {
   using std::sqrt;
@@ -92,7 +93,7 @@ template <class T>
 ///     s(ψ) = ℓ ∫₀^ψ dτ / (cos²τ + q sin²τ)^{3/2}
 ///          = ℓ [ sin ψ R_F(cos²ψ, w², 1) + (1 - q)/3 sin³ψ R_D(cos²ψ, 1, w²) ],   w² = cos²ψ + q sin²ψ
 /// by Carlson's symmetric integrals (DLMF 19.25.14 with the characteristic equal to k² = 1 - q): one form for
-/// circle, ellipse, parabola and hyperbola. An ellipse goes on over any number of turns.
+/// circle, ellipse, parabola and hyperbola. For an ellipse it continues over any number of turns.
 /// \tparam T   double, or an Expansion
 /// \param psi  [rad]; for a parabola or hyperbola within its cone of normals
 template <class T>
@@ -107,8 +108,8 @@ template <class T>
   if (q <= T(0.0)) {
     return detail::arc_from_vertex(semi_latus, q, cosine, sine);
   }
-  // Half turns are left to cos and sin, which know all digits of π: at its tips a thin ellipse makes a length
-  // of a rounding of the angle.
+  // Half turns are taken off by the signs of cos and sin, which reduce the angle with all digits of π: at the
+  // tips of a thin ellipse a rounding error of the angle would be a noticeable length.
   double half_turns = std::round(value_of(psi) / kPi);
   const double sign = std::fmod(half_turns, 2) == 0 ? 1 : -1;
   T c = sign * cosine;
@@ -123,9 +124,9 @@ template <class T>
                          : arc + 2 * half_turns * detail::arc_from_vertex(semi_latus, q, T(0.0), T(1.0));
 }
 
-/// The same of a parabola or hyperbola from where its point is: x along the axis and y along the normal at
-/// the vertex turned +90°, from the vertex [m]. Far out, where a rounding of ψ is a length, this one keeps
-/// its digits, with Y = y/ℓ = sin ψ/w or, where x is the longer one, Y² = (2x - q x²/ℓ)/ℓ:
+/// The same for a parabola or hyperbola, from the point itself: x along the axis and y along the normal at
+/// the vertex turned +90°, from the vertex [m]. Far out, where a rounding error of ψ is a noticeable length,
+/// this form keeps its digits, with Y = y/ℓ = sin ψ/w or, where x is the larger one, Y² = (2x - q x²/ℓ)/ℓ:
 ///     sin²ψ = Y²/(1 + (1 - q) Y²),   w² = 1/(1 + (1 - q) Y²).
 /// \pre q <= 0
 template <class T>
@@ -141,11 +142,11 @@ template <class T>
   return detail::arc_from_vertex(semi_latus, q, cosine, T(Y / sqrt(per_w2)), T(1.0 / per_w2));
 }
 
-/// The same of a curve; lines and points: 0.
+/// The same for any curve; lines and points: 0.
 [[nodiscard]] double arc_length(const Curve& curve, double psi);
 
-/// The angle of the convex-side normal at the vertex in the body's frame [rad], in (-π, π]: the direction
-/// against axis_B.
+/// The angle of the convex-side normal at the vertex in the body's frame [rad], in (-π, π]: opposite to
+/// axis_B.
 [[nodiscard]] double vertex_normal_angle(const Curve& curve);
 
 }  // namespace higherpair

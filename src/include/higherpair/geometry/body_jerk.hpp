@@ -10,8 +10,8 @@ struct BodyJerk {
   double angular = 0;                ///< of the angle [rad/s³]
 };
 
-/// What turning contributes to the jerk of the material point at r from the frame's origin when the body's
-/// own jerks are 0: -3 ω α r - ω³ ẑ×r [m/s³].
+/// Contribution of the body's rotation to the jerk of the material point at r from the frame's origin,
+/// without the body's own jerks: -3 ω α r - ω³ ẑ×r [m/s³].
 [[nodiscard]] inline Vector2d jerk_by_turning(const BodyMotion& body, const Vector2d& r_W) {
   return -3 * body.omega * body.alpha * r_W - body.omega * body.omega * body.omega * perp(r_W);
 }

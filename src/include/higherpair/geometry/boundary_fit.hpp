@@ -13,20 +13,20 @@
 namespace higherpair {
 
 /// \name Curves through measured points of a boundary
-/// Each fit makes the sum of squared distances of the points from the curve least: orthogonal distances, not
-/// algebraic ones. Points are moved to their centroid and scaled to size 1 first, so that place and unit mean
-/// nothing: copies of the points, moved, turned and scaled, give the curve moved, turned and scaled.
+/// Each fit minimises the sum of squared distances of the points from the curve: orthogonal distances, not
+/// algebraic ones. Points are first moved to their centroid and scaled to size 1, so that position and unit
+/// have no effect: moved, turned and scaled points give the curve moved, turned and scaled.
 /// @{
 
-/// What a conic is to be.
+/// The form required of a conic.
 enum class ConicForm { kAny, kEllipse, kParabola, kHyperbola };
 
 enum class BoundaryFitError {
   kTooFew,        ///< fewer points than the curve has parameters
   kNotFinite,     ///< a NaN or an infinity, or a spread beyond 1e±100
-  kOnePlace,      ///< all points are one within rounding
+  kOnePlace,      ///< all points coincide within rounding
   kOneLine,       ///< all points lie on one line
-  kNoDirection,   ///< a line: the points are spread alike in all directions
+  kNoDirection,   ///< fit of a line: the points are spread alike in all directions
   kOtherForm,     ///< the nearest conic is of another form than asked for
   kDegenerate,    ///< the nearest conic is a pair of lines, a point, or too near to one
   kNotConverged,  ///< the sum of squares did not settle
@@ -35,15 +35,15 @@ enum class BoundaryFitError {
 /// What the error means, as the end of a sentence: "the points ...".
 [[nodiscard]] std::string_view describe(BoundaryFitError error);
 
-/// A curve that was fitted.
+/// A fitted curve.
 struct BoundaryFit {
   Curve curve;
   /// Its natural parameters, in the order of the functions below; angles [rad], lengths as the points.
   std::vector<double> parameters;
-  /// Of the parameters, to first order, for points that err independently and alike in all directions by
-  /// `noise`. NaN where there are no more points than parameters.
+  /// Covariance of the parameters, to first order, for points with independent errors of `noise`, alike in
+  /// all directions. NaN where there are no more points than parameters.
   Eigen::MatrixXd covariance;
-  /// Of each point from the curve, with sign: > 0 outside; of a line on the side of its normal.
+  /// Signed distance of each point from the curve: > 0 outside; for a line on the side of its normal.
   std::vector<double> distances;
   double rms = 0;    ///< √(mean of squared distances)
   double noise = 0;  ///< the same per degree of freedom: an estimate of one point's standard error
@@ -51,8 +51,8 @@ struct BoundaryFit {
 
 using BoundaryFitResult = tl::expected<BoundaryFit, BoundaryFitError>;
 
-/// The line of total least squares: {x, y of the centroid, angle of the normal in (-π/2, π/2]}. Of the
-/// centroid's variance only that along the normal is the line's. At least 2 points.
+/// The line of total least squares: {x, y of the centroid, angle of the normal in (-π/2, π/2]}. Only the
+/// component of the centroid's variance along the normal belongs to the line. At least 2 points.
 [[nodiscard]] BoundaryFitResult fit_line(std::span<const Vector2d> points);
 
 /// {x, y of the centre, radius}. At least 3 points. Taubin's circle, then Gauss-Newton on the distances in

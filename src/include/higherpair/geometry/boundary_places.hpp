@@ -8,25 +8,25 @@
 
 namespace higherpair {
 
-/// The parameters of a span, from its begin to its end.
+/// The parameter range of a span.
 [[nodiscard]] inline Bounds range_of(const Boundary& boundary, int span) {
   return boundary.spans()[static_cast<std::size_t>(span)]->range();
 }
 
-/// The begin or the end of a span.
+/// The beginning or the end of a span.
 [[nodiscard]] inline BoundaryPlace end_of(const Boundary& boundary, int span, bool high) {
   const Bounds range = range_of(boundary, span);
   return {span, high ? range.high : range.low};
 }
 
-/// How far it is from a place along its span to a parameter of that, by the speed at the place: negative
-/// against the sense of the parameter [m, on corners rad].
+/// Signed distance along the span from a place to the parameter t, estimated by the speed at the place:
+/// negative against the sense of the parameter [m, on corners rad].
 [[nodiscard]] inline double distance_along(const Boundary& boundary, const BoundaryPlace& from, double t) {
   return (t - from.t) * boundary.at(from).speed;
 }
 
-/// Whether a place is at the begin or the end of its span.
-/// \param near  what counts as that, of the boundary's size; on corners [rad]
+/// Whether a place is at the beginning or the end of its span.
+/// \param near  largest distance that counts as there, relative to the boundary's size; on corners [rad]
 [[nodiscard]] inline bool is_at_end(const Boundary& boundary, const BoundaryPlace& place, bool high,
                                     double near) {
   return std::abs(distance_along(boundary, place, end_of(boundary, place.span, high).t)) <=
@@ -35,11 +35,11 @@ namespace higherpair {
 
 /// An end of a span as seen from a place on it.
 struct SpanEnd {
-  BoundaryPlace behind;  ///< the same point on the span that goes on from there
-  double way = 0;        ///< distance_along() to it, without its sign
+  BoundaryPlace behind;  ///< the same point on the adjacent span
+  double way = 0;        ///< absolute value of distance_along() to it
 };
 
-/// The end of its span ahead of a place, in the sense of the parameter or against it; none where the curve
+/// The end of the span ahead of a place, in the sense of the parameter or against it; none where the curve
 /// itself ends or has a concave corner.
 [[nodiscard]] inline std::optional<SpanEnd> end_ahead(const Boundary& boundary, const BoundaryPlace& from,
                                                       bool forward) {

@@ -6,13 +6,13 @@
 
 namespace higherpair {
 
-/// The ends of an interval, as numeric/interval.hpp has it.
+/// Converts an interval of numeric/interval.hpp.
 template <class Enclosure>
 [[nodiscard]] Bounds to_bounds(const Enclosure& x) {
   return {x.lower(), x.upper()};
 }
 
-/// From the lower begin to the higher end.
+/// The smallest interval that contains both.
 [[nodiscard]] inline Bounds hull(const Bounds& a, const Bounds& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }

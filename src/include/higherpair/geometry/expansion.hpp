@@ -9,18 +9,18 @@
 
 namespace higherpair {
 
-/// What the coefficients of an Expansion beyond the first belong to.
+/// The meaning of the coefficients of an Expansion after the first.
 enum class Terms {
   kPowers,    ///< 1, t, t², … of one variable, in time a motion: products of terms give higher terms
   kPartials,  ///< one variable each, to first order: products of two of them are dropped
 };
 
-/// A number together with how it changes: a polynomial cut off after its last term. A function that is a
-/// template over its scalar gives, for arguments that are expansions, its own expansion, exact but for
-/// rounding: no differences are taken.
+/// A number together with its derivatives: a polynomial truncated after its last term. A function that is a
+/// template over its scalar yields, for arguments that are expansions, its own expansion, exact to within
+/// rounding: no finite differences are taken.
 ///     powers:   c[k] = (1/k!) dᵏf/dtᵏ,     partials:   c[k] = ∂f/∂x_k, k = 1 … N.
-/// Division by, and the square root of, a number whose c[0] is 0 give what double gives.
-/// \tparam C  of the coefficients: double, or an expansion in other variables
+/// Division by, and the square root of, a number whose c[0] is 0 give infinities or NaN as with double.
+/// \tparam C  type of the coefficients: double, or an expansion in other variables
 /// Knuth, The Art of Computer Programming 2, 4.7; Griewank and Walther, Evaluating Derivatives, 13.2.
 template <class C, int N, Terms kTerms>
 struct Expansion {
@@ -34,7 +34,8 @@ struct Expansion {
     c[0] = constant;
   }
 
-  /// The sum over the products of terms between the first and the k-th that belong to the k-th.
+  /// Adds to the k-th coefficient of a product the products of two inner terms (neither the first nor the
+  /// k-th).
   template <class F>
   static void add_inner(std::size_t k, C& sum, F product) {
     if constexpr (kTerms == Terms::kPowers) {
@@ -130,7 +131,7 @@ struct Expansion {
   friend Expansion operator-(const S& s, const Expansion& a) { return -a + s; }
   /// @}
 
-  /// By the value alone, except that what changes is not equal to a constant.
+  /// Compares the values alone, but == all coefficients: a variable is not equal to a constant.
   friend bool operator<=(const Expansion& a, const Expansion& b) { return a.c[0] <= b.c[0]; }
   friend bool operator<(const Expansion& a, const Expansion& b) { return a.c[0] < b.c[0]; }
   friend bool operator>(const Expansion& a, const Expansion& b) { return b < a; }
@@ -143,7 +144,7 @@ using PowerSeries = Expansion<C, N, Terms::kPowers>;
 template <class C, int N>
 using Partials = Expansion<C, N, Terms::kPartials>;
 
-/// The number itself, without how it changes.
+/// The value alone, without its derivatives.
 [[nodiscard]] inline double value_of(double x) {
   return x;
 }
@@ -180,13 +181,13 @@ template <class C, int N, Terms kTerms>
   return root;
 }
 
-/// A cosine and a sine, each of which is the other's derivative.
+/// A cosine and a sine; each is, up to sign, the derivative of the other.
 template <class E>
 struct CosineAndSine {
   E cosine, sine;
 };
 
-/// Of x, from those of its first coefficient.
+/// Cosine and sine of x, from those of its first coefficient.
 template <class C, int N, Terms kTerms>
 [[nodiscard]] CosineAndSine<Expansion<C, N, kTerms>> cosine_and_sine(const Expansion<C, N, kTerms>& x,
                                                                      const C& cosine_at, const C& sine_at) {
@@ -219,7 +220,7 @@ template <class C, int N, Terms kTerms>
   return cosine_and_sine(x, C(cos(x.c[0])), C(sin(x.c[0]))).sine;
 }
 
-/// The angle of a vector from the x axis [rad], its value in (-π, π].
+/// The angle of a vector from the x axis [rad]; its value is in (-π, π].
 template <int N>
 [[nodiscard]] Partials<double, N> angle_of(const Vector2<Partials<double, N>>& v) {
   const Vector2d at(value_of(v.x()), value_of(v.y()));

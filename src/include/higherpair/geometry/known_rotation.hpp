@@ -19,7 +19,7 @@ namespace higherpair {
   return x2 * (1 / 2.0 - x2 * (1 / 24.0 - x2 * (1 / 720.0)));
 }
 
-/// The angle [rad] of a small sine.
+/// The angle [rad] whose sine is given and small.
 [[nodiscard]] inline double small_angle(double sine) {
   const double s2 = sine * sine;
   return sine + sine * s2 * (1 / 6.0 + s2 * (3 / 40.0 + s2 * (15 / 336.0 + s2 * (105 / 3456.0))));
@@ -33,8 +33,8 @@ namespace higherpair {
   return sine * sine <= kSmallTurn2 && cosine > 0 ? small_angle(sine) : std::atan2(sine, cosine);
 }
 
-/// An angle whose cosine and sine are known: those of angles near it follow without trigonometric functions,
-/// and back, and nothing drifts, as the known one stays what it is until it is far.
+/// An angle whose cosine and sine are known: those of nearby angles follow without trigonometric functions,
+/// and vice versa. Nothing drifts, because the known angle is kept until the current one is too far from it.
 class KnownRotation {
 public:
   KnownRotation() = default;
@@ -54,8 +54,8 @@ public:
     return {R_.cos - (versine * R_.cos + sine * R_.sin), R_.sin - (versine * R_.sin - sine * R_.cos)};
   }
 
-  /// The angle [rad] of a rotation, to within rounding; of all that differ by turns the one nearest to
-  /// `reference`.
+  /// The angle [rad] of a rotation, to within rounding; of all values that differ by whole turns the one
+  /// nearest to `reference`.
   [[nodiscard]] double angle_of(const Rotation<double>& R, double reference) const {
     const double sine = R_.cos * R.sin - R_.sin * R.cos;
     const double cosine = R_.cos * R.cos + R_.sin * R.sin;
@@ -63,7 +63,7 @@ public:
     return nearest_turn(near ? angle_ + small_angle(sine) : std::atan2(R.sin, R.cos), reference);
   }
 
-  /// Precomputed for angles near this one; unchanged while it stays near.
+  /// A known rotation near `angle`: this one while `angle` stays near it.
   [[nodiscard]] KnownRotation renewed_at(double angle) const {
     return is_near(angle) ? *this : KnownRotation(angle);
   }

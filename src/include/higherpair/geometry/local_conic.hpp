@@ -14,8 +14,9 @@ struct LocalConic {
   T semi_latus{0};
 };
 
-/// The circle of curvature of a curve at a point, its vertex there; or the parabola that has the curve's rate
-/// of curvature as well. With τ = ρ′/(3 ρ), the slope of the parabola's normal against its axis:
+/// The circle of curvature of a curve at a point, with its vertex there; or the parabola that also matches
+/// the rate of change of the curvature. With τ = ρ′/(3 ρ), the slope of the parabola's normal against its
+/// axis:
 ///     |ρ| = ℓ (1 + τ²)^{3/2},   y = -ℓ τ,   x = ℓ τ²/2.
 /// \param n_B  outward normal \param kappa  curvature, not 0 \param slope  dκ/ds along n turned +90°
 template <class T>

@@ -10,11 +10,11 @@ struct ValueAndSlope {
   double slope = 0;
 };
 
-/// The root of f between 0 and h, to within rounding; h may be negative. By Newton's method from both ends: a
-/// few calls where f is smooth on either side of its root, though its slope may jump there. Beyond the root f
+/// The root of f between 0 and h, to within rounding; h may be negative. Newton's method from both ends: a
+/// few calls where f is smooth on either side of its root, even if its slope jumps there. Beyond the root f
 /// may also jump or have no value (not finite): then the root is approached from the side of 0 alone. None
-/// where the values at the two ends have one sign, or f does not fall to 0 before it jumps. \param at_0, at_h
-/// f at both ends
+/// where the values at the two ends have the same sign, or f does not fall to 0 before it jumps.
+/// \param at_0, at_h  f at both ends
 [[nodiscard]] std::optional<double> newton_root_between(const std::function<ValueAndSlope(double)>& f,
                                                         const ValueAndSlope& at_0, double h, double at_h);
 

@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// A body that a grounded joint leaves one freedom, its coordinate q: turning about a pivot (q: angle of the
-/// body's frame [rad]) or sliding along a line (q: displacement [m]).
+/// A body with one freedom, left by its joint to ground, and its coordinate q: turning about a pivot (q:
+/// angle of the body's frame [rad]) or sliding along a line (q: displacement [m]).
 struct OneFreedom {
   bool turns = true;
   Vector2d p_WO = Vector2d::Zero();          ///< pivot, or the point of the line where q = 0 [m]
@@ -33,7 +33,8 @@ struct OneFreedom {
   return freedom.turns ? perp(Vector2d(p_W - freedom.p_WO)) : freedom.direction_W;
 }
 
-/// Acceleration of the body's material point at p_W for dq/dt = 1, d²q/dt² = 0: towards the pivot, or none.
+/// Acceleration of the body's material point at p_W for dq/dt = 1, d²q/dt² = 0: towards the pivot; 0 when
+/// sliding.
 [[nodiscard]] inline Vector2d acceleration_per_q(const OneFreedom& freedom, const Vector2d& p_W) {
   return freedom.turns ? Vector2d(freedom.p_WO - p_W) : Vector2d::Zero();
 }

@@ -5,10 +5,10 @@
 
 namespace higherpair {
 
-/// What the kernels of geometry and linkage ask of their scalar type T: + - * /, comparisons that give a
+/// What the kernels of geometry and linkage require of their scalar type T: + - * /, comparisons that give a
 /// mask, and, found by argument-dependent lookup, sqrt, abs, copysign, max and select(mask, if_true,
-/// if_false). Types whose comparisons give a bool have this one; a pack of several configurations brings its
-/// own.
+/// if_false). This select serves types whose comparisons give a bool; a pack of several configurations brings
+/// its own.
 template <class T>
 [[nodiscard]] constexpr T select(bool condition, T if_true, T if_false) {
   return condition ? if_true : if_false;

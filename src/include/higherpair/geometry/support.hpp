@@ -17,12 +17,12 @@ struct PlacedCurve {
   Vector2<T> axis_W;
   D semi_latus{0};
   D q{1};
-  double side = 1;  ///< +1 where the body is the convex side, -1 where it is the other
+  double side = 1;  ///< +1 where the body is on the convex side, -1 where it is on the other
   const SupportCurve* support = nullptr;
   std::size_t piece = 0;
 };
 
-/// \param vertex_W  where the curve's vertex_B is \param R_WB  rotation of its body
+/// \param vertex_W  position of the curve's vertex_B \param R_WB  rotation of its body
 template <class T>
 [[nodiscard]] inline PlacedCurve<T> place(const Curve& curve, const Vector2<T>& vertex_W,
                                           const Rotation<T>& R_WB) {
@@ -44,7 +44,7 @@ template <class T>
   return curve;
 }
 
-/// Of a line: its outward unit normal.
+/// Outward unit normal of a line.
 template <class T>
 [[nodiscard]] inline Vector2<T> face_normal(const PlacedCurve<T>& line) {
   return -line.axis_W;
@@ -58,9 +58,9 @@ struct SupportPoint {
   T w2;  ///< n_x² + q n_y² > 0 where the point exists (see has_point for the sheet of a hyperbola)
 };
 
-/// The same of a curve by its support, for one of the normals of its piece.
+/// The same for a curve given by its support function, for a normal within its piece.
 [[nodiscard]] SupportPoint<double> point_by_support(const PlacedCurve<double>& curve, const Vector2d& n_W);
-/// Whether the piece has the normal, dρ/dφ at it.
+/// Whether the piece has the normal, and dρ/dφ at it.
 [[nodiscard]] bool has_normal(const PlacedCurve<double>& curve, const Vector2d& n_W);
 [[nodiscard]] double slope_by_support(const PlacedCurve<double>& curve, const Vector2d& n_W);
 
@@ -69,8 +69,8 @@ struct SupportPoint {
 ///     y = ℓ N_y / w,   x = ℓ N_y² / (w (w - N_x)) = ℓ (w + N_x) / (q w),   |ρ| = ℓ / w³.
 /// The first form of x is used on the near half (N_x <= 0), the second on the far half that only ellipses
 /// have, so nothing cancels. Derivation: ∇f ∥ N on y² = 2ℓx - qx². Where no point has this normal (has_point
-/// is false) the result is meaningless and may be NaN. Not for lines. Other kinds of curves: by their
-/// support, in doubles only.
+/// is false) the result is meaningless and may be NaN. Not for lines. Other kinds of curves are evaluated by
+/// their support function, in doubles only.
 template <class T, class D>
 [[nodiscard]] inline SupportPoint<T> support_point(const PlacedCurve<T, D>& curve, const Vector2<T>& n_W) {
   using std::sqrt;
@@ -111,8 +111,8 @@ template <class T, class D>
   return N_x < 0 && N_x * N_x + curve.q * N_y * N_y > 0;
 }
 
-/// Change of the radius of curvature with the angle of the outward normal n_W, where it is ρ; of a conic
-/// 3 ρ (1 - q) N_x N_y / w².
+/// Derivative of the radius of curvature ρ with respect to the angle of the outward normal n_W; for a conic 3
+/// ρ (1 - q) N_x N_y / w².
 [[nodiscard]] inline double radius_slope(const PlacedCurve<double>& curve, double rho, const Vector2d& n_W) {
   if (curve.q == 1) {
     return 0;
@@ -125,8 +125,8 @@ template <class T, class D>
   return 3 * rho * (1 - curve.q) * N_x * N_y / (N_x * N_x + curve.q * N_y * N_y);
 }
 
-/// Far out on a hyperbola the point (known to within `extent` of rounding) can say more about the curvature
-/// than the normal does: ρ = ℓ (1 + (1 - q) y²/ℓ²)^{3/2}. Else ρ.
+/// Radius of curvature at a point. Far out on a hyperbola the point (known to within `extent` times rounding)
+/// can determine it better than the normal does: ρ = ℓ (1 + (1 - q) y²/ℓ²)^{3/2}. Otherwise ρ as given.
 /// \param w2  of the point, see SupportPoint
 [[nodiscard]] inline double radius_at(const PlacedCurve<double>& curve, double rho, double w2,
                                       const Vector2d& p_W, double extent) {

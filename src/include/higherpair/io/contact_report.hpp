@@ -10,22 +10,22 @@
 
 namespace higherpair {
 
-/// The contact forces of a run apart from its rows: they are the same for any number of them.
+/// The contact forces along the path of a run, which do not depend on the number of its rows.
 struct ContactForceReport {
   struct Opening {
     ContactOpening what;
-    double row = 0;     ///< number of the row, with a fraction where it lies between two
+    double row = 0;     ///< number of the row, fractional between two rows
     std::string cause;  ///< a sentence: what happens, and which preload would keep all contacts closed
   };
 
   std::vector<Opening> openings;                   ///< in the order of the path
-  std::vector<std::optional<LowestForce>> lowest;  ///< of Mechanism::contacts
+  std::vector<std::optional<LowestForce>> lowest;  ///< one for each of Mechanism::contacts
   std::optional<double> highest_speed;             ///< as highest_speed() returns it
 };
 
-/// Follows the contact forces of a schedule. Advice about springs has been tried out: with the numbers that
-/// it prints no contact opens. \param start  the mechanism at the first row, as start_run returns it; its
-/// `stop` ends this early
+/// Follows the contact forces along a schedule. Advice about springs is verified: with the numbers as printed
+/// no contact opens. \param start  the mechanism at the first row, as start_run returns it; its `stop` ends
+/// this early
 [[nodiscard]] ContactForceReport report_contacts(const Profile& profile, const DriverSchedule& schedule,
                                                  const Run& start);
 

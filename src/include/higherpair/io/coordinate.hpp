@@ -7,7 +7,7 @@
 
 namespace higherpair {
 
-/// Of a coordinate: an angle where something turns, else a length.
+/// The dimension of a coordinate: an angle if it `turns`, else a length.
 [[nodiscard]] constexpr Dimension coordinate_dimension(bool turns) {
   return turns ? dimension::kAngle : dimension::kLength;
 }
@@ -16,7 +16,7 @@ namespace higherpair {
   return coordinate_dimension(has_angle(joint.type));
 }
 
-/// Of what moves such a coordinate: a torque or a force.
+/// The dimension of what drives such a coordinate: a torque or a force.
 [[nodiscard]] constexpr Dimension effort_dimension(bool turns) {
   return turns ? dimension::kTorque : dimension::kForce;
 }
@@ -26,7 +26,7 @@ namespace higherpair {
   return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
 }
 
-/// Of a driver's position.
+/// The dimension of a driver's position.
 [[nodiscard]] inline Dimension driver_dimension(const Mechanism& mechanism, std::size_t driver = 0) {
   return coordinate_dimension(driven_joint(mechanism, driver));
 }

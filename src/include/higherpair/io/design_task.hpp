@@ -14,67 +14,67 @@
 
 namespace higherpair {
 
-/// What [design] of a profile asks for.
+/// The task in [design] of a profile.
 struct DesignTask {
-  /// A number of the profile that may be chosen, or several that are to be equal or multiples of it. A design
+  /// A number of the profile that may be chosen, or several that are kept equal or in proportion. A design
   /// needs both bounds; one that is not given is ±infinity.
   struct Variable {
     std::string name;
-    std::vector<std::string> paths;  ///< as --set names them; at least one
-    std::vector<double> factors;     ///< of each path: the number there is so many times the variable
+    std::vector<std::string> paths;  ///< as in --set; at least one
+    std::vector<double> factors;     ///< for each path: the number there is this factor times the variable
     DesignVariable range;            ///< in the unit that the number has in the profile
-    std::string unit = "1";          ///< the same, as tables show it; "1" of a pure number
+    std::string unit = "1";          ///< that unit as tables show it; "1" for a pure number
     Place place;
   };
 
-  /// The path of a point is to lead through given points.
+  /// The path of a point is wanted to pass through given points.
   struct PointPath {
     std::string point;              ///< "coupler.E"
     PointRef ref;                   ///< the same
     std::vector<Vector2d> through;  ///< in ground [m]; at least two
-    /// Each of `through` belongs to a row of the run, in order; else the point may come by at any time.
+    /// Each of `through` belongs to a row of the run, in order; else the point may pass it at any time.
     bool timed = false;
     std::vector<double>
         at;  ///< timed: the driver's positions in these rows, in the profile's unit; empty: all rows
-    bool ordered = true;  ///< not timed: one after the other as the driver goes on
-    bool closed = false;  ///< ordered: whichever of them comes first
-    /// What the whole path may be besides: only its form counts.
+    bool ordered = true;  ///< not timed: they are passed one after the other as the driver advances
+    bool closed = false;  ///< ordered: any one of them may come first
+    /// Whether the whole path may be displaced, rotated or scaled: then only its form counts.
     bool free_position = false, free_turn = false, free_scale = false;
 
     [[nodiscard]] bool is_free() const { return free_position || free_turn || free_scale; }
   };
 
-  /// A figure of check(): "contacts.touch", "contact_pressure", and of a curve "cam.disc".
+  /// A figure of check(): "contacts.touch", "contact_pressure", and if it refers to a curve "cam.disc".
   struct Figure {
     std::string item;
     std::string quantity;
     std::string of;
   };
 
-  /// By how much a four-bar is of a class [length of tables], > 0: it is.
+  /// Margin by which a four-bar is of a Grashof class [length of tables]; > 0: it is.
   struct Grashof {
     std::string wanted;  ///< "crank-rocker", …
     GrashofClass of = GrashofClass::kCrankRocker;
-    int coupler = -1;  ///< body; -1: of the only four-bar
+    int coupler = -1;  ///< index of the body; -1: that of the only four-bar
   };
 
-  /// A transmission angle: between two links that a pin joins, 0 at a dead point, at most 90°.
+  /// A transmission angle: the angle between two links that a pin joins, 0 at a dead point, at most 90°.
   struct Transmission {
     std::string pin;
-    int joint = 0;  ///< of Mechanism::joints
+    int joint = 0;  ///< index into Mechanism::joints
   };
 
-  /// How far the mechanism comes over all rows [length of tables].
+  /// The extent of the mechanism over all rows [length of tables].
   struct Extent {
     enum class Kind {
       kReach,    ///< largest distance of a point from another one
-      kWidth,    ///< of all its places together, along x of ground
+      kWidth,    ///< of the region covered by all its positions, along x of ground
       kHeight,   ///< the same along y
       kLargest,  ///< the larger of both
     };
     Kind kind = Kind::kReach;
-    PointRef point, from;     ///< of kReach
-    std::vector<int> bodies;  ///< of the others: those that count
+    PointRef point, from;     ///< for kReach
+    std::vector<int> bodies;  ///< for the others: the bodies that count
     std::string words;        ///< "reach of coupler.E from ground.O", "width"
   };
 
@@ -84,13 +84,13 @@ struct DesignTask {
     std::optional<Measure> measure;
     std::optional<Figure> figure;
     std::optional<Extent> extent;
-    /// A column that is to follow given values: measures of kAt, and the values.
+    /// A column that should follow given values: measures of kAt, and the values.
     std::vector<Measure> followed;
     std::vector<double> values;
-    bool follow_change = false;  ///< only how it changes from the first of them on counts
+    bool follow_change = false;  ///< only its change from the first of them on counts
     std::optional<double>
-        target;         ///< of a measure, figure or extent, in the unit of tables; none: as small as possible
-    double weight = 1;  ///< > 0; of a path and of a target within the square
+        target;         ///< of a measure, figure or extent, in the unit of tables; none: it is minimised
+    double weight = 1;  ///< > 0; for a path and for a target it multiplies the square
     Place place;
   };
 
@@ -99,9 +99,9 @@ struct DesignTask {
     std::optional<Measure> measure;
     std::optional<Figure> figure;
     std::optional<Extent> extent;
-    std::optional<Transmission> transmission;  ///< the least over all rows
+    std::optional<Transmission> transmission;  ///< the smallest over all rows
     std::optional<Grashof> grashof;
-    std::vector<EventType> without;      ///< how many of these events happen
+    std::vector<EventType> without;      ///< the number of these events
     std::optional<double> below, above;  ///< at least one; in the unit of tables
     Place place;
   };
@@ -110,10 +110,10 @@ struct DesignTask {
   std::vector<Objective> objectives;  ///< a design needs one
   std::vector<Constraint> constraints;
   DesignMethod method = DesignMethod::kAuto;
-  bool keep_branch = false;  ///< only designs that are assembled as the profile is
+  bool keep_branch = false;  ///< only designs assembled on the branch of the profile
   std::optional<int> starts;
   std::optional<std::uint64_t> seed;
-  std::optional<double> target;  ///< of the objective: enough
+  std::optional<double> target;  ///< of the objective: the search ends when it is reached
   Place place;
 };
 

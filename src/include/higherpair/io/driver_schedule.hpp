@@ -24,40 +24,39 @@ struct DriverValues {
 
 /// One driver in one row.
 struct DriverState {
-  DriverValues profile;  ///< in the profile's units; what tables show
+  DriverValues profile;  ///< in the profile's units, as tables show them
   DriverValues si;       ///< the same in SI units and radians
-  /// The third to the sixth time derivative, in SI units and radians; 0 but where a law drives.
+  /// The third to the sixth time derivative, in SI units and radians; 0 unless a law drives.
   std::array<double, 4> higher_si{};
 };
 
-/// The driver positions of a run, row by row. Rows are computed when asked for: a schedule of ten million
-/// rows takes no more memory than one of ten.
+/// The driver positions of a run, row by row. Rows are computed on demand: a schedule of ten million rows
+/// takes no more memory than one of ten.
 class DriverSchedule {
 public:
   /// The rows of `analyze` and `forces`: the given positions, or
   ///     start + (end - start) k/(samples - 1),   k = 0 … samples - 1,
   /// correctly rounded and exact at both ends; velocity and acceleration are the profile's in every row.
-  /// \param samples takes the place of the profile's `samples` of every driver (the option --samples).
-  /// Where a law drives, the rows are in time, from 0 to the end of the law that ends last; other drivers
-  /// move as in step(). A driver with a law and explicit positions has at each of them the velocity and
-  /// acceleration with which the law comes to it first. Fails where it is below 1 or above 2^53, where it
-  /// meets explicit positions or a prismatic driver without `end`, where the drivers have unequal numbers of
-  /// positions, and where a law ends before time 0, does not come to a position, or meets another driver with
-  /// explicit positions.
+  /// If a law drives, the rows are in time, from 0 to the end of the law that ends last; other drivers move
+  /// as in step(). A driver with a law and explicit positions has at each of them the velocity and
+  /// acceleration with which the law first reaches it. Fails if `samples` is below 1 or above 2^53, or given
+  /// for explicit positions or a prismatic driver without `end`; if the drivers have unequal numbers of
+  /// positions; and if a law ends before time 0, does not reach a position, or occurs together with explicit
+  /// positions of another driver.
+  /// \param samples replaces the profile's `samples` of every driver (the option --samples).
   [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> analyze(
       const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
 
   /// The rows of `step`: t = k time_step up to duration and a last row at duration, position = start +
   /// velocity t + acceleration t²/2. A remainder of the duration below 1e-9 time steps (or the rounding of
-  /// their number) is none: duration 6 and time_step 0.01 give 601 rows. t is the double nearest to k times
-  /// the decimal number that is given as time_step (3 times 0.1 is 0.3).
-  /// Where a law drives, the duration is by default up to the end of the law that ends last, and without a
-  /// time step there are `samples` rows. The first row has the rates after a jump of the law, as all others,
-  /// the last one those before it.
-  /// \param samples so many rows over the duration, equally spaced, instead of `time_step`.
-  /// Duration and time step may be given by any of several drivers, but not differently. Fails where one of
-  /// them is missing, for more than 2^53 rows, and where the motion leaves the range of a double or turns a
-  /// driver more than 1e9 times.
+  /// their number) is ignored: duration 6 and time_step 0.01 give 601 rows. t is the double nearest to k
+  /// times the decimal number that is given as time_step (3 times 0.1 is 0.3). If a law drives, the duration
+  /// is by default up to the end of the law that ends last, and without a time step there are `samples` rows.
+  /// At a jump of the law a row has the rates after it, except that the last row has those before it.
+  /// Duration and time step may be given by any of several drivers, but not differently. Fails if one of them
+  /// is missing, for more than 2^53 rows, and if the motion leaves the range of a double or turns a driver
+  /// more than 1e9 times.
+  /// \param samples number of rows, equally spaced over the duration, instead of `time_step`.
   [[nodiscard]] static tl::expected<DriverSchedule, Diagnostics> step(
       const Profile& profile, std::optional<std::int64_t> samples = std::nullopt);
 
@@ -81,9 +80,10 @@ public:
   /// it.
   [[nodiscard]] DriverValues at_time(double time_si, std::size_t driver) const;
 
-  /// When the drivers, on their path from the row before to `row`, pass a place: a single driver by its law
-  /// of motion, several in proportion to their path. In the profile's unit. \param position  of a single
-  /// driver, in the profile's unit; \param share  of the path
+  /// The time, in the profile's unit, at which the drivers pass a place on their path from the row before to
+  /// `row`: a single driver by its law of motion, several in proportion to their path.
+  /// \param position  of a single driver, in the profile's unit
+  /// \param share     fraction of that path
   [[nodiscard]] double passing_time(std::int64_t row, double position, double share) const;
 
   /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().
@@ -95,14 +95,15 @@ public:
   /// Where the driver turns back between a row and the one before.
   struct TurningPoint {
     DriverValues si;   ///< the driver at rest, in SI units and radians
-    double share = 0;  ///< of the time between the rows
+    double share = 0;  ///< fraction of the time between the rows
   };
 
-  /// Of a single driver in time, in their order; none where it does not turn back strictly between the rows.
+  /// The turning points of a single driver in time, in order; none unless it turns back strictly between the
+  /// rows.
   [[nodiscard]] std::vector<TurningPoint> turning_points(std::int64_t row) const;
 
   /// Whether a single driver goes from one row to a later one without turning back, whatever the rows between
-  /// them; false of several drivers.
+  /// them; false for several drivers.
   [[nodiscard]] bool is_one_way(std::int64_t from, std::int64_t to) const;
 
   /// Where velocity or acceleration of a law jumps.
@@ -110,13 +111,13 @@ public:
     std::size_t driver = 0;
     double time = 0;      ///< in the profile's unit
     double position = 0;  ///< of the driver in the profile's unit
-    LawJoin join;         ///< the same, of the first repetition
+    LawJoin join;         ///< the join, as in the first repetition of the law
   };
 
-  /// After the row before up to this one, in their order; not at the ends of the run.
+  /// The jumps after the row before up to and including this one, in order; not those at the ends of the run.
   [[nodiscard]] std::vector<LawJump> law_jumps(std::int64_t row) const;
 
-  /// Strictly within a run in time, ascending [s]: where a driver turns back, and where a law goes over to
+  /// Times strictly within a run in time, ascending [s], at which a driver turns back or a law changes to
   /// another function.
   [[nodiscard]] std::vector<double> breaks() const;
 
@@ -132,7 +133,7 @@ private:
     Scaling acceleration_to_si;
     std::array<Scaling, 4> higher_to_si;
     std::optional<MotionLaw> law;
-    std::vector<double> times;  ///< at which the law comes to the explicit positions
+    std::vector<double> times;  ///< at which the law reaches the explicit positions
   };
 
   DriverSchedule() = default;
@@ -149,7 +150,7 @@ private:
   bool timed_ = false;
   double duration_ = 0;
   double time_step_ = 0;       ///< 0: rows are equally spaced over the duration
-  double time_step_rest_ = 0;  ///< what the decimal number that was given is more than its double
+  double time_step_rest_ = 0;  ///< the decimal number given, less its double
   Scaling time_to_si_;
   Scaling time_from_si_;
 };

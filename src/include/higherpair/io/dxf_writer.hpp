@@ -8,16 +8,16 @@
 
 namespace higherpair {
 
-/// What is drawn on one layer.
+/// An outline and the layer that it is drawn on.
 struct DxfOutline {
-  std::string layer;  ///< letters, digits, - and _; R12 knows 31 of them, what is beyond is cut off
+  std::string layer;  ///< letters, digits, - and _; cut off after 31, the limit of R12
   ArcPolyline line;   ///< in metres
 };
 
 /// An ASCII DXF of release 12, which needs neither handles nor objects and which every CAD program reads: a
-/// POLYLINE with bulges for each outline, a CIRCLE where that is a whole circle of arcs, each on its layer.
-/// The header says in which unit the numbers are ($INSUNITS, $MEASUREMENT); they are written with all digits
-/// that a double has. \param length  a unit of length
+/// POLYLINE with bulges for each outline, or a CIRCLE if its arcs form a whole circle, each on its layer. The
+/// header gives the unit of the numbers ($INSUNITS, $MEASUREMENT); they are written with all digits of a
+/// double. \param length  a unit of length
 [[nodiscard]] std::string dxf_text(const std::vector<DxfOutline>& outlines, Unit length);
 
 }  // namespace higherpair

@@ -9,17 +9,17 @@
 
 namespace higherpair {
 
-/// What is probably a slip in a profile although it may be meant, besides Profile::notes: joints and curves
-/// that are far from where the poses have them once the mechanism is assembled.
+/// Notes on what is valid in a profile but probably a slip, in addition to Profile::notes: joints and curves
+/// that are far from where the poses put them once the mechanism is assembled.
 /// \param bodies  at the first driver position, those of the mechanism in their order
 [[nodiscard]] Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& bodies);
 
 /// Where the (first) driver could start instead, for the end of a message that the mechanism cannot be
 /// assembled with its drivers at these positions: "; it can be with driver.start from -65.8 to 65.8 deg".
-/// Empty where something else is wrong. See find_start_ranges.
+/// Empty if something else is wrong. See find_start_ranges.
 /// \param drivers    in SI units
 /// \param tolerance  as of start_run
-/// \param stop       once true, the search is given up; may be null
+/// \param stop       once true, the search is abandoned; may be null
 [[nodiscard]] std::string start_advice(const Profile& profile, const std::vector<double>& drivers,
                                        double tolerance, const std::atomic<bool>* stop = nullptr);
 

@@ -15,29 +15,28 @@
 
 namespace higherpair {
 
-/// The text of a profile taken apart, with the overrides so far; not yet checked for its meaning. A value,
-/// cheap to copy. Errors are those of read_profile_text.
+/// The parsed text of a profile with the overrides so far, not yet checked for its meaning. A value, cheap to
+/// copy. Errors are those of read_profile_text.
 class ProfileDocument {
 public:
-  /// \param source_name  what messages call the text
+  /// \param source_name  name of the text in messages
   [[nodiscard]] static tl::expected<ProfileDocument, Diagnostics> parse(std::string_view text,
                                                                         const std::string& source_name);
   [[nodiscard]] static tl::expected<ProfileDocument, Diagnostics> open(const std::string& path);
 
-  /// With these "PATH=VALUE" set, one after the other.
+  /// The document with these overrides "PATH=VALUE" applied, one after the other.
   [[nodiscard]] tl::expected<ProfileDocument, Diagnostics> with(std::span<const std::string> overrides) const;
 
-  /// All that were set.
+  /// All overrides applied so far.
   [[nodiscard]] const std::vector<std::string>& overrides() const;
 
-  /// The profile that it means.
+  /// The profile that the document describes.
   [[nodiscard]] tl::expected<Profile, Diagnostics> read() const;
 
   /// Calls `found` with path and value, as written, of every number in the order of the file.
   void for_each_number(const std::function<void(const std::string& path, double value)>& found) const;
 
-  /// A number of the profile that measures something, with or without a unit of its own: no counts, flags
-  /// and names.
+  /// A physical quantity in the profile, with or without a unit of its own; counts, flags and names are none.
   struct Quantity {
     std::string path;
     Dimension dimension;
@@ -46,15 +45,15 @@ public:
   /// All of them, each once, in the order in which a profile is read. \pre read() succeeds
   [[nodiscard]] std::vector<Quantity> quantities() const;
 
-  /// A value that the text of a profile is to have instead of its own.
+  /// A value that replaces one in the text of a profile.
   struct NewValue {
-    std::string path;  ///< as of overrides; of a number in the text, or `bodies.NAME.pose`
+    std::string path;  ///< as in overrides; of a number in the text, or `bodies.NAME.pose`
     std::string text;  ///< as TOML writes it
   };
 
-  /// The text that was parsed, byte by byte, but for these values: everything else stays as it is, comments
-  /// and spaces too. A pose that the text has not is added below the head of its body's table. The error
-  /// names a path whose value cannot be found, or is not of the text but of an override.
+  /// The parsed text with these values replaced; everything else stays the same byte for byte, comments and
+  /// spaces too. A pose that is missing in the text is added below the header of its body's table. The error
+  /// names a path whose value cannot be found or comes from an override.
   [[nodiscard]] tl::expected<std::string, std::string> text_with(std::span<const NewValue> values) const;
 
 private:

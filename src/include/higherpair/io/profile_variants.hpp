@@ -10,19 +10,20 @@
 
 namespace higherpair {
 
-/// One profile read again and again with other numbers: no text is taken apart, no path is looked for twice,
-/// and nothing is noted that may be a slip. One thread at a time; a profile that is read is the caller's.
+/// Reads one profile many times with different numbers: the text is not parsed again, paths are looked up
+/// only once, and the profiles have no notes. One thread at a time may use it; the caller owns the profiles.
 class ProfileVariants {
 public:
-  /// What is asked of variants ([sweep], [design], [tolerances]) is not part of them.
-  /// \param paths  of numbers of the document; fails for one that leads to none
+  /// The variants do not have the tasks [sweep], [design] and [tolerances].
+  /// \param paths  of numbers of the document; fails for one that leads to no number
   [[nodiscard]] static tl::expected<ProfileVariants, Diagnostics> of(const ProfileDocument& document,
                                                                      std::span<const std::string> paths);
   ProfileVariants(ProfileVariants&& other) noexcept;
   ProfileVariants& operator=(ProfileVariants&& other) noexcept;
   ~ProfileVariants();
 
-  /// The profile with these numbers at the paths, in their order. Mistakes are reported where the paths lead.
+  /// The profile with these numbers at the paths, in their order. Mistakes are reported at the places to
+  /// which the paths lead.
   [[nodiscard]] tl::expected<Profile, Diagnostics> read(std::span<const double> values);
 
 private:

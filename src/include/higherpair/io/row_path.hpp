@@ -9,12 +9,12 @@
 
 namespace higherpair {
 
-/// The path that the drivers take through the rows of a schedule: of equally spaced rows its parameter is the
-/// number of the row, of positions that are given one by one the path that the drivers have gone, in time the
-/// time [s].
+/// The path that the drivers take through the rows of a schedule: its parameter is the number of the row for
+/// equally spaced rows, the distance that the drivers have travelled for listed positions, and the time [s]
+/// for rows in time.
 struct RowPath {
   DriverPath path;
-  std::function<double(double)> row;  ///< number of the row of a parameter, with a fraction between two rows
+  std::function<double(double)> row;  ///< number of the row at a parameter, fractional between two rows
 };
 
 /// The motion of every driver in a row.

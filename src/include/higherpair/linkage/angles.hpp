@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// The angle in [0, π] at which a line is zero: cos ψ = c is solved as tan²(ψ/2) = (1-c)/(1+c), the ratio of
-/// the values at both ends, which keeps a few roundings of ψ also near 0 and π.
+/// The angle in [0, π] at which a cosine line is zero: cos ψ = c is solved as tan²(ψ/2) = (1-c)/(1+c), the
+/// ratio of the values at both ends, which is accurate to a few roundings of ψ also near 0 and π.
 /// \pre The ends have opposite signs, or one of them is zero.
 [[nodiscard]] double root_angle(const CosineLine<double>& line);
 

@@ -2,13 +2,13 @@
 
 #include "higherpair/geometry/pose.hpp"
 
-// The forces inside a dyad whose two outer joints are held, by moments about points at which an unknown force
-// has none: templates over the scalar, for one position or for several at once. What acts on a body apart
-// from the dyad's own joints, inertia included, is given by its moment about such a point.
+// Forces inside a dyad whose two outer joints are held, from moments about points at which one unknown force
+// has no moment: templates over the scalar, for one position or several at once. All loads on a body other
+// than those of the dyad's own joints, inertia included, are given by their moment about such a point.
 
 namespace higherpair {
 
-/// What link b of an RRR dyad does to link a at their pin C:
+/// Force of link b of an RRR dyad on link a at their pin C:
 ///     arm_a × C = -moment_a,   arm_b × C = moment_b.
 /// Not finite where the links are in line.
 /// \param arm_a, arm_b        from A (B) to C [m]
@@ -21,13 +21,13 @@ template <class T>
           -(moment_a * arm_b.y() + moment_b * arm_a.y()) / det};
 }
 
-/// What the slider of an RRP dyad, or its line itself, does to the link at its pin C. The line takes nothing
-/// along its unit direction u, so that along it the link carries what acts on the slider:
+/// Force of the slider of an RRP dyad, or of its line itself, on the link at its pin C. The line transmits no
+/// force along its unit direction u, so the link carries the loads on the slider in that direction:
 ///     C·u = along,   arm × C = -moment.
-/// Not finite where the link is square to the line.
+/// Not finite where the link is perpendicular to the line.
 /// \param arm     from A to C [m]
 /// \param moment  on the link about A [N m]
-/// \param along   what acts on the slider along u [N]
+/// \param along   load on the slider along u [N]
 template <class T>
 [[nodiscard]] inline Vector2<T> rrp_inner_force(const Vector2<T>& arm, const Vector2<T>& u, const T& moment,
                                                 const T& along) {
@@ -35,8 +35,8 @@ template <class T>
   return {along * u.x() - across * u.y(), along * u.y() + across * u.x()};
 }
 
-/// What the slider of an RPR dyad, or the pin B itself, does to the link across its line, along u turned
-/// +90°: the guide passes a moment on, so that about A and B only the sum of both is held.
+/// Force of the slider of an RPR dyad, or of the pin B itself, on the link across its line, along u turned
+/// +90°. The guide transmits a moment, so that only the sum of the moments about A and B is balanced:
 ///     s across = -(moment_a + moment_b),   s = (B - A)·u.
 /// \param moment_a, moment_b  on the link about A, on the slider about B [N m]
 template <class T>

@@ -8,7 +8,7 @@ namespace higherpair {
 ///     r2 e^{iθ2} + r3 e^{iθ3} = r1 e^{iθ1} + r4 e^{iθ4},
 /// θ2 from ground pivot O2 to A, θ3 from A to B, θ1 from O2 to O4, θ4 from O4 to B.
 ///
-/// The loop is symmetric in 2 and 3, so driving by the coupler is driving by the crank with the two
+/// The loop is symmetric in 2 and 3, so a drive at the coupler equals a drive at the crank with the two
 /// exchanged. With M the driven link and J the other of the two, mode σ = +1 is
 ///     θ4 = (direction from O4 to the end of M) + σ (angle of the triangle at O4),
 /// the sign of the square root in tan(θ4/2), and of sin(θJ - θ4).
@@ -23,10 +23,10 @@ struct FourBar {
   double theta1 = 0;  ///< direction of the ground link [rad]
 };
 
-/// A link of it by its number.
+/// A link of the four-bar by its number.
 enum class FourBarLink { kFrame = 1, kCrank = 2, kCoupler = 3, kRocker = 4 };
 
-/// The lengths and what does not change with the driver. Index M: driven link, J: the other one.
+/// The lengths and quantities that do not change with the driver. Index M: driven link, J: the other one.
 template <class T>
 struct FourBarLoop {
   T r1{0};
@@ -37,7 +37,7 @@ struct FourBarLoop {
   CosineLine<T> fold;     ///< d² - (r_J - r4)²
 };
 
-/// Both ends of either line are products of balanced sums, exactly zero at a change point.
+/// Both end values of either line are products of balanced sums, exactly zero at a change point.
 template <class T>
 [[nodiscard]] FourBarLoop<T> make_four_bar_loop(T r1, T r_M, T r_J, T r4) {
   return {r1,

@@ -28,8 +28,8 @@ enum class GrashofClass {
 [[nodiscard]] double grashof_margin(const FourBar& linkage);
 
 /// Whether a link turns fully against ground without passing a change point: the margin is positive and the
-/// shortest link is this one or ground. A coupler of length 2a between equal arms c on a frame 2d > 2a does
-/// so iff a + d < c.
+/// shortest link is this one or ground. A coupler of length 2a between equal arms c on a frame of length 2d >
+/// 2a turns fully iff a + d < c.
 ///
 /// \pre `link` is not ground.
 [[nodiscard]] bool turns_fully(const FourBar& linkage, FourBarLink link);
@@ -43,8 +43,9 @@ struct TransmissionRange {
   double at_largest = 0;
 };
 
-/// Extremes of the transmission angle over all angles of the crank that can be assembled: at the crank in
-/// line with the ground link, or 0 at a limit position, or π/2 in between. Empty if there are none.
+/// Extremes of the transmission angle over all crank angles at which the linkage can be assembled: with the
+/// crank in line with the ground link, or 0 at a limit position, or π/2 in between. Empty if there are no
+/// such angles.
 [[nodiscard]] std::optional<TransmissionRange> transmission_range(const FourBar& linkage);
 
 }  // namespace higherpair

@@ -20,16 +20,15 @@ struct GuideMotion {
   return {point_motion(body, p_B), body.X_WB.R_WB * u_B, body.omega, body.alpha};
 }
 
-/// How a point moves for one who rides on a guide and takes it for fixed: axes x along u, y to its left,
-/// origin at P.
+/// Motion of a point relative to a guide: axes x along u, y to its left, origin at P.
 struct SeenMotion {
   Vector2d p = Vector2d::Zero();  ///< [m]
   Vector2d v = Vector2d::Zero();  ///< [m/s]
   Vector2d a = Vector2d::Zero();  ///< [m/s²]
 };
 
-/// With Δ the differences to P in the guide's axes:
-///     v = Δv - ω ẑ×p,   a = Δa - α ẑ×p + ω² p - 2ω ẑ×v  (the last is Coriolis').
+/// With Δ the differences from P in the guide's axes:
+///     v = Δv - ω ẑ×p,   a = Δa - α ẑ×p + ω² p - 2ω ẑ×v  (the last is the Coriolis term).
 [[nodiscard]] inline SeenMotion seen_from(const GuideMotion& guide, const PointMotion& point) {
   const Rotation<double> R_GW = guide.u.inverse();
   const double square = guide.omega * guide.omega;
@@ -41,7 +40,7 @@ struct SeenMotion {
   return seen;
 }
 
-/// The motion of what slides on the guide at s with ṡ, s̈: the inverse of `seen_from` for (s, 0).
+/// The motion of a point that slides on the guide, at s with ṡ, s̈: the inverse of `seen_from` for (s, 0).
 [[nodiscard]] inline PointMotion slide_motion(const GuideMotion& guide, double s, double s_dot,
                                               double s_ddot) {
   const Vector2d u(guide.u.cos, guide.u.sin);
@@ -51,7 +50,8 @@ struct SeenMotion {
           guide.P.a_W + along * u + across * perp(u)};
 }
 
-/// The largest coordinate of two points [m]: what is computed from them is known to its rounding.
+/// The largest coordinate of two points [m]: rounding of it limits the precision of what is computed from
+/// them.
 [[nodiscard]] inline double extent_of(const Vector2d& p_W, const Vector2d& q_W) {
   return std::max(p_W.cwiseAbs().maxCoeff(), q_W.cwiseAbs().maxCoeff());
 }

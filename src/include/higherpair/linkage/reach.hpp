@@ -9,8 +9,9 @@
 
 namespace higherpair {
 
-/// The sum of four lengths with signs, right to its last digit even where they cancel; exactly zero where
-/// they balance to within rounding (`kBalanceRoundings`), so that a change point stays one in binary.
+/// The sum of four lengths with signs, correct to its last digit even where they cancel; exactly zero where
+/// they balance to within rounding (`kBalanceRoundings`), so that a change point remains one in binary
+/// numbers.
 template <class T>
 [[nodiscard]] T balance(T a, T b, T c, T d) {
   using std::abs;
@@ -27,9 +28,9 @@ template <class T>
   return select(abs(sum) <= T(kBalanceRoundings * kEpsilonOf<T>) * size, T(0), sum);
 }
 
-/// A quantity that is linear in the cosine of an angle ψ, at_mid - half_swing cos ψ. It is held by three
-/// values so that it keeps its digits where they may cancel: a reach runs out at ψ = 0 or π at a change
-/// point, and near a quarter turn cos ψ itself is small and sharp.
+/// A quantity that is linear in the cosine of an angle ψ, at_mid - half_swing cos ψ. It is represented by
+/// three values to keep its digits where they might cancel: at a change point a reach vanishes at ψ = 0 or π,
+/// and near a quarter turn cos ψ itself is small and accurate.
 template <class T>
 struct CosineLine {
   T at_0{0};
@@ -58,8 +59,8 @@ template <class T>
   return psi.sin * psi.sin / (T(1) + abs(psi.cos));
 }
 
-/// The reach at ψ. Its noise is d(reach)/dψ times a few roundings of a radian; next to ψ = 0 and π, where
-/// that vanishes, ψ itself is taken as known to one rounding.
+/// The reach at ψ. Its noise is d(reach)/dψ times a few roundings of a radian; close to ψ = 0 and π, where
+/// that derivative vanishes, ψ itself is assumed known to one rounding.
 template <class T>
 [[nodiscard]] Reach<T> reach_at(const CosineLine<T>& stretch, const CosineLine<T>& fold,
                                 const Rotation<T>& psi) {
@@ -78,7 +79,7 @@ template <class T>
   return sqrt(max(reach.stretch, T(0)) * max(reach.fold, T(0)));
 }
 
-/// 1/x, and 1 at x = 0: keeps what nobody may use finite.
+/// 1/x, but 1 at x = 0: keeps results finite that must not be used.
 template <class T>
 [[nodiscard]] T safe_inverse(T x) {
   return T(1) / select(x == T(0), T(1), x);

@@ -10,12 +10,13 @@ namespace higherpair {
 /// A body pinned at A with a straight guide, and a pin B that runs in the guide (or a block pinned at B):
 ///     s u + e u⊥ = D,   D = B - A,   d = |D|,   u⊥ = u turned +90°.
 /// s is the coordinate of B along the guide from the foot of A on it; the offset e of the guide from A has a
-/// sign, positive where the guide lies left of u. Mode σ = +1: s > 0. Its reach is s² = d² - e² [m²], once.
+/// sign, positive where the guide lies left of u. Mode σ = +1: s > 0. Its reach is s² = d² - e² [m²], as both
+/// stretch and fold.
 template <class T>
 struct RprPosition {
   Rotation<T> u;
   T s{0};
-  Reach<T> reach;  ///< stretch and fold are both s², negative where B is nearer to A than the guide
+  Reach<T> reach;  ///< stretch and fold are both s², negative where B is closer to A than the guide
 };
 
 template <class T>
@@ -26,8 +27,8 @@ struct RprRates {
   T s_ddot{0};
 };
 
-/// u = D turned back by the angle of (s, e); D = 0: u along +x. `reach` comes from the caller, who may know
-/// it better than |D| does.
+/// u = D turned back by the angle of (s, e); D = 0: u along +x. `reach` is supplied by the caller, who may
+/// know it more accurately than it follows from |D|.
 template <class T>
 [[nodiscard]] RprPosition<T> rpr_position(const Vector2<T>& D, T e, const Reach<T>& reach, T sigma) {
   using std::max;
@@ -60,7 +61,8 @@ template <class T>
 }
 
 /// d² - e² as a product.
-/// \param extent  largest coordinate that went into D [m]: the points are known to its rounding.
+/// \param extent  largest coordinate that D was computed from [m]: its rounding limits the precision of the
+/// points
 template <class T>
 [[nodiscard]] Reach<T> rpr_reach(const Vector2<T>& D, T e, T extent) {
   using std::abs;
@@ -76,11 +78,11 @@ struct RprMotion {
   struct Rates {
     double omega = 0;  ///< of the guide [rad/s]
     double alpha = 0;  ///< [rad/s²]
-    double s_dot = 0;  ///< seen from the guide [m/s]
+    double s_dot = 0;  ///< relative to the guide [m/s]
     double s_ddot = 0;
   };
   LinkageStatus status = LinkageStatus::kNotAssemblable;
-  Reach<double> reach;         ///< [m²]; holds with every status
+  Reach<double> reach;         ///< [m²]; valid with every status
   Rotation<double> u;          ///< unit direction of the guide
   double s = 0;                ///< [m]
   std::optional<Rates> rates;  ///< with kOk only

@@ -9,12 +9,12 @@ namespace higherpair {
 
 /// A leg from a point A = (x, y) to a straight line, in the line's frame (x along it):
 ///     A + leg u_leg = (along, 0).
-/// -y is what the leg must bridge across the line: sin = -y/leg, cos = σ√(leg² - y²)/leg.
+/// The leg has to span -y across the line: sin = -y/leg, cos = σ√(leg² - y²)/leg.
 /// Mode σ = +1: the leg's foot is ahead (+x) of A. Its reach: stretch = leg + y, fold = leg - y [m].
 template <class T>
 struct RrpPosition {
   Rotation<T> u_leg;
-  T along{0};  ///< where on the line the leg ends [m]
+  T along{0};  ///< position on the line where the leg ends [m]
   Reach<T> reach;
 };
 
@@ -26,7 +26,8 @@ struct RrpRates {
   T along_ddot{0};
 };
 
-/// \param x      of A [m]; y comes with `reach`, from the caller, who may know it better than y does.
+/// \param x      of A [m]; y is contained in `reach`, supplied by the caller, who may know it more
+/// accurately.
 /// \pre leg > 0.
 template <class T>
 [[nodiscard]] RrpPosition<T> rrp_position(T x, T leg, const Reach<T>& reach, T sigma) {
@@ -54,7 +55,7 @@ template <class T>
   return rates;
 }
 
-/// \name A and the line both move.
+/// \name A and the line both move
 /// @{
 
 /// A link from a moving point A to a point C that runs on a moving guide, C = P + s u.
@@ -62,15 +63,15 @@ struct RrpMotion {
   struct Rates {
     double omega = 0;  ///< of the link [rad/s]
     double alpha = 0;  ///< [rad/s²]
-    double s_dot = 0;  ///< seen from the guide [m/s]
+    double s_dot = 0;  ///< relative to the guide [m/s]
     double s_ddot = 0;
     Vector2d v_WC = Vector2d::Zero();  ///< [m/s]
     Vector2d a_WC = Vector2d::Zero();  ///< [m/s²]
   };
   LinkageStatus status = LinkageStatus::kNotAssemblable;
-  Reach<double> reach;               ///< [m]; holds with every status
+  Reach<double> reach;               ///< [m]; valid with every status
   Rotation<double> u_link;           ///< unit direction from A to C
-  double s = 0;                      ///< where on the guide C is [m]
+  double s = 0;                      ///< coordinate of C on the guide [m]
   Vector2d p_WC = Vector2d::Zero();  ///< [m]
   std::optional<Rates> rates;        ///< with kOk only
 };

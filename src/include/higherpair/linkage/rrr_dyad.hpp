@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-/// Two links joined to each other at C, to known points A and B at their other ends: the triangle
+/// Two links joined at C, with their other ends at known points A and B: the triangle
 ///     a u_a - b u_b = D,   u_a from A to C, u_b from B to C, D = B - A,   d = |D|.
 /// Mode σ = +1: C lies left of the line from A to B.
 ///     u_a, u_b = D/d turned to (x, y):  x_a = (d² + a² - b²)/(2da),  x_b = -(d² + b² - a²)/(2db),
@@ -26,7 +26,8 @@ struct RrrRates {
   T alpha_b{0};
 };
 
-/// The two directions. `reach` comes from the caller, who may know it better than |D| does.
+/// The two directions. `reach` is supplied by the caller, who may know it more accurately than it follows
+/// from |D|.
 /// Where d = 0 (then a = b, and every direction closes) the limit for D along +x is given:
 /// u_a = u_b = (0, σ).
 /// \pre a > 0, b > 0.
@@ -46,7 +47,7 @@ template <class T>
   const T height = root * inv_d;
   const Rotation<T> local_a{(d + shift) * half_a, select(apart, height * half_a, sigma)};
   const Rotation<T> local_b{(shift - d) * half_b, select(apart, height * half_b, sigma)};
-  // A link much shorter than d gets its direction from cancelled terms: its length 1 must be restored.
+  // A link much shorter than d gets its direction from cancelling terms: normalise it again.
   return {h * local_a.normalised(), h * local_b.normalised(), T(2) * root * half_a * half_b};
 }
 
@@ -76,7 +77,8 @@ template <class T>
 }
 
 /// The reach of a dyad between two points: stretch = (a+b)² - d², fold = d² - (a-b)², each as a product.
-/// \param extent  largest coordinate that went into D [m]: the points are known to its rounding.
+/// \param extent  largest coordinate that D was computed from [m]: its rounding limits the precision of the
+/// points
 template <class T>
 [[nodiscard]] Reach<T> rrr_reach(const Vector2<T>& D, T a, T b, T extent) {
   using std::sqrt;

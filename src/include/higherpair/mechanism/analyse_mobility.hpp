@@ -9,7 +9,7 @@
 
 namespace higherpair {
 
-/// The numbers that bodies, joints and contacts make up.
+/// The counts of bodies, joints and contacts for the mobility formula.
 [[nodiscard]] MobilityCount count_mobility(const Mechanism& mechanism);
 
 /// The positions of all bodies and contacts at one instant.
@@ -18,26 +18,26 @@ struct MechanismPosition {
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
 };
 
-/// Puts a mechanism together near the poses, by least steps (Gauss-Newton on all conditions, of least norm
-/// where they leave freedom, in the sense of least squares where they repeat each other). None where that
-/// does not close to 1e-10 of the size.
+/// Assembles a mechanism near its poses, by least steps (Gauss-Newton on all conditions: of least norm where
+/// they leave freedom, in the least-squares sense where they repeat each other). None where that does not
+/// close to 1e-10 of the size.
 /// \param drivers  coordinates of Mechanism::drivers to hold [rad or m]; empty: the drivers are left free
 [[nodiscard]] std::optional<MechanismPosition> assemble_near_poses(const Mechanism& mechanism,
                                                                    const std::vector<double>& drivers);
 
-/// What to analyse a mechanism from.
+/// From where to analyse a mechanism.
 struct MobilityQuestion {
-  std::vector<double> drivers;             ///< coordinates to hold at the start; empty: leave them free
-  std::vector<double> velocities;          ///< of the drivers, for `moving`; empty: 1 for each
-  std::optional<MechanismPosition> start;  ///< an assembled position; none: assembled near the poses, with
-                                           ///< the drivers held or else free
+  std::vector<double> drivers;     ///< coordinates to hold at the start; empty: leave them free
+  std::vector<double> velocities;  ///< velocities of the drivers, for `moving`; empty: 1 for each
+  /// An assembled position; none: assembled near the poses, with the drivers held or free.
+  std::optional<MechanismPosition> start;
 };
 
-/// Counts, and finds the rank of the constraint Jacobian J (rows of joints and contacts; columns x, y, size·θ
-/// of the moving bodies) at the start and at positions nearby, reached by moves along its null space and
-/// re-assembly. Singular values below 1e-8 of the largest count as zero. The smallest null space counts, and
-/// of it only the directions in which those moves really lead away: a null vector along which the mechanism
-/// comes back to where it was is no freedom but a shaky structure's give.
+/// Counts, and determines the rank of the constraint Jacobian J (rows of joints and contacts; columns x, y,
+/// size·θ of the moving bodies) at the start and at nearby positions, reached by moves along its null space
+/// and re-assembly. Singular values below 1e-8 of the largest count as zero. The smallest null space is
+/// taken, and of it only the directions in which those moves really lead away: a null vector along which the
+/// mechanism returns to where it was is no freedom but the infinitesimal mobility of a shaky structure.
 [[nodiscard]] Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& question = {});
 
 }  // namespace higherpair

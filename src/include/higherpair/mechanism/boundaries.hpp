@@ -4,12 +4,12 @@
 
 namespace higherpair {
 
-/// Prepares the contacts in which a curve of several spans, or with ends, takes part, or several curves of a
-/// body (NamedCurve::parts), and those that may part: both of their curves become boundaries, each contact's
-/// own (further curves without a name; open ones end in edges, see with_edges, but for a contact of
-/// both_sides), and the contact is marked as found by them. Nothing is done to other
-/// contacts, nor twice. To be called before a mechanism is planned.
-/// \pre no curve by its support that becomes a boundary has cusps
+/// Prepares contacts that are found by boundaries: those in which one of the curves has several spans or
+/// ends, or represents several curves of a body (NamedCurve::parts), and those that may separate. Both curves
+/// of such a contact become boundaries of its own (added as unnamed curves; open ones end in edges, see
+/// with_edges, except for a contact of both_sides), and the contact is marked accordingly. Other contacts are
+/// left alone; a second call has no effect. To be called before a mechanism is planned.
+/// \pre no curve given by its support function that becomes a boundary has cusps
 void use_boundaries(Mechanism& mechanism);
 
 /// Whether use_boundaries() would prepare this contact.

@@ -10,8 +10,9 @@
 
 namespace higherpair {
 
-/// The numbers of a mechanism that its conditions depend on.
-/// \tparam D  double, or Partials: the derivatives of all of them by one parameter or by several
+/// The dimensions of a mechanism that its conditions depend on.
+/// \tparam D  double, or Partials: with the derivatives of all of them with respect to one or several
+/// parameters
 template <class D>
 struct Dimensions {
   struct Joint {
@@ -29,7 +30,7 @@ struct Dimensions {
   std::vector<int> drivers;       ///< joint of each of Mechanism::drivers
 };
 
-/// \param number  makes a D of a number of the mechanism and of the same number of its derivative
+/// \param number  makes a D from a number of the mechanism and the corresponding derivative
 template <class D, class F>
 [[nodiscard]] JointDimensions<D> joint_dimensions(const Mechanism& mechanism, const Joint& joint,
                                                   const Mechanism& derivative, const Joint& joint_derivative,
@@ -58,17 +59,17 @@ template <class D, class F>
 
 [[nodiscard]] CurveDimensions<double> dimensions_of(const Curve& curve);
 
-/// With the derivative of every dimension by a parameter.
-/// \param derivative  the same mechanism, each number in it being its derivative
+/// With the derivative of every dimension with respect to a parameter.
+/// \param derivative  the same mechanism with each number replaced by its derivative
 [[nodiscard]] Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism,
                                                             const Mechanism& derivative);
 
-/// Every coordinate that the conditions depend on, and what some of them hold.
+/// Every coordinate that the conditions depend on, and the constants held by some of them.
 template <class T>
 struct Coordinates {
   std::vector<BodyAt<T>> bodies;  ///< of Mechanism::bodies; ground first
   std::vector<T> phi;             ///< angle of the normal of each contact, out of its first body [rad]
-  std::vector<T> arcs;            ///< of each contact that rolls: the arc difference held [m]
+  std::vector<T> arcs;            ///< for each rolling contact: the constant arc difference [m]
   std::vector<T> drivers;         ///< position of each driver [rad or m]
   std::vector<T> held_angles;     ///< angle that each body keeps if it is idle [rad]
 };
@@ -89,7 +90,7 @@ template <int N>
   return body;
 }
 
-/// The same coordinates for a scalar in which they are constants.
+/// The same coordinates as constants of another scalar type.
 template <class T>
 [[nodiscard]] Coordinates<T> constant(const Coordinates<double>& at) {
   const auto all = [](const std::vector<double>& numbers) {
@@ -104,23 +105,23 @@ template <class T>
   return constant;
 }
 
-/// Some bodies, and conditions that place them: a Group of a plan, or all of a mechanism.
+/// Some bodies and the conditions that determine them: a Group of a plan, or all of a mechanism.
 struct ConditionSet {
   std::vector<int> bodies;
   std::vector<int> joints;
   std::vector<int> contacts;
   std::vector<int> drivers;
-  std::vector<int> idle_bodies;  ///< whose turning nothing sets: they keep an angle
+  std::vector<int> idle_bodies;  ///< whose rotation is not determined: they keep an angle
 };
 
 /// All bodies but ground, all joints, contacts and drivers.
 [[nodiscard]] ConditionSet all_conditions(const Mechanism& mechanism, std::vector<int> idle_bodies);
 
-/// What a condition belongs to.
+/// Where a condition comes from.
 struct ConditionLabel {
   enum class Of { kJoint, kContact, kDriver, kIdleBody };
   Of of = Of::kJoint;
-  int index = 0;  ///< into the member of Mechanism; of kIdleBody the body
+  int index = 0;  ///< into the member of Mechanism; for kIdleBody the body
 
   friend bool operator==(const ConditionLabel&, const ConditionLabel&) = default;
 };
@@ -158,8 +159,8 @@ bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set,
   return exist;
 }
 
-/// The points of a contact's curves that have its normal; of a line the foot of the other's point. None where
-/// a curve has no such point.
+/// The points of a contact's curves that have its normal; for a line the foot of the other curve's point.
+/// None where a curve has no such point.
 [[nodiscard]] std::optional<CommonNormal> facing_at(const Dimensions<double>::Contact& contact,
                                                     const BodyAt<double>& first, const BodyAt<double>& second,
                                                     double phi);
@@ -168,7 +169,7 @@ bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set,
 /// of the set, then size·φ of each of its contacts.
 class ConditionSystem {
 public:
-  /// \param size  [m], > 0, makes lengths of angles
+  /// \param size  [m], > 0, converts angles to lengths
   ConditionSystem(Dimensions<double> dimensions, ConditionSet set, double size);
 
   [[nodiscard]] const ConditionSet& set() const { return set_; }
@@ -176,25 +177,25 @@ public:
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] Eigen::Index row_count() const { return static_cast<Eigen::Index>(labels_.size()); }
   [[nodiscard]] Eigen::Index column_count() const { return columns_; }
-  /// Of each row.
+  /// What each row belongs to.
   [[nodiscard]] const std::vector<ConditionLabel>& labels() const { return labels_; }
-  /// Of x of a body; -1 where it is not of the set.
+  /// Column of x of a body; -1 if it is not in the set.
   [[nodiscard]] Eigen::Index body_column(int body) const {
     return body_columns_[static_cast<std::size_t>(body)];
   }
-  /// Of φ of a contact; -1 where it is not of the set.
+  /// Column of φ of a contact; -1 if it is not in the set.
   [[nodiscard]] Eigen::Index contact_column(int contact) const {
     return contact_columns_[static_cast<std::size_t>(contact)];
   }
-  /// The row of a driver, the only one that depends on its position, and its derivative by that: -size
-  /// [m/rad] or -1; -1 for the row where the driver is not of the set.
+  /// The row of a driver, the only one that depends on its position; -1 if the driver is not in the set.
   [[nodiscard]] Eigen::Index driver_row(int driver) const {
     return driver_rows_[static_cast<std::size_t>(driver)];
   }
+  /// The derivative of that row with respect to the driver's position: -size [m/rad] or -1.
   [[nodiscard]] double by_driver(int driver) const;
 
-  /// Residual [m] and Jacobian [1], which are resized if need be. Whether φ has a point on each curve, which
-  /// parabolas and hyperbolas have for some normals only; without, both are meaningless.
+  /// Residual [m] and Jacobian [1], resized if necessary. Returns whether each curve has a point with the
+  /// normal φ (parabolas and hyperbolas have them for some normals only); if not, both are meaningless.
   bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values, Eigen::MatrixXd& J) const;
   /// The residual alone.
   bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const;

@@ -11,18 +11,18 @@
 
 namespace higherpair {
 
-/// The conditions of joints, contacts and drivers as functions of the coordinates of the bodies, of the angle
-/// φ of the normal of each contact, and of the dimensions of the mechanism. This is their only form: the
-/// scalar decides what comes out.
+/// The conditions of joints, contacts and drivers as functions of the coordinates of the bodies, the angle φ
+/// of the normal of each contact, and the dimensions of the mechanism. They are written only once; the scalar
+/// type determines the result.
 ///     T = double         residuals
 ///     T = Partials       the Jacobian as well
 ///     T = PowerSeries    rates, accelerations, jerks, … for coordinates that are series in time
-///     D = Partials       any of these with its derivatives by dimensions
-/// Every value has the unit of a length: angles are multiplied by a size. 0 where the condition holds.
-/// \tparam T  of the coordinates
-/// \tparam D  of the dimensions: double, T, or the coefficients of T
+///     D = Partials       any of these with its derivatives with respect to dimensions
+/// Every value is a length: angles are multiplied by a size. It is 0 where the condition holds.
+/// \tparam T  type of the coordinates
+/// \tparam D  type of the dimensions: double, T, or the coefficients of T
 
-/// The coordinates of a body: where its frame is in ground [m], and its angle [rad].
+/// The coordinates of a body: position of its frame in ground [m], and its angle [rad].
 template <class T>
 struct BodyAt {
   Pose<T> X_WB;
@@ -41,14 +41,14 @@ struct BodyAt {
   }
 };
 
-/// The angle [rad] made nearest to 0 by whole turns.
+/// The angle [rad] reduced by whole turns to the value nearest to 0.
 template <class T>
 [[nodiscard]] inline T without_turns(const T& angle) {
   const double value = value_of(angle);
   return angle + (nearest_turn(value, 0) - value);
 }
 
-/// What a condition takes from a joint; see Joint.
+/// The numbers of a joint that its conditions depend on; see Joint.
 template <class D>
 struct JointDimensions {
   JointType type = JointType::kRevolute;
@@ -68,7 +68,7 @@ struct ConditionValues {
 };
 
 /// Coordinate of a joint: [rad], or [m] along its line (see JointType).
-/// \param carrier  of gears and belts
+/// \param carrier  used for gears and belts only
 template <class T, class D>
 [[nodiscard]] T joint_coordinate(const JointDimensions<D>& joint, const BodyAt<T>& first,
                                  const BodyAt<T>& second, const BodyAt<T>& carrier) {
@@ -78,7 +78,7 @@ template <class T, class D>
   return (second.point(joint.p_B) - first.point(joint.p_A)).dot(first.vector(joint.direction_A));
 }
 
-/// How many a joint has.
+/// Number of conditions of a joint.
 [[nodiscard]] constexpr int condition_count(JointType type) {
   return type == JointType::kRevolute || type == JointType::kPrismatic ? 2 : 1;
 }
@@ -117,11 +117,11 @@ template <class T, class D>
   return has_angle(joint.type) ? T(size * off) : off;
 }
 
-/// What a condition takes from a curve; see Curve.
+/// The numbers of a curve that a condition depends on; see Curve.
 template <class D>
 struct CurveDimensions {
   CurveKind kind = CurveKind::kPoint;
-  double side = 1;  ///< +1 where the body is the convex side, -1 where it is the other
+  double side = 1;  ///< +1 where the body is on the convex side, -1 where it is on the other
   Vector2<D> vertex_B, axis_B;
   D semi_latus{0};
   D q{1};
@@ -131,14 +131,14 @@ struct CurveDimensions {
 template <class T>
 struct FacingPoints {
   Vector2<T> n_W;
-  Vector2<T> p1_W, p2_W;  ///< of a line the given point of the line
+  Vector2<T> p1_W, p2_W;  ///< for a line its given point
   T rho1{0}, rho2{0};     ///< [m]; 0 for a line
-  T phi{0};               ///< angle of n [rad]: of a line that of its face
-  T off{0};               ///< what the coordinate φ has more than that
+  T phi{0};               ///< angle of n [rad]: for a line that of its face
+  T off{0};               ///< excess of the coordinate φ over that angle
   bool exist = true;      ///< false: a curve has no such point
 };
 
-/// A curve that is no line at the present pose of its body.
+/// Any curve but a line, at the present pose of its body.
 template <class T, class D>
 [[nodiscard]] PlacedCurve<T, D> placed_on(const BodyAt<T>& body, const CurveDimensions<D>& curve) {
   return {body.point(curve.vertex_B), body.vector(curve.axis_B), curve.semi_latus, curve.q, curve.side};
@@ -183,7 +183,7 @@ template <class T, class D>
 }
 
 /// Arc of a conic at ψ, with the sign of its side, from its derivative ρ [m]. \param x, y  of the point, as
-/// open_arc_length takes them [m]
+/// in open_arc_length [m]
 template <class T, class D>
 [[nodiscard]] T arc_along(const CurveDimensions<D>& curve, const T& psi, const T& x, const T& y,
                           const T& rho) {
@@ -211,7 +211,8 @@ template <class T, class D>
 }
 
 /// Arc of the contact point on the first curve less that on the second, both along t = n turned +90°, as if
-/// the points coincided: constant where the bodies roll [m]. Of a line the distance from its given point.
+/// the points coincided: constant where the bodies roll [m]. For a line the arc is the distance from its
+/// given point.
 template <class T, class D>
 [[nodiscard]] T arc_difference(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
@@ -231,10 +232,10 @@ template <class T, class D>
   return difference;
 }
 
-/// Gap [m], and, for the coordinate φ: the distance of the points along t [m] (of a line: size·(φ -
-/// angle of its face)). With rolling the slip since the arcs differed by `held` [m]; at a touching point
-/// neither it nor the gap depends on φ: with φ held their derivatives by the bodies are the velocities of the
-/// material points along t and n.
+/// Gap [m]; a condition for φ: the distance of the points along t [m] (with a line: size·(φ - angle of its
+/// face)); and for a rolling contact the slip since the arcs differed by `held` [m]. At a contact point
+/// neither the slip nor the gap depends on φ: at constant φ their derivatives with respect to the bodies are
+/// the velocities of the material points along t and n.
 template <class T, class D>
 [[nodiscard]] ConditionValues<T> contact_conditions(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                                     const CurveDimensions<D>& curve2, const BodyAt<T>& body2,

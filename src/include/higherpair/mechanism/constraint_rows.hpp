@@ -11,10 +11,10 @@
 
 namespace higherpair {
 
-/// One condition of conditions.hpp with its derivatives by the coordinates (x, y, θ) of at most three bodies,
-/// contacts being where both curves have a common normal. With V = (v_x, v_y, ω) of a body's frame, in
-/// ground, Σ coefficient·V is the rate of `value` [m], and what the condition passes on to its bodies is
-/// λ·coefficient: a force and a torque about the frame's origin, λ in [N].
+/// One condition of conditions.hpp with its derivatives with respect to the coordinates (x, y, θ) of at most
+/// three bodies, for contacts at the common normal of both curves. With V = (v_x, v_y, ω) of a body's frame,
+/// in ground, Σ coefficient·V is the rate of `value` [m], and the condition exerts λ·coefficient on its
+/// bodies: a force and a torque about the frame's origin, λ in [N].
 struct ConstraintRow {
   std::array<int, 3> body{};  ///< indices of Mechanism::bodies; ground where there are fewer
   std::array<Eigen::Vector3d, 3> coefficient{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
@@ -26,8 +26,8 @@ struct ConstraintRow {
 [[nodiscard]] EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact,
                                      const CommonNormal& at);
 
-/// Moves a contact to the common normal near where it is, the bodies being where they are; false where there
-/// is none.
+/// Moves a contact to the common normal near its present place, with the bodies held; false where there is
+/// none.
 [[nodiscard]] bool place_contact(const Mechanism& mechanism, const Contact& contact,
                                  const std::vector<BodyMotion>& bodies, ContactMotion& motion);
 
@@ -37,7 +37,7 @@ struct ConstraintRow {
 [[nodiscard]] int row_count(const Contact& contact);
 
 /// The rows of a joint (joint_conditions).
-/// \param size  [m], makes lengths of angles
+/// \param size  [m], converts angles to lengths
 void append_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                  double size, std::vector<ConstraintRow>& rows);
 
@@ -50,12 +50,12 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
 void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position,
                        const std::vector<BodyMotion>& bodies, double size, std::vector<ConstraintRow>& rows);
 
-/// The row that keeps the angle of a body: size·(θ - held).
+/// The row that holds the angle of a body: size·(θ - held).
 [[nodiscard]] ConstraintRow angle_row(const std::vector<BodyMotion>& bodies, int body, double held,
                                       double size);
 
 /// Adds the coefficients of a row, by (x, y, size·θ), to a row of a matrix.
-/// \param column_of  of x of the row's k-th body; < 0: none
+/// \param column_of  column of x of the row's k-th body; < 0: none
 template <class Row, class F>
 void add_coefficients(const ConstraintRow& row, double size, F column_of, Row&& J) {
   for (std::size_t k = 0; k < row.body.size(); ++k) {

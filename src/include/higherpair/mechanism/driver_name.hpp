@@ -6,7 +6,7 @@
 
 namespace higherpair {
 
-/// What tables, results and pictures call a driver: "driver", or "driver.NAME" where it has a name.
+/// The name of a driver in tables, results and pictures: "driver", or "driver.NAME" if it has a name.
 [[nodiscard]] inline std::string driver_name(const Driver& driver) {
   std::string name = "driver";
   if (!driver.name.empty()) {

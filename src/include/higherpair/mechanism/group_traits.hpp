@@ -12,14 +12,14 @@
 
 namespace higherpair {
 
-/// What the solver has to know about a kind of group besides how it is solved.
+/// Properties of a kind of group that the solver needs, apart from its solution.
 struct GroupTraits {
   bool two_modes = false;   ///< its closed form has two assembly modes, σ = ±1
-  bool can_cross = false;   ///< its branches are told apart by the sign of a sine, and can cross
+  bool can_cross = false;   ///< its branches are distinguished by the sign of a sine, and can cross
   bool one_branch = false;  ///< it has no other branch that a step could jump to
-  bool coupled = false;     ///< solved by Newton's method, which may come out on any branch
+  bool coupled = false;     ///< solved by Newton's method, which may converge to any branch
   double sine_noise = 0;    ///< rounding of an interpolated sine, relative to its lever
-  /// Why it can go no further at a limit position.
+  /// Why it cannot go on beyond a limit position.
   std::string_view limit =
       "the bodies cannot be put together on this branch beyond this position of the driver";
 };
@@ -82,14 +82,14 @@ inline constexpr auto kTable = []<std::size_t... I>(std::index_sequence<I...>) {
   return group_traits::kTable[group.kind.index()];
 }
 
-/// Why a group can go no further at a limit position.
+/// Why a group cannot go on beyond a limit position.
 [[nodiscard]] inline std::string_view limit_cause(const Group& group) {
   return group.contacts.empty()
              ? traits_of(group).limit
              : "the two bodies cannot be kept in contact on this branch beyond this position of the driver";
 }
 
-/// The contact that places a body of the group by itself, and that body; none of other kinds of groups.
+/// The contact that places a body of the group by itself, and that body; none for other kinds of groups.
 struct PlacingContact {
   int contact = 0;
   const CarriedBody* follower = nullptr;

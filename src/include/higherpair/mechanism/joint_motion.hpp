@@ -8,8 +8,8 @@
 namespace higherpair {
 
 /// The coordinate of a joint and its rates: the angle of the second body relative to the first [rad], or the
-/// displacement of the second point along the line of the first body [m]; of gears and belts the angle of the
-/// second wheel relative to the carrier [rad].
+/// displacement of the second point along the line of the first body [m]; for gears and belts the angle of
+/// the second wheel relative to the carrier [rad].
 struct JointMotion {
   double position = 0;
   double velocity = 0;
@@ -30,7 +30,7 @@ struct JointMotion {
 /// The poses of the description as motions at rest.
 [[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
 
-/// The point that a reference names, in its body's frame [m].
+/// The point denoted by a reference, in its body's frame [m].
 [[nodiscard]] inline const Vector2d& point_of(const Mechanism& mechanism, const PointRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
 }
@@ -42,7 +42,7 @@ struct JointMotion {
               .boundary;
 }
 
-/// The curve that a reference names, in its body's frame.
+/// The curve denoted by a reference, in its body's frame.
 [[nodiscard]] inline const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)]
       .curves[static_cast<std::size_t>(ref.curve)]

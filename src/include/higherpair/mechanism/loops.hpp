@@ -9,17 +9,18 @@
 
 namespace higherpair {
 
-/// Four bodies in a ring of four pins, anywhere in a mechanism: as a four-bar on the body that is nearest to
-/// ground, with the body next to that nearest to a driver as link 2.
+/// Four bodies in a loop of four pins, anywhere in a mechanism, as a four-bar: its frame is the body closest
+/// to ground, its link 2 that one of the frame's two neighbours which is closer to ground, a driven joint
+/// counting half.
 struct FourBarInMechanism {
-  int ground = 0;  ///< the frame of the loop; moves where it is not body 0
+  int ground = 0;  ///< the frame of the loop; it moves if it is not body 0
   int crank = 0;
   int coupler = 0;
   int rocker = 0;
   FourBar linkage;  ///< lengths; theta1 = 0
 };
 
-/// What is at rest in a slider-crank.
+/// Which link of a slider-crank is at rest.
 enum class SliderCrankInversion {
   kGuide,    ///< the guide of the slider: crank and slider
   kCrank,    ///< the link with two pins next to the guide: a turning guide (Whitworth)
@@ -27,7 +28,7 @@ enum class SliderCrankInversion {
   kMoving,   ///< none of them is ground
 };
 
-/// Three pins and a slide, or two pins and a slot, in a ring.
+/// Three pins and a slide, or two pins and a slot, in a loop.
 struct SliderCrankInMechanism {
   int guide = 0;    ///< the body that carries the line
   int crank = 0;    ///< pinned to the guide
@@ -44,10 +45,10 @@ struct SliderCrankInMechanism {
 /// \param bodies  of the mechanism
 [[nodiscard]] AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies);
 
-/// All rings of four bodies and four pins, without links of no length, in the order of their bodies.
+/// All loops of four bodies and four pins, without links of zero length, in the order of their bodies.
 [[nodiscard]] std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism);
 
-/// All slider-cranks, in the order of their slides. Of the two bodies of a slide the one nearer to ground is
+/// All slider-cranks, in the order of their slides. Of the two bodies of a slide the one closer to ground is
 /// the guide.
 [[nodiscard]] std::vector<SliderCrankInMechanism> find_slider_cranks(const Mechanism& mechanism);
 

@@ -18,26 +18,26 @@ namespace higherpair {
 /// The rank in words: "the 8 conditions on 9 coordinates have rank 8: freedom 1".
 [[nodiscard]] std::string rank_text(const Mobility& mobility);
 
-/// One sentence for every reason for which count and rank differ or the start is singular, and what the
-/// mechanism is if it has no freedom; nothing where there is nothing to say.
+/// One sentence for every reason why count and rank differ or the start is singular, and the nature of the
+/// mechanism if it has no freedom; empty if there is nothing to report.
 [[nodiscard]] std::vector<std::string> explanations(const Mechanism& mechanism, const Mobility& mobility);
 
 /// One sentence for each idle freedom.
 [[nodiscard]] std::vector<std::string> idle_texts(const Mechanism& mechanism, const Mobility& mobility);
 
-/// What is wrong with the number of drivers, the count and the rank behind it, and what to add or remove;
-/// none if they fit.
+/// What is wrong with the number of drivers, with count and rank, and what to add or remove; none if the
+/// number is right.
 [[nodiscard]] std::optional<std::string> driver_objection(const Mechanism& mechanism,
                                                           const Mobility& mobility);
 
-/// The same for whoever starts a run: analyses the mechanism from its poses. None also where it cannot be
-/// assembled there.
+/// The same before a run: analyses the mechanism from its poses. None also where it cannot be assembled
+/// there.
 [[nodiscard]] std::optional<std::string> driver_objection(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers);
 
-/// The same for a mechanism that a plan places with conditions left over: whether the rank has room for them.
-/// None without surplus, and for a driver and a follower that are to roll on each other: whether they can is
-/// seen along the path, and how far they slip is said then.
+/// The same for a mechanism whose plan leaves surplus conditions: whether the rank allows for them. None
+/// without surplus, and for a driver and a follower that roll on each other: whether they can is only found
+/// along the path, and reported there with the amount of slip.
 [[nodiscard]] std::optional<std::string> surplus_objection(const Mechanism& mechanism, const Plan& plan,
                                                            const std::vector<double>& drivers);
 

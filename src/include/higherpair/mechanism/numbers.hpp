@@ -14,7 +14,7 @@ enum class NumberKind {
 };
 
 /// Calls f(number, kind), or f(number), for every number of a mechanism that is a quantity, in an order that
-/// depends on nothing but which bodies, points, curves, joints, loads and springs there are.
+/// only depends on which bodies, points, curves, joints, loads and springs there are.
 template <class M, class F>
 void for_each_number(M& mechanism, F f) {
   const auto number = [&](auto& value, NumberKind kind) {

@@ -6,14 +6,14 @@
 
 namespace higherpair {
 
-/// A pin with everything that turns on it: revolute joints that share their points make one pin.
+/// A pin and all bodies on it: revolute joints that share their points form one pin.
 struct Pin {
   std::vector<BodyPoint> ends;  ///< one for each body, in the order of bodies
   std::vector<int> joints;      ///< of Mechanism::joints; ends.size() - 1 hold it together
 };
 
-/// All pins, in the order of their first joints. Two points of a body are one if they differ by less than
-/// 1e-12 of their distance from the frame's origin.
+/// All pins, in the order of their first joints. Two points of a body are the same if they differ by less
+/// than 1e-12 of their distance from the frame's origin.
 [[nodiscard]] std::vector<Pin> find_pins(const Mechanism& mechanism);
 
 }  // namespace higherpair

@@ -26,25 +26,25 @@ struct BodyLine {
   Rotation<double> u_B;             ///< its direction in that frame
 };
 
-/// A body that does not turn against another one, one of whose points is known.
+/// A body that does not rotate relative to another one, and one of whose points is known.
 struct Rider {
   int body = 0;
   int carrier = 0;
   Vector2d p_B = Vector2d::Zero();  ///< the known point, in the frame of `body` [m]
-  double relative_angle = 0;        ///< of the body against the carrier [rad]
-  Rotation<double> relative;        ///< the same
+  double relative_angle = 0;        ///< of the body relative to the carrier [rad]
+  Rotation<double> relative;        ///< the same as a rotation
 };
 
-/// A body that a revolute or prismatic joint leaves one freedom against a known carrier.
+/// A body with one freedom relative to a known carrier, left by a revolute or prismatic joint.
 struct CarriedBody {
   int body = 0;
   int carrier = 0;
   OneFreedom freedom;  ///< in the carrier's frame
-  double sign = 1;  ///< freedom coordinate = sign · joint coordinate; -1 where the joint names the carrier
-                    ///< second and it turns
+  /// Freedom coordinate = sign · joint coordinate; -1 if the joint turns and names the carrier second.
+  double sign = 1;
 };
 
-/// A body that a driven joint places against a known one.
+/// A body placed by a driven joint relative to a known one.
 struct DrivenBody {
   int driver = 0;  ///< index of Mechanism::drivers
   CarriedBody carried;
@@ -58,14 +58,14 @@ struct RrrDyad {
   Vector2d b_pB = Vector2d::Zero(), b_pC = Vector2d::Zero();  ///< pins of link b
   double length_a = 0, length_b = 0;                          ///< [m], > 0
   Rotation<double> along_a, along_b;  ///< direction from A (B) to C in the link's frame
-  /// Where |AB| is set by one angle (A on an arm that turns about a pin on the body of B): the loop whose
-  /// reach stays sharp at change points, and where to read that angle.
+  /// Where |AB| is determined by one angle (A on an arm that turns about a pin on the body of B): the loop,
+  /// whose reach stays accurate at change points, and where to measure that angle.
   std::optional<FourBarLoop<double>> loop;
   BodyLine arm;     ///< from that pin to A, on the body of A
   BodyLine ground;  ///< from that pin to B, on the body of B
 };
 
-/// A link from a known pin A to a pin C that runs along a line of a known body; maybe a slider at C.
+/// A link from a known pin A to a pin C that runs along a line of a known body; possibly with a slider at C.
 struct RrpDyad {
   BodyPoint A;
   int link = 0;
@@ -76,7 +76,7 @@ struct RrpDyad {
   std::optional<Rider> slider;
 };
 
-/// A link at a known pin A that carries a line on which a known point B stays; maybe a slider at B.
+/// A link at a known pin A that carries a line through a known point B; possibly with a slider at B.
 struct RprDyad {
   BodyPoint A, B;
   int link = 0;
@@ -86,19 +86,19 @@ struct RprDyad {
   std::optional<Rider> slider;
 };
 
-/// Two slides that place a point C. On its first line C runs; the second line either lies on another known
-/// body (two sliders that meet in a pin C), or goes through a known pin A in a direction that turns with the
-/// body of the first (a body pinned at A slides on a body that slides on a known one). Of one body on a slide
-/// and a slot the slot is the second line.
+/// Two slides that place a point C. C runs on the first line; the second line either lies on another known
+/// body (two sliders joined by a pin C), or passes through a known pin A in a direction that turns with the
+/// body of the first line (a body pinned at A slides on a body that slides on a known one). For one body on a
+/// slide and a slot the slot is the second line.
 struct SlideDyad {
   BodyLine first;
-  BodyLine second;               ///< with `pin` set only its direction counts, in the frame of first.body
+  BodyLine second;               ///< if `pin` is set only its direction counts, in the frame of first.body
   std::optional<BodyPoint> pin;  ///< A
   std::optional<Rider> pinned;   ///< the body pinned at A
   std::vector<Rider> riders;     ///< bodies whose point is C
 };
 
-/// A follower on ground that touches a driver on ground: followed by the contact's own track.
+/// A follower on ground in contact with a driver on ground: followed by tracking the contact.
 struct TrackedPair {
   int contact = 0;
   int driver = 0;          ///< index of Mechanism::drivers
@@ -108,21 +108,22 @@ struct TrackedPair {
   bool driver_is_first = true;  ///< whether the contact names the driver first
 };
 
-/// A body on a revolute or prismatic joint to a known body that touches a known one without rolling.
+/// A body on a revolute or prismatic joint to a known body, in contact with a known body without rolling.
 struct TouchingBody {
   int contact = 0;
   CarriedBody follower;
   bool follower_is_second = true;  ///< whether the contact names it second
 };
 
-/// A body that is attached by one pin only and whose turning nothing sets: it keeps the angle of its pose.
+/// A body attached by one pin only, whose rotation is not determined: it keeps the angle of its pose.
 struct IdleBody {
   BodyPoint pin;  ///< on the known body
   int body = 0;
   Vector2d p_B = Vector2d::Zero();
 };
 
-/// A body on a pin of a known one whose turning gears or a belt set: a wheel, or the arm of a planetary gear.
+/// A body on a pin of a known one, whose rotation is determined by gears or a belt: a wheel, or the arm of a
+/// planetary gear.
 struct GearedBody {
   BodyPoint pin;  ///< on the known body
   int body = 0;
@@ -136,29 +137,31 @@ struct CoupledBodies {};
 using GroupKind = std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, SlideDyad, TrackedPair, TouchingBody,
                                IdleBody, GearedBody, CoupledBodies>;
 
-/// Some bodies, and the conditions that place them once the groups before are known.
+/// Some bodies, and the conditions that place them once the preceding groups are known.
 struct Group {
   std::vector<int> bodies;
   std::vector<int> joints;
   std::vector<int> contacts;
   std::vector<int> drivers;
   GroupKind kind;
-  std::vector<int> ended_joints = {};  ///< of `joints` those whose line has an end
+  std::vector<int> ended_joints = {};  ///< the `joints` whose line has an end
 };
 
 /// A body on a revolute or prismatic joint, seen from the body at the joint's other end.
 [[nodiscard]] CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int body);
 
-/// How a body moves on its revolute or prismatic joint to ground, the first if it has several; none without.
+/// How a body moves on its revolute or prismatic joint to ground, the first if it has several; none if it has
+/// none.
 [[nodiscard]] std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body);
 
 /// The order of solution.
 struct Plan {
   std::vector<Group> groups;
-  std::vector<int> idle_bodies;  ///< whose turning nothing sets (a roller's spin)
-  std::vector<int>
-      phase_bodies;      ///< whose angle nothing but a rolling contact sets: they start in that of their pose
-  int surplus = 0;       ///< conditions more than coordinates
+  std::vector<int> idle_bodies;  ///< whose rotation is not determined (a roller's spin)
+  /// Those whose angle is determined by nothing but a rolling contact: they start with the angle of their
+  /// pose.
+  std::vector<int> phase_bodies;
+  int surplus = 0;       ///< number of conditions in excess of the coordinates
   bool couples = false;  ///< some of the groups are CoupledBodies
   double size = 1;       ///< size_of the mechanism [m]
 };
@@ -168,14 +171,14 @@ struct Plan {
 /// are below 1e-12 m.
 [[nodiscard]] double size_of(const Mechanism& mechanism);
 
-/// The plan of a mechanism: its conditions matched with its coordinates, and the smallest sets of bodies that
-/// can be solved one after the other (strongly connected components), each recognised as a closed-form group
-/// where it is one. Independent of the order of the description. Refuses mechanisms whose bodies are not all
-/// placed; the message names these bodies, the count, and what to add.
+/// The plan of a mechanism: its conditions are matched with its coordinates and split into the smallest sets
+/// of bodies that can be solved one after the other (strongly connected components); each is recognised as a
+/// closed-form group where possible. Independent of the order of the description. Refuses mechanisms some of
+/// whose bodies are not placed; the message names these bodies, the count, and what to add.
 [[nodiscard]] tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism);
 
-/// The plan of a mechanism that has the same bodies, joints, contacts and drivers as the one planned, but
-/// other dimensions: the order of solution is kept, the groups are filled in anew.
+/// The plan of a mechanism with the same bodies, joints, contacts and drivers as the planned one, but other
+/// dimensions: the order of solution is kept, the groups are filled in again.
 [[nodiscard]] Plan redimensioned(const Plan& plan, const Mechanism& mechanism);
 
 }  // namespace higherpair

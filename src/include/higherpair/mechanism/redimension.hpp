@@ -4,9 +4,9 @@
 
 namespace higherpair {
 
-/// Fills in the groups of a plan anew for a mechanism with other dimensions, in place, without allocation for
-/// groups of joints alone: what redimensioned() does, but Plan::size, and what depends on it, stay as they
-/// are. A dyad that its new dimensions make none (a link without length) becomes CoupledBodies.
+/// Fills in the groups of a plan again, in place, for a mechanism with other dimensions; does not allocate
+/// for groups of joints alone. Like redimensioned(), except that Plan::size, and what depends on it, are
+/// kept. A dyad that degenerates with its new dimensions (a link of zero length) becomes CoupledBodies.
 void redimension_groups(Plan& plan, const Mechanism& mechanism);
 
 }  // namespace higherpair

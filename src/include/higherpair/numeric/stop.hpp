@@ -4,8 +4,8 @@
 
 namespace higherpair {
 
-/// Whether somebody wants a long computation to end: a flag of theirs that another thread or a signal may
-/// raise; null where nobody may ask.
+/// Whether a long computation has been asked to end, by a flag that another thread or a signal handler may
+/// raise; null: it cannot be asked.
 [[nodiscard]] inline bool is_raised(const std::atomic<bool>* stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
