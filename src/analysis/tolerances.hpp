@@ -166,7 +166,7 @@ inline constexpr double kLargestCoupledStep = 0.3;
 inline constexpr double kCoupledRank = 1e-10;
 /// Scaled determinant above which a coupled group certainly has full rank.
 inline constexpr double kSurelyPlaced = 1e-9;
-/// A group is all but singular where its scaled determinant, the last step of Newton's method and the
+/// A group is all but singular where its smallest pivot, the last step of Newton's method and the
 /// remaining residual are below these; the latter two as fractions of the size.
 inline constexpr double kAllButSingular = 1e-6;
 inline constexpr double kSingularStep = 1e-6;

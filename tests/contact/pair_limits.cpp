@@ -37,9 +37,9 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
       r << distance.dot(at.n_W), g_phi, d.g_q;
     }
     J *= unit.asDiagonal();
-    // The last equation is a length only for a turning follower.
-    J.row(2) *= length / unit(1);
-    r(2) *= length / unit(1);
+    // ∂gap/∂q times the unit of q is a length, as the other equations are.
+    J.row(2) *= unit(1);
+    r(2) *= unit(1);
     const Eigen::FullPivLU<Eigen::Matrix3d> lu(J);
     const Eigen::Vector3d step = lu.solve(-r);
     const double size = step.cwiseAbs().sum();
