@@ -27,8 +27,8 @@ namespace higherpair {
 /// Sets the group's sine and mode: whether its conditions have lost their rank, and on which branch it is.
 void judge_coupled(const Planned& model, std::size_t g, State& state);
 
-/// How far the group's conditions are from singular at the present poses of its bodies: the smallest pivot, with
-/// the sign of the determinant (GroupState::sine).
+/// How far the group's conditions are from singular at the present poses of its bodies: the smallest pivot,
+/// with the sign of the determinant (GroupState::sine).
 [[nodiscard]] double coupled_sine(const Planned& model, std::size_t g, const State& state);
 
 /// Sets velocities and accelerations from the same conditions.
