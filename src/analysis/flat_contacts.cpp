@@ -84,7 +84,7 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
         fmt::format("; the follower's rate for a unit rate of the driver jumps {}",
                     from_to_text(follower_rate(run.at.state, *touching), follower_rate(over, *touching)));
   }
-  run.at.watches[passage.contact].jumped = true;
+  run.at.watches[passage.contact].interrupted = true;
   std::swap(run.at.state, over);
   run.events.push_back(std::move(event));
   note_edge(run, path, s, passage.contact, over.contacts[passage.contact].place);

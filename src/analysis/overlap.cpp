@@ -151,7 +151,7 @@ void report(Run& run, std::size_t contact, const Path& path, double s,
   if (change) {
     OverlapWatch& watch = run.at.watches[contact];
     watch.overlaps = false;
-    watch.jumped = true;
+    watch.interrupted = true;
     event.type = EventType::kSecondContact;
     event.cause = fmt::format(
         "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
@@ -177,7 +177,7 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
     run.events.pop_back();
   }
   run.at.watches[contact].overlaps = false;
-  run.at.watches[contact].jumped = true;
+  run.at.watches[contact].interrupted = true;
   run.events.push_back(std::move(event));
 }
 

@@ -111,6 +111,15 @@ Path part_of_way(const Run& run, const std::vector<double>& from, const std::vec
   return path;
 }
 
+// The motion is taken up again behind a gap, in which arcs along the curves are not measured.
+void hold_again(Run& run) {
+  renew_overlaps(run);
+  for (OverlapWatch& watch : run.at.watches) {
+    watch.interrupted = true;
+  }
+  run.at.held = true;
+}
+
 // Follows the path from run.at.state, whose rates may be those of another path.
 bool follow_part(Run& run, const Path& path, double first_step = std::numeric_limits<double>::infinity()) {
   if (!path.is_single()) {
@@ -123,8 +132,7 @@ bool follow_part(Run& run, const Path& path, double first_step = std::numeric_li
 // Continues the motion from where it was lost, after the drivers have come back from the limit.
 bool come_back(Run& run, const std::vector<double>& drivers) {
   const Path path = part_of_way(run, run.at.lost.from, drivers);
-  renew_overlaps(run);
-  run.at.held = true;
+  hold_again(run);
   report_limit(run, path, run.at.lost.event);
   const double to_limit = way_between(run, run.at.lost.from, run.at.lost.at);
   return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
@@ -216,8 +224,7 @@ private:
 // begins.
 void StretchSearch::go_on_from(const Run& back, const State& state, double from) {
   const State lost = std::exchange(run_.at.state, state);
-  renew_overlaps(run_);
-  run_.at.held = true;
+  hold_again(run_);
   run_.at.beside.reset();
   run_.at.drivers = drivers_at(from);
   const Path path = part_of_way(run_, line_.begin(), drivers_);

@@ -103,7 +103,7 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   mark_rates(run, row);
   set_local_curves(run);
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
-    row.arcs_hold[i] = !run.at.watches[i].jumped;
+    row.arcs_hold[i] = !run.at.watches[i].interrupted;
     row.status = run.at.watches[i].overlaps ? RowStatus::kOverlap : row.status;
   }
   row.residual = residual_of(run);

@@ -75,7 +75,7 @@ bool tells_alike(const Run& a, const Run& b) {
     return one.sense == other.sense;
   };
   const auto same_watch = [](const OverlapWatch& one, const OverlapWatch& other) {
-    return one.overlaps == other.overlaps && one.jumped == other.jumped;
+    return one.overlaps == other.overlaps && one.interrupted == other.interrupted;
   };
   const auto same_crossing = [&](const Crossing& one, const Crossing& other) {
     return one.group == other.group && std::abs(one.s - other.s) <= kSameStanding * (1 + std::abs(one.s));

@@ -198,6 +198,27 @@ TEST(SecondContacts, BeginWhereTwoContactsHoldAtOnceWhateverTheSpacingOfRows) {
   }
 }
 
+// A step that leads just over a second contact is shortened by less than what is taken along at its end.
+TEST(SecondContacts, AreFoundFromAnyRowBehind) {
+  const Profile profile = shipped("oval_in_ring");
+  const double at = events_of(profile.mechanism, EventType::kSecondContact, 360).at(0).driver;
+  for (const double before : {0.5, 0.112, 1e-2, 1e-4}) {
+    for (const double behind : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8}) {
+      auto run = start_run(profile.mechanism, {0}).value();
+      auto fine = run;
+      for (const double u : {at - before, at + behind}) {
+        move_to(run, {{u, 1, 0}});
+        ASSERT_EQ(run.row.status, RowStatus::kOk) << before << " before, " << behind << " behind";
+      }
+      for (int k = 1; k <= 64; ++k) {
+        move_to(fine, {{(at + behind) * k / 64, 1, 0}});
+      }
+      EXPECT_NEAR(run.row.bodies[2].theta, fine.row.bodies[2].theta, 1e-12)
+          << before << " before, " << behind << " behind";
+    }
+  }
+}
+
 TEST(SecondContacts, KeepTheBodiesApart) {
   const Profile profile = shipped("oval_in_ring");
   auto run = start_run(profile.mechanism, {0}).value();

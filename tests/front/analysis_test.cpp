@@ -117,6 +117,21 @@ TEST(Path, IsNotGoodWhereALimitLiesBetweenTwoRowsThatAreOk) {
   EXPECT_TRUE(model.run(settings).value().good());
 }
 
+// Arcs along the curves end in a gap of the motion, whether a row lies in it or not.
+TEST(Path, HasNoArcsBehindALimitBetweenTwoRowsThatAreOk) {
+  const Model model = shipped_model("lock_up");
+  RunSettings settings;
+  for (const std::vector<double>& positions :
+       {std::vector<double>{0, 10, 359}, {0, 10, 180, 359}, {0, 10, 60, 300, 359}}) {
+    settings.positions = positions;
+    const Motion motion = model.run(settings).value();
+    const std::span<const double> arcs = motion.column("touch.arc1").values;
+    EXPECT_LT(arcs[1], -9);
+    EXPECT_TRUE(std::isnan(arcs.back())) << positions.size();
+    EXPECT_EQ(motion.statuses().back(), RowStatus::kOk);
+  }
+}
+
 TEST(Path, IsNotGoodWhereAContactOpensBetweenTwoRowsThatAreOk) {
   RunSettings settings;
   settings.forces = true;

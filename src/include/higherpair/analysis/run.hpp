@@ -58,9 +58,9 @@ struct OutputJoint {
 
 /// Overlap monitoring of one contact.
 struct OverlapWatch {
-  bool needed = false;    ///< whether the bodies could overlap elsewhere
-  bool overlaps = false;  ///< they currently do
-  bool jumped = false;    ///< the motion has switched to a second contact: arcs are interrupted
+  bool needed = false;       ///< whether the bodies could overlap elsewhere
+  bool overlaps = false;     ///< they currently do
+  bool interrupted = false;  ///< the motion has switched to a second contact or had a gap: arcs end there
 };
 
 /// Whether the bodies of a contact overlap at the end of the present step.
