@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -221,6 +222,12 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
   return first;
 }
 
+// Whether a contact has just passed the joint at the end of the path, to within rounding.
+bool ends_at(const Run& run, const Path& path, double s, const JointPassage& passage) {
+  return std::abs(path.length - s - passage.x) <= kJointAtEnd * unit_of(run, path) &&
+         is_on_other_span(run, {passage.contact, passage.side});
+}
+
 }  // namespace
 
 std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
@@ -228,13 +235,22 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
   if (turned.empty() && !changed_place(run)) {
     return std::nullopt;
   }
-  StateAside aside(run.work.trial);
+  State tried = run.work.trial;
   const double length = length_without_return(run, path, turned, s, h);
   const auto first = first_passage(run, path, turned, s, length);
-  if (first) {
-    aside.commit();
+  State at_joint = std::exchange(run.work.trial, std::move(tried));
+  if (!first) {
+    return std::nullopt;
   }
-  return first;
+  if (!ends_at(run, path, s, *first)) {
+    run.work.trial = std::move(at_joint);
+    return first;
+  }
+  // Rounding does not decide on which side of a joint a row is: it is still on the span that it has come by.
+  set_place_of(run, *first, first->before, run.work.trial);
+  path.motions(s + h, run.work.motions);
+  set_rates(run, run.work.motions, run.work.trial);
+  return joint_within(run, path, s, h);
 }
 
 }  // namespace higherpair

@@ -212,6 +212,8 @@ inline constexpr double kAtCorner = 1e-6;   // relative to the driver's scale
 
 // Places of contacts on boundaries.
 
+/// Fraction of the drivers' unit: a path that leads over a joint of spans by no more ends at the joint.
+inline constexpr double kJointAtEnd = 1e-12;
 /// A contact this near to the end of a span is at it, as a fraction of the boundary's size; on corners [rad].
 inline constexpr double kAtSpanEnd = 1e-6;
 /// How far beyond a second contact a step ends, as a fraction of the drivers' unit.

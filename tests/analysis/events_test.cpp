@@ -198,6 +198,29 @@ TEST(SecondContacts, BeginWhereTwoContactsHoldAtOnceWhateverTheSpacingOfRows) {
   }
 }
 
+// At 180 and 360 degrees a flat face touches joints of arcs.
+TEST(CurvatureJumps, AreBehindARowAtTheJointWhateverTheRowsBefore) {
+  const Mechanism mechanism = shipped("four_arc_cam").mechanism;
+  for (const int sense : {1, -1}) {
+    for (int rows = 1; rows <= 40; ++rows) {
+      auto run = start_run(mechanism, {0}).value();
+      for (const double turn : {0.5, 1.0}) {
+        const double from = turn - 0.5;
+        double last = NAN;  // place of a jump
+        for (int k = 1; k <= rows; ++k) {
+          move_to(run, {{sense * 2 * kPi * std::lerp(from, turn, static_cast<double>(k) / rows), 1, 0}});
+          for (const RunEvent& event : run.events) {
+            if (event.type == EventType::kCurvatureJump) last = event.driver;
+          }
+        }
+        const double flank = sense > 0 ? 0.5 : 1.0;  // the joint that is reached on a flank
+        EXPECT_NEAR(run.row.contacts[0].at.rho1, turn == flank ? 0.038 : 0.02, 1e-12) << rows << " " << turn;
+        EXPECT_GT(std::abs(last - sense * 2 * kPi * turn), 0.1) << rows << " " << turn;
+      }
+    }
+  }
+}
+
 // A step that leads just over a second contact is shortened by less than what is taken along at its end.
 TEST(SecondContacts, AreFoundFromAnyRowBehind) {
   const Profile profile = shipped("oval_in_ring");
