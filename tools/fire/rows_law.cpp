@@ -140,6 +140,8 @@ public:
   Comparison(const RunRecord& coarse, const RunRecord& fine) : coarse_(coarse), fine_(fine) {}
 
   Failure compare();
+  /// Of rows alone, before the first limit or beyond it. \pre both runs have two rows
+  Failure rows(bool beyond);
 
 private:
   [[nodiscard]] std::string at(std::size_t k) const {
@@ -147,7 +149,6 @@ private:
   }
   Failure limits();
   Failure events(bool beyond);
-  Failure rows(bool beyond);
   Failure row(std::size_t k, const RowValues& a, const RowValues& b);
 
   const RunRecord& coarse_;
@@ -302,6 +303,68 @@ Failure sound(const RunRecord& run) {
   return {};
 }
 
+// Rows right before and behind what happens on the path, each reached at once and among many others.
+class RowsAtEvents {
+public:
+  RowsAtEvents(const Profile& profile, const DriverSchedule& schedule, const RunRecord& fine)
+      : profile_(profile),
+        from_(schedule.state(0, 0).si.position),
+        to_(schedule.state(schedule.size() - 1, 0).si.position) {
+    const Happening* limit = first_limit(fine);
+    for (const Happening& event : fine.events) {
+      if (limit != nullptr && event.share >= limit->share) break;
+      if (events_.empty() || event.driver != events_.back()) events_.push_back(event.driver);
+      if (events_.size() == kMostEvents) break;
+    }
+  }
+
+  Failure compare() {
+    std::vector<double> places;
+    for (const double event : events_) {
+      for (const double distance : kDistances) {
+        for (const double at : {event - distance * (to_ - from_), event + distance * (to_ - from_)}) {
+          if ((at - from_) * (to_ - at) > 0) places.push_back(at);
+        }
+      }
+    }
+    std::sort(places.begin(), places.end(),
+              [&](double a, double b) { return std::abs(a - from_) < std::abs(b - from_); });
+    if (places.size() < 2) {
+      return {};
+    }
+    const RunRecord among_others = all_of(places);
+    RunRecord at_once;
+    for (const double place : places) {
+      at_once.rows.push_back(all_of({place}).rows.back());
+    }
+    Failure failure = Comparison(at_once, among_others).rows(false);
+    if (failure) {
+      failure.law = "at events: " + failure.law;
+      failure.detail += fmt::format(", driver at {}", places[static_cast<std::size_t>(failure.row)]);
+    }
+    return failure;
+  }
+
+private:
+  static constexpr std::size_t kMostEvents = 6;
+  static constexpr std::array<double, 5> kDistances{1e-2, 1e-3, 1e-4, 1e-6, 1e-8};  // fractions of the path
+
+  // Their rows in one run.
+  [[nodiscard]] RunRecord all_of(const std::vector<double>& places) const {
+    RunRecord record;
+    auto run = start_run(profile_.mechanism, {from_});
+    for (const double place : places) {
+      move_to(*run, {{place, 1, 0}});
+      record.rows.push_back(values_of(*run));
+    }
+    return record;
+  }
+
+  const Profile& profile_;
+  double from_, to_;
+  std::vector<double> events_;  // positions of the driver
+};
+
 }  // namespace
 
 RunRecord record_run(const Profile& profile, bool timed, std::int64_t samples) {
@@ -323,8 +386,15 @@ Failure rows_law(const Profile& profile, bool timed) {
       return f;
     }
   }
-  const Failure near = Comparison(runs[1], runs[2]).compare();
-  return near ? near : Comparison(runs[0], runs[2]).compare();
+  for (const RunRecord& few : {runs[1], runs[0]}) {
+    if (auto f = Comparison(few, runs[2]).compare()) {
+      return f;
+    }
+  }
+  const auto schedule = DriverSchedule::analyze(profile, 2);
+  return timed || !schedule || schedule->driver_count() != 1 || !runs[2].not_started.empty()
+             ? Failure{}
+             : RowsAtEvents(profile, *schedule, runs[2]).compare();
 }
 
 }  // namespace higherpair::fire

@@ -42,7 +42,9 @@ struct RunRecord {
 
 /// The rows law: the results of a run do not depend on its number of rows. Runs the profile with 7, 61 and
 /// 601 rows, and compares first the limit, the events before it and the rows that all runs share up to it,
-/// then all that follows. The law of a failure names the kind of disagreement.
+/// then all that follows. At last it compares rows right before and behind events of a single driver's path
+/// that are reached at once with those that are reached by many. The law of a failure names the kind of
+/// disagreement.
 [[nodiscard]] Failure rows_law(const Profile& profile, bool timed);
 
 }  // namespace higherpair::fire
