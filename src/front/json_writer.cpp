@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace higherpair {
 namespace {

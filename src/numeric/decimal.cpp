@@ -4,7 +4,7 @@
 #include <fast_float/fast_float.h>
 #include <iterator>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #endif
 
 namespace higherpair {
