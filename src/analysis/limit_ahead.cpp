@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace higherpair {
 namespace {
@@ -195,6 +196,12 @@ void LimitAhead::look_how_far(double s) {
     const ContactMotion& motion = run_.at.state.contacts[i];
     const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
     farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
+  }
+  for (const Group& group : run_.plan().groups) {
+    for (const int body :
+         traits_of(group).coupled ? std::span<const int>(group.bodies) : std::span<const int>()) {
+      farthest = std::max(farthest, body_in(run_.at.state, body).X_WB.p_WB.norm());
+    }
   }
   if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
     far_ = Far{run_.at.state, s};

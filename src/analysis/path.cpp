@@ -186,6 +186,9 @@ private:
       return Outcome::kGoesOn;
     }
     length_.taken();
+    if (limit_.is_known()) {
+      limit_.look_how_far(at_.s);
+    }
     if (std::abs(step_) > first_refused_ / 2) {
       refused_ = 0;
       first_refused_ = 0;
@@ -267,6 +270,7 @@ private:
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
+    at_.s = limit_.go_back_from_far().value_or(at_.s);
     forget_strokes_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
     return Outcome::kLost;
