@@ -67,6 +67,7 @@ public:
       columns.values(run, place, values);
       if (!there) std::fill(values.begin(), values.end(), kNone);
       values_.push_back(values);
+      assembled_.push_back(there);
       if (knots.size() == 1) break;
     }
   }
@@ -98,9 +99,13 @@ private:
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   [[nodiscard]] Peak refined(std::size_t column, double sign, std::size_t k, double noise) {
-    const double from = at_[k > 0 ? k - 1 : k], to = at_[std::min(k + 1, at_.size() - 1)];
+    const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, at_.size() - 1);
     Peak peak{at_[k], sign * values_[k][column]};
-    PathWalk walk = marks_[(k > 0 ? k - 1 : k) / kMarkEvery];
+    if (!assembled_[before] || !assembled_[after]) {
+      return peak;  // next to a limit: every place beyond it would be a search for where the motion goes on
+    }
+    const double from = at_[before], to = at_[after];
+    PathWalk walk = marks_[before / kMarkEvery];
     Run run = walk.go_to(columns_.place(from));
     std::vector<DriverMotion> drivers;
     std::vector<double> values;
@@ -121,6 +126,7 @@ private:
   PathColumns& columns_;
   std::vector<double> at_;
   std::vector<std::vector<double>> values_;
+  std::vector<bool> assembled_;
   std::vector<PathWalk> marks_;
 };
 
