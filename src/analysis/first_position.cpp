@@ -31,9 +31,11 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
   return find_contact(pair, u, q, sense > 0 ? 1 : -1, false);
 }
 
-// Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`.
-std::optional<BoundaryContact> first_boundary_contact(const BoundaryPair& pair, const Contact& contact,
-                                                      double u, double q, double sign, double size) {
+// Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`;
+// none once the run has been stopped.
+std::optional<BoundaryContact> first_boundary_contact(const Run& run, const BoundaryPair& pair,
+                                                      const Contact& contact, double u, double q,
+                                                      double sign) {
   const double sense = contact.approach == Approach::kNearest    ? 0
                        : contact.approach == Approach::kPositive ? sign
                                                                  : -sign;
@@ -41,16 +43,19 @@ std::optional<BoundaryContact> first_boundary_contact(const BoundaryPair& pair, 
   constexpr double kFar = std::numeric_limits<double>::infinity();
   double least = kFar;
   for (BoundaryContact& found : find_boundary_contacts(pair, u, {-kFar, kFar})) {
+    if (is_stopped(run)) {
+      return std::nullopt;
+    }
     if (pair.motion2.turns) {
       found.q = nearest_turn(found.q, q);
       found.q += sense * (found.q - q) < 0 ? sense * 2 * kPi : 0;
     }
     const double distance = sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
     const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
-    if (wanted &&
-        (contact.both_sides || deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                                                   pose_at(pair.motion2, found.q), kOverlapDepth * size)
-                                       .depth == 0)) {
+    if (wanted && (contact.both_sides ||
+                   deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                                       pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size)
+                           .depth == 0)) {
       best = found;
       least = distance;
     }
@@ -226,7 +231,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const BoundaryPair pair = standing_boundaries(model_, touching, placed);
   const double size = run_.plan().size;
-  const auto found = first_boundary_contact(pair, contact, placed.u, posed, touching.follower.sign, size);
+  const auto found = first_boundary_contact(run_, pair, contact, placed.u, posed, touching.follower.sign);
   GroupState& group = touching_start_.groups[g];
   group.held =
       contact.keep == Keep::kGap &&
