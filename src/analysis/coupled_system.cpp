@@ -5,6 +5,8 @@
 #include "series_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -13,6 +15,18 @@ namespace {
 Eigen::Index column_of(const Group& group, int body) {
   const auto found = std::find(group.bodies.begin(), group.bodies.end(), body);
   return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
+}
+
+// A point of ground that the mechanism is joined to.
+Vector2d place_of_ground(const Mechanism& mechanism) {
+  for (const Joint& joint : mechanism.joints) {
+    for (const PointRef& point : {joint.first, joint.second}) {
+      if (point.body == 0 && !couples_turning(joint.type)) {
+        return mechanism.bodies[0].points[static_cast<std::size_t>(point.point)].p_B;
+      }
+    }
+  }
+  return Vector2d::Zero();
 }
 
 }  // namespace
@@ -119,6 +133,20 @@ Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>
         J.row(static_cast<Eigen::Index>(i)));
   }
   return J;
+}
+
+double farthest_coupled(const Planned& model, const State& state) {
+  const Vector2d ground = place_of_ground(model.mechanism);
+  double farthest = 0;
+  for (const Group& group : model.plan.groups) {
+    if (!traits_of(group).coupled) continue;
+    for (const Vector2d& p_W : places_of(model, group, state)) {
+      const double distance = (p_W - ground).norm();
+      farthest =
+          std::max(farthest, std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance);
+    }
+  }
+  return farthest;
 }
 
 }  // namespace higherpair

@@ -36,6 +36,10 @@ void hold_angles(const std::vector<int>& held, const State& in, const State& to,
 [[nodiscard]] std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
                                               std::optional<int> body = std::nullopt);
 
+/// The largest distance of a place of coupled bodies, or of their contacts, from a point of ground that the
+/// mechanism is joined to [m]; infinite where one is undefined, 0 without coupled bodies.
+[[nodiscard]] double farthest_coupled(const Planned& model, const State& state);
+
 /// Σ weight · (derivatives of a row by the coordinates).
 [[nodiscard]] Eigen::VectorXd gradient_of(const Group& group, const std::vector<ConstraintRow>& rows,
                                           const Eigen::VectorXd& weights, double size);

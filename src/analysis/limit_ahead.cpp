@@ -1,5 +1,6 @@
 #include "limit_ahead.hpp"
 
+#include "coupled_system.hpp"
 #include "group_kinds.hpp"
 #include "group_solver.hpp"
 #include "higherpair/contact/critical_positions.hpp"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace higherpair {
 namespace {
@@ -197,12 +197,7 @@ void LimitAhead::look_how_far(double s) {
     const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
     farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
   }
-  for (const Group& group : run_.plan().groups) {
-    for (const int body :
-         traits_of(group).coupled ? std::span<const int>(group.bodies) : std::span<const int>()) {
-      farthest = std::max(farthest, body_in(run_.at.state, body).X_WB.p_WB.norm());
-    }
-  }
+  farthest = std::max(farthest, farthest_coupled(model_of(run_), run_.at.state));
   if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
     far_ = Far{run_.at.state, s};
   }

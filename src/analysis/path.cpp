@@ -225,16 +225,9 @@ private:
       if (exhausted && limit_.rests_before(at_.s)) {
         return Outcome::kArrived;
       }
-      return exhausted ? lose(limit_.known()) : lose_assumed(g);
+      return lose(exhausted ? limit_.known() : limit_.assumed(g, at_.s));
     }
     return Outcome::kGoesOn;
-  }
-
-  // Go back to where rates have their digits, so that the motion can be taken up again from there.
-  Outcome lose_assumed(std::size_t g) {
-    const PathLimit limit = limit_.assumed(g, at_.s);
-    at_.s = limit_.go_back_from_far().value_or(at_.s);
-    return lose(limit);
   }
 
   // Goes on beyond what looks like a limit but is a joint of spans: where two flat parts come to lie on each
@@ -269,8 +262,9 @@ private:
     const RunEvent event = limit_event(run_, limit.group, path_, limit.s);
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
-    const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
+    // From where rates have their digits the motion can be taken up again.
     at_.s = limit_.go_back_from_far().value_or(at_.s);
+    const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
     forget_strokes_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
     return Outcome::kLost;

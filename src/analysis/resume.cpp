@@ -54,31 +54,9 @@ bool has_contact_far_out(const Run& run) {
                      });
 }
 
-// A point of ground that the mechanism is joined to.
-Vector2d place_of_ground(const Run& run) {
-  for (const Joint& joint : run.mechanism().joints) {
-    for (const PointRef& point : {joint.first, joint.second}) {
-      if (point.body == 0 && !couples_turning(joint.type)) {
-        return run.mechanism().bodies[0].points[static_cast<std::size_t>(point.point)].p_B;
-      }
-    }
-  }
-  return Vector2d::Zero();
-}
-
 // Whether coupled bodies or their contacts have run off to infinity: no iteration leads across it.
 bool has_coupled_far_out(const Run& run) {
-  const Vector2d ground = place_of_ground(run);
-  const auto& groups = run.plan().groups;
-  return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
-    if (!traits_of(group).coupled) {
-      return false;
-    }
-    const std::vector<Vector2d> places = places_of(model_of(run), group, run.at.state);
-    return std::any_of(places.begin(), places.end(), [&](const Vector2d& p_W) {
-      return !((p_W - ground).norm() <= kCoupledFarOut * run.plan().size);
-    });
-  });
+  return farthest_coupled(model_of(run), run.at.state) > kCoupledFarOut * run.plan().size;
 }
 
 // Whether the drivers are at the limit, to within half of the tolerance of a row there, or have come back

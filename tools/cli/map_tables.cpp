@@ -136,8 +136,7 @@ std::string map_json(const MapReport& report) {
         }
         rows += rows.empty() ? "" : ",";
         rows += text_of(Json::array({contact.contact, i + 1, row.driver, row.position, row.x, row.y,
-                                     row.normal, branch.opposed, row.free}),
-                        -1);
+                                     row.normal, branch.opposed, row.free}));
       }
     }
   }
@@ -152,7 +151,7 @@ std::string map_json(const MapReport& report) {
                         {{"name", "opposed"}, {"unit", nullptr}},
                         {{"name", "free"}, {"unit", nullptr}}};
   std::string text =
-      text_of(Json{{"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}}, -1);
+      text_of(Json{{"format", 1}, {"title", report.title}, {"contacts", contacts}, {"columns", columns}});
   text.pop_back();  // without its closing brace: the rows, the bulk of a long map, are appended as text
   return text + ",\"rows\":[" + rows + "]}\n";
 }

@@ -23,11 +23,11 @@ void RowWriter::begin(const std::string& title) {
     file_->write(head);
     return;
   }
-  head += "{\"format\": 1, \"title\": " + text_of(title, -1) + ",\n\"columns\": [";
+  head += "{\"format\": 1, \"title\": " + text_of(title) + ",\n\"columns\": [";
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::string unit = columns_[i].unit.empty() ? "null" : text_of(columns_[i].unit, -1);
-    head += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + text_of(columns_[i].name, -1)) +
-            ", \"unit\": " + unit + "}";
+    const std::string unit = columns_[i].unit.empty() ? "null" : text_of(columns_[i].unit);
+    head += (i > 0 ? ",\n  " : "\n  ") + ("{\"name\": " + text_of(columns_[i].name)) + ", \"unit\": " + unit +
+            "}";
   }
   file_->write(head + "],\n\"rows\": [");
 }
@@ -41,7 +41,7 @@ void RowWriter::append_json_row(const RowBlock& block, std::size_t row, std::str
     if (std::isnan(value)) {
       out += "null";
     } else if (!columns_[i].words.empty()) {
-      out += text_of(word_of(columns_[i], value), -1);
+      out += text_of(word_of(columns_[i], value));
     } else {
       char text[32];
       out.append(text, std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr);
@@ -71,7 +71,7 @@ void RowWriter::end(const std::vector<Event>& events, bool good) {
           {"time", event.time ? nlohmann::json(*event.time) : nlohmann::json()},
           {"item", event.item.empty() ? nlohmann::json() : nlohmann::json(event.item)},
           {"cause", event.cause}};
-      tail += (i > 0 ? ",\n  " : "\n  ") + text_of(json, -1);
+      tail += (i > 0 ? ",\n  " : "\n  ") + text_of(json);
     }
     file_->write(tail + fmt::format("],\n\"ok\": {}}}\n", good));
   }

@@ -386,8 +386,8 @@ Failure rows_law(const Profile& profile, bool timed) {
       return f;
     }
   }
-  for (const RunRecord& few : {runs[1], runs[0]}) {
-    if (auto f = Comparison(few, runs[2]).compare()) {
+  for (const std::size_t few : {1U, 0U}) {
+    if (auto f = Comparison(runs[few], runs[2]).compare()) {
       return f;
     }
   }

@@ -34,7 +34,7 @@ std::string verdicts_json(const std::vector<Verdict>& verdicts, double bound) {
   for (const Verdict& verdict : verdicts) {
     references.push_back(verdict_json(verdict, bound));
   }
-  return text_of({{"format", 1}, {"bound", bound}, {"references", references}}, 1) + "\n";
+  return document_of({{"format", 1}, {"bound", bound}, {"references", references}}, 1);
 }
 
 }  // namespace higherpair::cli
