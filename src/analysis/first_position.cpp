@@ -53,9 +53,8 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
     const double distance = sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
     const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
     if (wanted && (contact.both_sides ||
-                   deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                                       pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size)
-                           .depth == 0)) {
+                   !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                                   pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size))) {
       best = found;
       least = distance;
     }

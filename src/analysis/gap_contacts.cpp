@@ -286,9 +286,8 @@ bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional
   const double lever =
       pair.motion2.turns ? (pair.boundary2->size() + pair.boundary2->middle_B().norm()) / size : 1 / size;
   return std::abs(*nearest - posed) * lever > kStartsApart &&
-         deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                             pose_at(pair.motion2, posed), kOverlapOfBoundaries * size)
-                 .depth == 0;
+         !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                         pose_at(pair.motion2, posed), kOverlapOfBoundaries * size);
 }
 
 }  // namespace higherpair

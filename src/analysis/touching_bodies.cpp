@@ -164,10 +164,8 @@ GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touc
     return std::abs(a.q - lost) < std::abs(b.q - lost);
   });
   const auto nearest = std::find_if(all.begin(), all.end(), [&](const BoundaryContact& found) {
-    return alone ||
-           deepest_penetration(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
-                               pose_at(pair.motion2, found.q), kOverlapOfBoundaries * model.plan.size)
-                   .depth == 0;
+    return alone || !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                                    pose_at(pair.motion2, found.q), kOverlapOfBoundaries * model.plan.size);
   });
   if (nearest == all.end()) {
     return place_touching(model, touching, g, from, 0, to);

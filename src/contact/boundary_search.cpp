@@ -2,7 +2,7 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "polyline_crossings.hpp"
+#include "higherpair/geometry/polyline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,15 +81,27 @@ std::optional<BoundaryContact> contact_between(const BoundaryPair& pair, double 
 
 std::vector<BoundaryContact> contacts_at_crossings(const BoundaryPair& pair, double u) {
   const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
-  const Features features1 = features_of(*pair.boundary1, pose_at(pair.motion1, u), pair.motion2, 1, scale);
-  const Features features2 = features_of(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale);
+  const Polyline curve1(features_of(*pair.boundary1, pose_at(pair.motion1, u), pair.motion2, 1, scale));
+  const Polyline curve2(features_of(*pair.boundary2, pose_at(pair.motion2, 0), pair.motion2, -1, scale));
   std::vector<BoundaryContact> contacts;
-  for_each_crossing(features1, features2, pair.motion2.turns ? 0 : 2 * kPi * scale,
-                    [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
-                      if (auto contact = contact_between(pair, u, place1, place2)) {
-                        contacts.push_back(*std::move(contact));
-                      }
-                    });
+  const auto look = [&](const Pose<double>& X_12) {
+    for (const PolylineCrossing& at : polyline_crossings(curve1, curve2, X_12)) {
+      if (auto contact = contact_between(pair, u, at.places[0], at.places[1])) {
+        contacts.push_back(*std::move(contact));
+      }
+    }
+  };
+  if (pair.motion2.turns) {
+    look({});
+    return contacts;
+  }
+  // The first coordinate is an angle: the second curve repeats itself at every turn.
+  const double turn = 2 * kPi * scale;
+  const PartBox &box1 = curve1.node(0).box, &box2 = curve2.node(0).box;
+  const double last = std::floor((box1.high.x() - box2.low.x()) / turn);
+  for (double k = std::ceil((box1.low.x() - box2.high.x()) / turn); k <= last; ++k) {
+    look({{}, Vector2d(k * turn, 0)});
+  }
   return contacts;
 }
 

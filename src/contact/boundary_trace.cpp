@@ -62,9 +62,8 @@ bool BoundaryTrace::is_free(bool opposed, const SheetPoint& at) const {
   if (!opposed || at.bend < -kNotConcave / size) {
     return false;
   }
-  return deepest_penetration(*pair.boundary1, pose_at(pair.motion1, at.u), *pair.boundary2,
-                             pose_at(pair.motion2, at.q), kTouchingDepth * size)
-             .depth == 0;
+  return !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, at.u), *pair.boundary2,
+                         pose_at(pair.motion2, at.q), kTouchingDepth * size);
 }
 
 }  // namespace higherpair

@@ -2,12 +2,15 @@
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "polyline_crossings.hpp"
+#include "higherpair/geometry/polyline.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -40,8 +43,17 @@ BoundaryPlace first_guess(const Boundary& boundary, const Feature& nearest, cons
   return end_of(boundary, next, !forward);
 }
 
-Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d& p_B) {
-  const auto foot = foot_near(boundary, p_B, first_guess(boundary, samples.nearest(p_B), p_B), kNearFoot);
+// A body in its pose.
+struct PlacedBoundary {
+  const Boundary& boundary;
+  const Pose<double>& X_WB;
+};
+
+Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
+  const Boundary& boundary = body.boundary;
+  const Vector2d p_B = body.X_WB.inverse_times(p_W);
+  const auto foot =
+      foot_near(boundary, p_B, first_guess(boundary, boundary.outline().nearest(p_B), p_B), kNearFoot);
   if (!foot) {
     return {};
   }
@@ -49,96 +61,65 @@ Depth depth_in(const Boundary& boundary, const PartTree& samples, const Vector2d
   return {(point.p_B - p_B).dot(point.n_B), *foot};
 }
 
-// A body, prepared for queries of how deep points are in it.
-class Inside {
-public:
-  Inside(const Boundary& boundary, const Pose<double>& X_WB)
-      : boundary_(boundary), X_WB_(X_WB), points_(features_of(boundary)), samples_(points_) {}
-
-  [[nodiscard]] const Boundary& boundary() const { return boundary_; }
-  [[nodiscard]] const Pose<double>& X_WB() const { return X_WB_; }
-  /// Its samples, in its frame.
-  [[nodiscard]] const Features& points() const { return points_; }
-  [[nodiscard]] Depth depth_of(const Vector2d& p_W) const {
-    return depth_in(boundary_, samples_, X_WB_.inverse_times(p_W));
-  }
-
-private:
-  static Features features_of(const Boundary& boundary) {
-    Features points;
-    for (const auto& [place, point] : boundary.samples()) {
-      points.push_back({point.p_B, place});
-    }
-    return points;
-  }
-
-  const Boundary& boundary_;
-  const Pose<double>& X_WB_;
-  Features points_;
-  PartTree samples_;
-};
-
-using Places = std::vector<BoundaryPlace>;
-
-// Where the outlines of two bodies cross, as places on each.
-std::array<Places, 2> crossings_of(const Inside& one, const Inside& two) {
-  const Pose<double> X_12{one.X_WB().R_WB.inverse() * two.X_WB().R_WB,
-                          one.X_WB().inverse_times(two.X_WB().p_WB)};
-  Features points2 = two.points();
-  for (Feature& point : points2) {
-    point.at = X_12 * point.at;
-  }
-  std::array<Places, 2> crossings;
-  for_each_crossing(one.points(), points2, 0, [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
-    crossings[0].push_back(place1);
-    crossings[1].push_back(place2);
-  });
-  return crossings;
+// Where the outlines of two bodies cross.
+std::vector<PolylineCrossing> crossings_of(const PlacedBoundary& one, const PlacedBoundary& two) {
+  const Pose<double> X_12{one.X_WB.R_WB.inverse() * two.X_WB.R_WB, one.X_WB.inverse_times(two.X_WB.p_WB)};
+  return polyline_crossings(one.boundary.outline(), two.boundary.outline(), X_12);
 }
 
-// The samples of a body, and one point of each part into which the other body's outline cuts the boundary
-// between two of them: such a part is inside or outside of the other body as a whole, whatever its ends are.
-Features points_between(const Inside& own, Places cuts) {
-  const auto is_before = [](const BoundaryPlace& a, const BoundaryPlace& b) {
-    return a.span != b.span ? a.span < b.span : a.t < b.t;
-  };
-  std::sort(cuts.begin(), cuts.end(), is_before);
+// One point of each part into which the other body's outline cuts the first or second boundary between two of
+// its samples: such a part is inside or outside of the other body as a whole, whatever its ends are.
+Features points_beside(const std::vector<PolylineCrossing>& crossings, std::size_t which,
+                       const Boundary& own) {
+  std::vector<std::pair<std::size_t, double>> cuts;  // part, and parameter on it
+  for (const PolylineCrossing& at : crossings) {
+    cuts.emplace_back(at.parts[which], at.places[which].t);
+  }
+  std::sort(cuts.begin(), cuts.end());
   Features points;
-  auto cut = cuts.begin();
-  for (const Feature& sample : own.points()) {
-    BoundaryPlace from = points.empty() ? sample.place : points.back().place;
-    const auto add_up_to = [&](const BoundaryPlace& to) {
-      const BoundaryPlace middle{to.span, (from.t + to.t) / 2};
-      if (from.span == to.span && from.t < middle.t && middle.t < to.t) {
-        points.push_back({own.boundary().at(middle).p_B, middle});
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const auto [part, t] = cuts[i];
+    const BoundaryPlace& begin = own.outline().from(part).place;
+    const double end = own.outline().to(part).place.t;
+    const auto add = [&](double from, double to) {
+      const BoundaryPlace middle{begin.span, (from + to) / 2};
+      if (from < middle.t && middle.t < to) {
+        points.push_back({own.at(middle).p_B, middle});
       }
-      from = to;
     };
-    const auto first = cut;
-    for (; cut != cuts.end() && is_before(*cut, sample.place); ++cut) {
-      add_up_to(*cut);
+    const bool first = i == 0 || cuts[i - 1].first != part;
+    const bool last = i + 1 == cuts.size() || cuts[i + 1].first != part;
+    add(first ? begin.t : cuts[i - 1].second, t);
+    if (last) {
+      add(t, end);
     }
-    if (cut != first) {
-      add_up_to(sample.place);
-    }
-    points.push_back(sample);
   }
   return points;
 }
 
-// Points of a boundary, in order, with their depth in another body; -∞ far from it.
+// A point of a boundary with its depth in another body; -∞ far from it.
 struct PointDepth {
   Feature point;
   Depth depth;
 };
 
-std::vector<PointDepth> depths_of(const Inside& own, const Places& cuts, const Inside& other) {
-  const Vector2d middle_B = own.X_WB().inverse_times(other.X_WB() * other.boundary().middle_B());
-  const double reach = other.boundary().size() * (1 + kBesideBody) + kBesideBody * own.boundary().size();
+// The samples of a body and points beside its cuts, in order.
+std::vector<PointDepth> depths_of(const PlacedBoundary& own, const Features& beside_cuts,
+                                  const PlacedBoundary& other) {
+  const Features& samples = own.boundary.outline().features();
+  Features points;
+  points.reserve(samples.size() + beside_cuts.size());
+  std::merge(samples.begin(), samples.end(), beside_cuts.begin(), beside_cuts.end(),
+             std::back_inserter(points), [](const Feature& a, const Feature& b) {
+               return std::pair(a.place.span, a.place.t) < std::pair(b.place.span, b.place.t);
+             });
+  const Vector2d middle_B = own.X_WB.inverse_times(other.X_WB * other.boundary.middle_B());
+  const double reach = other.boundary.size() * (1 + kBesideBody) + kBesideBody * own.boundary.size();
   std::vector<PointDepth> depths;
-  for (const Feature& point : points_between(own, cuts)) {
+  depths.reserve(points.size());
+  for (const Feature& point : points) {
     const bool near = (point.at - middle_B).squaredNorm() <= reach * reach;
-    depths.push_back({point, near ? other.depth_of(own.X_WB() * point.at) : Depth{}});
+    depths.push_back({point, near ? depth_in(other, own.X_WB * point.at) : Depth{}});
   }
   return depths;
 }
@@ -159,33 +140,60 @@ void for_deepest(const std::vector<PointDepth>& depths, const F& f) {
   }
 }
 
-}  // namespace
+using PointsOfBoth = std::array<Features, 2>;
 
-Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
-                                const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
-  const Inside one(boundary1, X_W1);
-  const Inside two(boundary2, X_W2);
+Penetration find_penetration(const PlacedBoundary& one, const PlacedBoundary& two,
+                             const PointsOfBoth& beside_cuts, double tolerance) {
   Penetration worst;
   worst.depth = tolerance;
   const auto look = [&](double found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
     Penetration here{found, place1, place2};
-    const auto normal = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
+    const auto normal = find_boundary_normal(one.boundary, one.X_WB, two.boundary, two.X_WB, place1, place2);
     if (normal && -normal->at.gap() > here.depth) {
       // Behind one face of a thin body a point may be out of the body again.
-      const double depth = std::min(-normal->at.gap(), one.depth_of(normal->at.p2_W).depth);
+      const double depth = std::min(-normal->at.gap(), depth_in(one, normal->at.p2_W).depth);
       here = depth > here.depth ? Penetration{depth, normal->place1, normal->place2} : here;
     }
     worst = here.depth > worst.depth ? here : worst;
   };
-  const auto crossings = crossings_of(one, two);
-  for_deepest(depths_of(one, crossings[0], two), [&](const PointDepth& found) {
+  for_deepest(depths_of(one, beside_cuts[0], two), [&](const PointDepth& found) {
     look(found.depth.depth, found.point.place, found.depth.place);
   });
-  for_deepest(depths_of(two, crossings[1], one), [&](const PointDepth& found) {
+  for_deepest(depths_of(two, beside_cuts[1], one), [&](const PointDepth& found) {
     look(found.depth.depth, found.depth.place, found.point.place);
   });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;
+}
+
+PointsOfBoth points_beside_cuts(const PlacedBoundary& one, const PlacedBoundary& two) {
+  const auto crossings = crossings_of(one, two);
+  return {points_beside(crossings, 0, one.boundary), points_beside(crossings, 1, two.boundary)};
+}
+
+bool is_any_deep(const PlacedBoundary& own, const Features& points, const PlacedBoundary& other,
+                 double tolerance) {
+  return std::any_of(points.begin(), points.end(), [&](const Feature& point) {
+    return depth_in(other, own.X_WB * point.at).depth > tolerance;
+  });
+}
+
+}  // namespace
+
+Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
+                                const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
+  const PlacedBoundary one{boundary1, X_W1};
+  const PlacedBoundary two{boundary2, X_W2};
+  return find_penetration(one, two, points_beside_cuts(one, two), tolerance);
+}
+
+bool bodies_overlap(const Boundary& boundary1, const Pose<double>& X_W1, const Boundary& boundary2,
+                    const Pose<double>& X_W2, double tolerance) {
+  const PlacedBoundary one{boundary1, X_W1};
+  const PlacedBoundary two{boundary2, X_W2};
+  const PointsOfBoth points = points_beside_cuts(one, two);
+  return is_any_deep(one, points[0], two, tolerance) || is_any_deep(two, points[1], one, tolerance) ||
+         find_penetration(one, two, points, tolerance).depth > 0;
 }
 
 }  // namespace higherpair

@@ -161,9 +161,8 @@ CurveContacts curve_contacts(const BoundaryPair& pair, double u, const BoundaryC
     entry.p_W = at.at.p_W();
     entry.n_W = at.at.n_W;
     entry.opposed = true;
-    entry.free = deepest_penetration(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                                     pose_at(pair.motion2, at.q), tolerance)
-                     .depth == 0;
+    entry.free = !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                                 pose_at(pair.motion2, at.q), tolerance);
     found.contacts.push_back(entry);
   }
   return found;

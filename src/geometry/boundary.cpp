@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/local_conic.hpp"
+#include "higherpair/geometry/polyline.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 
@@ -108,7 +109,7 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
       return tl::unexpected(BoundaryFault{Kind::kCusp, sample.place.span, 0});
     }
   }
-  boundary.set_extent();
+  boundary.set_outline();
   const std::size_t count = boundary.spans_.size();
   for (std::size_t i = 0; i < count; ++i) {
     boundary.next_.push_back(static_cast<int>((i + 1) % count));
@@ -123,13 +124,18 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
   return boundary;
 }
 
-void Boundary::set_extent() {
+// From the samples.
+void Boundary::set_outline() {
+  Features points;
+  points.reserve(samples_.size());
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
   for (const Sample& sample : samples_) {
     low = low.cwiseMin(sample.point.p_B);
     high = high.cwiseMax(sample.point.p_B);
+    points.push_back({sample.point.p_B, sample.place});
   }
+  outline_ = std::make_shared<const Polyline>(std::move(points));
   size_ = (high - low).norm() / 2;
   middle_B_ = (low + high) / 2;
 }
@@ -151,7 +157,7 @@ Boundary Boundary::of_parts(const std::vector<Boundary>& parts) {
     }
     all.closed_ = all.closed_ && part.closed_;
   }
-  all.set_extent();
+  all.set_outline();
   return all;
 }
 

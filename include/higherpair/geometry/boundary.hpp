@@ -10,6 +10,8 @@
 
 namespace higherpair {
 
+class Polyline;
+
 /// A point of a span, in the body's frame B; t = n turned +90°.
 struct SpanPoint {
   Vector2d p_B = Vector2d::Zero();   ///< [m]
@@ -137,14 +139,17 @@ public:
     SpanPoint point;
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+  /// The polyline through the samples, in the body's frame.
+  [[nodiscard]] const Polyline& outline() const { return *outline_; }
 
 private:
-  void set_extent();
+  void set_outline();
 
   std::vector<SpanPtr> spans_;
   std::vector<SpanJoint> joints_;
   std::vector<int> next_, previous_;
   std::vector<Sample> samples_;
+  std::shared_ptr<const Polyline> outline_;
   bool closed_ = false;
   bool convex_ = false;
   Vector2d middle_B_ = Vector2d::Zero();

@@ -88,4 +88,9 @@ struct Penetration {
                                               const Boundary& boundary2, const Pose<double>& X_W2,
                                               double tolerance);
 
+/// Whether the depth of overlap exceeds `tolerance` [m]. Looks first where the outlines cross: if the bodies
+/// overlap widely it is much faster than deepest_penetration().
+[[nodiscard]] bool bodies_overlap(const Boundary& boundary1, const Pose<double>& X_W1,
+                                  const Boundary& boundary2, const Pose<double>& X_W2, double tolerance);
+
 }  // namespace higherpair

@@ -193,8 +193,6 @@ inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to 
 // Difference of q [rad, or relative to the size] up to which two contacts are the same ...
 inline constexpr double kSameFound = 1e-7;
 inline constexpr double kSameFoundPoint = 1e-5;  // ... if their points are as close as this
-/// How far a curve may deviate from the chord between two neighbouring points, relative to the chord.
-inline constexpr double kSlackOfPart = 0.25;
 // How far the curve of a piece may leave its chord, relative to the chord.
 inline constexpr double kSlackOfChord = 0.25;
 inline constexpr double kSlackOfNormal = 0.5;  // the same for its normals

@@ -83,6 +83,9 @@ inline constexpr double kSameSupportEnd = 1e-12;
 /// the two is met first.
 inline constexpr double kEdgeTurn = kPi / 2 - 1e-8;
 
+/// How far a curve may deviate from the chord between two neighbouring samples, relative to the chord.
+inline constexpr double kSlackOfPart = 0.25;
+
 // A boundary that crosses itself.
 
 // Fraction of a chord by which a crossing may lie beyond its ends.

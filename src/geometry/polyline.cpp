@@ -1,0 +1,158 @@
+#include "higherpair/geometry/polyline.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace higherpair {
+
+Polyline::Polyline(Features features) : features_(std::move(features)) {
+  for (std::size_t i = 1; i < features_.size(); ++i) {
+    if (features_[i - 1].place.span == features_[i].place.span) {
+      begins_.push_back(i - 1);
+    }
+  }
+  nodes_.reserve(begins_.size());
+  add(0, begins_.size());
+}
+
+std::size_t Polyline::add(std::size_t begin, std::size_t end) {
+  constexpr std::size_t kPartsOfLeaf = 4;
+  const std::size_t index = nodes_.size();
+  nodes_.push_back({begin, end, 0, {}});
+  PartBox box;
+  if (end - begin <= kPartsOfLeaf) {
+    for (std::size_t part = begin; part < end; ++part) {
+      box.extend(box_of(part));
+    }
+  } else {
+    const std::size_t middle = begin + (end - begin) / 2;
+    box = nodes_[add(begin, middle)].box;
+    nodes_[index].second = add(middle, end);
+    box.extend(nodes_[nodes_[index].second].box);
+  }
+  nodes_[index].box = box;
+  return index;
+}
+
+struct Polyline::Nearest {
+  Feature feature;
+  std::size_t part = 0;
+  double distance2 = std::numeric_limits<double>::infinity();
+};
+
+Feature Polyline::nearest(const Vector2d& p) const {
+  Nearest nearest;
+  look_at(0, p, nearest);
+  return nearest.feature;
+}
+
+void Polyline::look_at(std::size_t index, const Vector2d& p, Nearest& nearest) const {
+  const Node& here = nodes_[index];
+  if (here.box.squared_distance_to(p) > nearest.distance2) {
+    return;
+  }
+  if (here.second != 0) {
+    const bool first_is_nearer =
+        nodes_[index + 1].box.squared_distance_to(p) <= nodes_[here.second].box.squared_distance_to(p);
+    look_at(first_is_nearer ? index + 1 : here.second, p, nearest);
+    look_at(first_is_nearer ? here.second : index + 1, p, nearest);
+    return;
+  }
+  for (std::size_t part = here.begin; part < here.end; ++part) {
+    const Feature foot = foot_on(part, p);
+    const double distance2 = (foot.at - p).squaredNorm();
+    if (distance2 < nearest.distance2 || (distance2 == nearest.distance2 && part < nearest.part)) {
+      nearest = {foot, part, distance2};
+    }
+  }
+}
+
+// The place of a part that is nearest to a point; its ends without rounding, because neighbours share them.
+Feature Polyline::foot_on(std::size_t part, const Vector2d& p) const {
+  const Vector2d along = to(part).at - from(part).at;
+  const double share = along.dot(p - from(part).at) / along.squaredNorm();
+  if (!(share > 0)) {
+    return from(part);
+  }
+  return share < 1 ? Feature{from(part).at + share * along, between(from(part), to(part), share)} : to(part);
+}
+
+namespace {
+
+class MeetingParts {
+public:
+  MeetingParts(const Polyline& one, const Polyline& two, const Pose<double>& X_12)
+      : one_(one), two_(two), X_12_(X_12) {
+    visit(0, 0);
+    std::sort(pairs_.begin(), pairs_.end());
+  }
+  [[nodiscard]] std::vector<std::array<std::size_t, 2>> take() { return std::move(pairs_); }
+
+private:
+  void visit(std::size_t first, std::size_t second) {
+    const Polyline::Node& a = one_.node(first);
+    const Polyline::Node& b = two_.node(second);
+    if (!a.box.meets(b.box.moved(X_12_))) {
+      return;
+    }
+    if (a.second == 0 && b.second == 0) {
+      for (std::size_t i = a.begin; i < a.end; ++i) {
+        for (std::size_t k = b.begin; k < b.end; ++k) {
+          if (one_.box_of(i).meets(PartBox(X_12_ * two_.from(k).at, X_12_ * two_.to(k).at))) {
+            pairs_.push_back({i, k});
+          }
+        }
+      }
+    } else if (b.second == 0 || (a.second != 0 && a.box.extent() >= b.box.extent())) {
+      visit(first + 1, second);
+      visit(a.second, second);
+    } else {
+      visit(first, second + 1);
+      visit(first, b.second);
+    }
+  }
+
+  const Polyline& one_;
+  const Polyline& two_;
+  const Pose<double>& X_12_;
+  std::vector<std::array<std::size_t, 2>> pairs_;
+};
+
+// Where two short segments cross, or nearly do, as fractions of both.
+std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
+                                           const Vector2d& db) {
+  const double det = cross(da, db);
+  if (det == 0) {
+    return std::nullopt;
+  }
+  const Vector2d d = b - a;
+  const Vector2d shares(cross(d, db) / det, cross(d, da) / det);
+  const bool near = (shares.array() >= -kSlackOfPart).all() && (shares.array() <= 1 + kSlackOfPart).all();
+  return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
+                                                      const Pose<double>& X_12) {
+  return MeetingParts(one, two, X_12).take();
+}
+
+std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
+                                                 const Pose<double>& X_12) {
+  std::vector<PolylineCrossing> crossings;
+  for (const auto& parts : meeting_parts(one, two, X_12)) {
+    const auto [i, k] = parts;
+    const Vector2d a = one.from(i).at;
+    const Vector2d b = X_12 * two.from(k).at;
+    if (const auto shares = shares_of_crossing(a, one.to(i).at - a, b, X_12 * two.to(k).at - b)) {
+      crossings.push_back(
+          {parts,
+           {between(one.from(i), one.to(i), shares->x()), between(two.from(k), two.to(k), shares->y())}});
+    }
+  }
+  return crossings;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "higherpair/geometry/boundary.hpp"
+#include "higherpair/geometry/tolerances.hpp"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+// Plane curves given by points along them, with a tree of boxes for searches.
+
+namespace higherpair {
+
+/// A point of a boundary's plane curve, scaled to lengths, and the place on the boundary that it belongs to.
+struct Feature {
+  Vector2d at;
+  BoundaryPlace place;
+};
+
+using Features = std::vector<Feature>;
+
+[[nodiscard]] inline BoundaryPlace between(const Feature& a, const Feature& b, double share) {
+  return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
+}
+
+/// Box around the part from a to b, widened by its slack, or around several parts.
+struct PartBox {
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d high = -low;
+
+  PartBox() = default;
+  PartBox(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
+    const double slack = kSlackOfPart * (b - a).norm();
+    low.array() -= slack;
+    high.array() += slack;
+  }
+  void extend(const PartBox& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  [[nodiscard]] bool meets(const PartBox& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+  /// Box around this one in another frame.
+  [[nodiscard]] PartBox moved(const Pose<double>& X) const {
+    const Vector2d middle = X * Vector2d((low + high) / 2);
+    const Vector2d half = (high - low) / 2;
+    const Vector2d x = X.R_WB * Vector2d(half.x(), 0);
+    const Vector2d y = X.R_WB * Vector2d(0, half.y());
+    const Vector2d reach = x.cwiseAbs() + y.cwiseAbs();
+    PartBox box;
+    box.low = middle - reach;
+    box.high = middle + reach;
+    return box;
+  }
+  [[nodiscard]] double squared_distance_to(const Vector2d& p) const {
+    return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm();
+  }
+  [[nodiscard]] double extent() const { return (high - low).sum(); }
+};
+
+/// A polyline with a binary tree of boxes around its parts, each between two neighbouring features of one
+/// span.
+class Polyline {
+public:
+  explicit Polyline(Features features);
+
+  struct Node {
+    std::size_t begin = 0, end = 0;  ///< parts
+    /// Index of the node of the second half, that of the first half being the next one; 0: a leaf.
+    std::size_t second = 0;
+    PartBox box;
+  };
+  [[nodiscard]] const Features& features() const { return features_; }
+  [[nodiscard]] const Node& node(std::size_t i) const { return nodes_[i]; }
+  [[nodiscard]] const Feature& from(std::size_t part) const { return features_[begins_[part]]; }
+  [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
+  [[nodiscard]] PartBox box_of(std::size_t part) const { return {from(part).at, to(part).at}; }
+
+  /// The place nearest to a point on all parts; of equally near ones, that on the first part.
+  [[nodiscard]] Feature nearest(const Vector2d& p) const;
+
+private:
+  struct Nearest;
+
+  void look_at(std::size_t index, const Vector2d& p, Nearest& nearest) const;
+  [[nodiscard]] Feature foot_on(std::size_t part, const Vector2d& p) const;
+  std::size_t add(std::size_t begin, std::size_t end);
+
+  Features features_;
+  std::vector<std::size_t> begins_;
+  std::vector<Node> nodes_;
+};
+
+/// Pairs of parts, of one polyline and of another placed by X_12, whose boxes meet; in their order.
+[[nodiscard]] std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
+                                                                    const Pose<double>& X_12);
+
+/// Where two polylines cross, or nearly do.
+struct PolylineCrossing {
+  std::array<std::size_t, 2> parts;
+  std::array<BoundaryPlace, 2> places;
+};
+
+/// All crossings of one polyline with another placed by X_12, in the order of their parts. The cost grows
+/// about in proportion to the numbers of parts and of crossings.
+[[nodiscard]] std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
+                                                               const Pose<double>& X_12);
+
+}  // namespace higherpair
