@@ -1,10 +1,10 @@
 #include "higherpair/contact/near_places.hpp"
 
 #include "boundary_foot.hpp"
-#include "boundary_pieces.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,14 +74,12 @@ std::optional<NearPlace> end_near(const EndOver& over, const BoundaryPlace& end,
   return NearPlace{place.at.exchanged(), place.place2, place.place1, 2};
 }
 
-// Adds the ends of an open boundary that are near the other one. \param others  pieces of the other one, in
-// the frame of body 1
-void add_ends(const EndOver& over, const Pose<double>& X_1O, const BoundaryPieces& others, double reach,
-              std::vector<NearPlace>& places) {
+// Adds the ends of an open boundary that are near the other one.
+void add_ends(const EndOver& over, double reach, std::vector<NearPlace>& places) {
   const Boundary& own = *over.own;
   const auto add = [&](const BoundaryPlace& end) {
-    const auto nearest = nearest_place(others, X_1O * own.at(end).p_B, reach);
-    const auto place = nearest ? end_near(over, end, *nearest) : std::nullopt;
+    const Vector2d p_C = over.X_WC->inverse_times(*over.X_WO * own.at(end).p_B);
+    const auto place = end_near(over, end, over.other->outline().polyline().nearest(p_C).place);
     if (place && std::abs(place->at.gap()) <= reach) {
       places.push_back(*place);
     }
@@ -96,18 +94,83 @@ void add_ends(const EndOver& over, const Pose<double>& X_1O, const BoundaryPiece
   }
 }
 
+// A chord between two neighbouring samples, in the frame of body 1.
+struct Chord {
+  Feature from, to;
+
+  [[nodiscard]] Vector2d middle() const { return (from.at + to.at) / 2; }
+  [[nodiscard]] double length() const { return (to.at - from.at).norm(); }
+  [[nodiscard]] BoundaryPlace place_nearest(const Vector2d& p) const {
+    const Vector2d along = to.at - from.at;
+    const double squared = along.squaredNorm();
+    return between(from, to, squared > 0 ? std::clamp((p - from.at).dot(along) / squared, 0.0, 1.0) : 0.5);
+  }
+};
+
+// Finds the pairs of parts of two outlines that may have points with a common normal, at most `reach` apart.
+class FacingParts {
+public:
+  FacingParts(const Outline& one, const Outline& two, const Pose<double>& X_12, double reach)
+      : one_(one), two_(two), X_12_(X_12), reach_(reach) {}
+
+  /// Calls f with a place on each part.
+  template <class F>
+  void for_each(const F& f) const {
+    const auto may = [&](std::size_t first, std::size_t second) { return nodes_may_face(first, second); };
+    for_each_pair_of_leaves(one_.polyline(), two_.polyline(), may,
+                            [&](const Polyline::Node& a, const Polyline::Node& b) {
+                              for (std::size_t i = a.begin; i < a.end; ++i) {
+                                for (std::size_t k = b.begin; k < b.end; ++k) {
+                                  visit(i, k, f);
+                                }
+                              }
+                            });
+  }
+
+private:
+  [[nodiscard]] bool nodes_may_face(std::size_t first, std::size_t second) const {
+    PartBox box = two_.polyline().node(second).box.moved(X_12_);
+    box.widen(reach_);
+    return one_.polyline().node(first).box.meets(box) &&
+           may_be_opposed(one_.normals_of_node(first), two_.normals_of_node(second), X_12_.R_WB);
+  }
+
+  template <class F>
+  void visit(std::size_t i, std::size_t k, const F& f) const {
+    const NormalCone &normals1 = one_.normals_of_part(i), &normals2 = two_.normals_of_part(k);
+    if (!may_be_opposed(normals1, normals2, X_12_.R_WB)) {
+      return;
+    }
+    const Chord a{one_.polyline().from(i), one_.polyline().to(i)};
+    Chord b{two_.polyline().from(k), two_.polyline().to(k)};
+    b.from.at = X_12_ * b.from.at;
+    b.to.at = X_12_ * b.to.at;
+    const double lengths = a.length() + b.length();
+    const Vector2d apart = b.middle() - a.middle();
+    // Within the cones of normals the tangent turns, so that part of the offset along the normal counts along
+    // it.
+    const double turned = normals1.chord + normals2.chord;
+    const double along = std::abs(apart.dot(perp(normals1.middle)));
+    if (apart.norm() <= reach_ + lengths && along <= (0.5 + kSlackOfPart) * lengths + turned * apart.norm()) {
+      f(a.place_nearest(b.middle()), b.place_nearest(a.middle()));
+    }
+  }
+
+  const Outline& one_;
+  const Outline& two_;
+  const Pose<double>& X_12_;
+  double reach_;
+};
+
 }  // namespace
 
 std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                    const Boundary& boundary2, const Pose<double>& X_W2, double reach) {
-  const Pose<double> identity;
   const Pose<double> X_12{X_W1.R_WB.inverse() * X_W2.R_WB, X_W1.inverse_times(X_W2.p_WB)};
-  const BoundaryPieces one =
-      boundary_pieces(boundary1, identity, X_12 * boundary2.middle_B(), boundary2.size() + reach);
-  const BoundaryPieces two = boundary_pieces(boundary2, X_12, boundary1.middle_B(), boundary1.size() + reach);
   const double same = kSameNearPlace * (boundary1.size() + boundary2.size());
   std::vector<NearPlace> places;
-  for_each_facing(one, two, reach, [&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
+  const FacingParts facing(boundary1.outline(), boundary2.outline(), X_12, reach);
+  facing.for_each([&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
     const auto found = common_normal_near(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (!found || std::abs(found->at.gap()) > reach) {
       return;
@@ -120,8 +183,8 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
       places.push_back(*found);
     }
   });
-  add_ends({&boundary1, &X_W1, &boundary2, &X_W2, 1}, identity, two, reach, places);
-  add_ends({&boundary2, &X_W2, &boundary1, &X_W1, 2}, X_12, one, reach, places);
+  add_ends({&boundary1, &X_W1, &boundary2, &X_W2, 1}, reach, places);
+  add_ends({&boundary2, &X_W2, &boundary1, &X_W1, 2}, reach, places);
   return places;
 }
 

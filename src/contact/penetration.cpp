@@ -2,7 +2,7 @@
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "higherpair/geometry/polyline.hpp"
+#include "higherpair/geometry/outline.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +52,8 @@ struct PlacedBoundary {
 Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
   const Boundary& boundary = body.boundary;
   const Vector2d p_B = body.X_WB.inverse_times(p_W);
-  const auto foot =
-      foot_near(boundary, p_B, first_guess(boundary, boundary.outline().nearest(p_B), p_B), kNearFoot);
+  const auto foot = foot_near(
+      boundary, p_B, first_guess(boundary, boundary.outline().polyline().nearest(p_B), p_B), kNearFoot);
   if (!foot) {
     return {};
   }
@@ -64,7 +64,7 @@ Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
 // Where the outlines of two bodies cross.
 std::vector<PolylineCrossing> crossings_of(const PlacedBoundary& one, const PlacedBoundary& two) {
   const Pose<double> X_12{one.X_WB.R_WB.inverse() * two.X_WB.R_WB, one.X_WB.inverse_times(two.X_WB.p_WB)};
-  return polyline_crossings(one.boundary.outline(), two.boundary.outline(), X_12);
+  return polyline_crossings(one.boundary.outline().polyline(), two.boundary.outline().polyline(), X_12);
 }
 
 // One point of each part into which the other body's outline cuts the first or second boundary between two of
@@ -79,8 +79,8 @@ Features points_beside(const std::vector<PolylineCrossing>& crossings, std::size
   Features points;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     const auto [part, t] = cuts[i];
-    const BoundaryPlace& begin = own.outline().from(part).place;
-    const double end = own.outline().to(part).place.t;
+    const BoundaryPlace& begin = own.outline().polyline().from(part).place;
+    const double end = own.outline().polyline().to(part).place.t;
     const auto add = [&](double from, double to) {
       const BoundaryPlace middle{begin.span, (from + to) / 2};
       if (from < middle.t && middle.t < to) {
@@ -106,7 +106,7 @@ struct PointDepth {
 // The samples of a body and points beside its cuts, in order.
 std::vector<PointDepth> depths_of(const PlacedBoundary& own, const Features& beside_cuts,
                                   const PlacedBoundary& other) {
-  const Features& samples = own.boundary.outline().features();
+  const Features& samples = own.boundary.outline().polyline().features();
   Features points;
   points.reserve(samples.size() + beside_cuts.size());
   std::merge(samples.begin(), samples.end(), beside_cuts.begin(), beside_cuts.end(),

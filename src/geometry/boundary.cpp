@@ -2,7 +2,7 @@
 
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/local_conic.hpp"
-#include "higherpair/geometry/polyline.hpp"
+#include "higherpair/geometry/outline.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 
@@ -126,16 +126,13 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
 
 // From the samples.
 void Boundary::set_outline() {
-  Features points;
-  points.reserve(samples_.size());
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
   for (const Sample& sample : samples_) {
     low = low.cwiseMin(sample.point.p_B);
     high = high.cwiseMax(sample.point.p_B);
-    points.push_back({sample.point.p_B, sample.place});
   }
-  outline_ = std::make_shared<const Polyline>(std::move(points));
+  outline_ = std::make_shared<const Outline>(samples_);
   size_ = (high - low).norm() / 2;
   middle_B_ = (low + high) / 2;
 }

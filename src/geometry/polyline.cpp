@@ -80,44 +80,26 @@ Feature Polyline::foot_on(std::size_t part, const Vector2d& p) const {
 
 namespace {
 
-class MeetingParts {
-public:
-  MeetingParts(const Polyline& one, const Polyline& two, const Pose<double>& X_12)
-      : one_(one), two_(two), X_12_(X_12) {
-    visit(0, 0);
-    std::sort(pairs_.begin(), pairs_.end());
-  }
-  [[nodiscard]] std::vector<std::array<std::size_t, 2>> take() { return std::move(pairs_); }
-
-private:
-  void visit(std::size_t first, std::size_t second) {
-    const Polyline::Node& a = one_.node(first);
-    const Polyline::Node& b = two_.node(second);
-    if (!a.box.meets(b.box.moved(X_12_))) {
-      return;
-    }
-    if (a.second == 0 && b.second == 0) {
+// Pairs of parts whose boxes meet, in order.
+std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
+                                                      const Pose<double>& X_12) {
+  std::vector<std::array<std::size_t, 2>> pairs;
+  const auto may_meet = [&](std::size_t first, std::size_t second) {
+    return one.node(first).box.meets(two.node(second).box.moved(X_12));
+  };
+  for_each_pair_of_leaves(one, two, may_meet, [&](const Polyline::Node& a, const Polyline::Node& b) {
+    for (std::size_t k = b.begin; k < b.end; ++k) {
+      const PartBox box(X_12 * two.from(k).at, X_12 * two.to(k).at);
       for (std::size_t i = a.begin; i < a.end; ++i) {
-        for (std::size_t k = b.begin; k < b.end; ++k) {
-          if (one_.box_of(i).meets(PartBox(X_12_ * two_.from(k).at, X_12_ * two_.to(k).at))) {
-            pairs_.push_back({i, k});
-          }
+        if (one.box_of(i).meets(box)) {
+          pairs.push_back({i, k});
         }
       }
-    } else if (b.second == 0 || (a.second != 0 && a.box.extent() >= b.box.extent())) {
-      visit(first + 1, second);
-      visit(a.second, second);
-    } else {
-      visit(first, second + 1);
-      visit(first, b.second);
     }
-  }
-
-  const Polyline& one_;
-  const Polyline& two_;
-  const Pose<double>& X_12_;
-  std::vector<std::array<std::size_t, 2>> pairs_;
-};
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
 
 // Where two short segments cross, or nearly do, as fractions of both.
 std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
@@ -133,11 +115,6 @@ std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da
 }
 
 }  // namespace
-
-std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
-                                                      const Pose<double>& X_12) {
-  return MeetingParts(one, two, X_12).take();
-}
 
 std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
                                                  const Pose<double>& X_12) {

@@ -10,7 +10,7 @@
 
 namespace higherpair {
 
-class Polyline;
+class Outline;
 
 /// A point of a span, in the body's frame B; t = n turned +90°.
 struct SpanPoint {
@@ -139,8 +139,8 @@ public:
     SpanPoint point;
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-  /// The polyline through the samples, in the body's frame.
-  [[nodiscard]] const Polyline& outline() const { return *outline_; }
+  /// The same as a polyline with a tree for searches.
+  [[nodiscard]] const Outline& outline() const { return *outline_; }
 
 private:
   void set_outline();
@@ -149,7 +149,7 @@ private:
   std::vector<SpanJoint> joints_;
   std::vector<int> next_, previous_;
   std::vector<Sample> samples_;
-  std::shared_ptr<const Polyline> outline_;
+  std::shared_ptr<const Outline> outline_;
   bool closed_ = false;
   bool convex_ = false;
   Vector2d middle_B_ = Vector2d::Zero();

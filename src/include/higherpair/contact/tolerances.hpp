@@ -188,16 +188,11 @@ inline constexpr double kNoiseOfClosure = 1e-13;
 inline constexpr double kNoStepAtEnd = 1e-9;
 inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to within this [rad]
 
-// All contacts, by samples or by pieces.
+// All contacts, by samples.
 
 // Difference of q [rad, or relative to the size] up to which two contacts are the same ...
 inline constexpr double kSameFound = 1e-7;
 inline constexpr double kSameFoundPoint = 1e-5;  // ... if their points are as close as this
-// How far the curve of a piece may leave its chord, relative to the chord.
-inline constexpr double kSlackOfChord = 0.25;
-inline constexpr double kSlackOfNormal = 0.5;  // the same for its normals
-// Added to the chords of two cones of normals that are tested for being opposed.
-inline constexpr double kRoundingOfNormal = 1e-9;
 // A gap at a joint of spans up to this is rounding, relative to the length that stands for a radian.
 inline constexpr double kSmoothJoint = 1e-12;
 // Rounding error of points of a boundary, relative to its size plus their distance from the pivot, and of

@@ -31,13 +31,15 @@ struct PartBox {
 
   PartBox() = default;
   PartBox(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
-    const double slack = kSlackOfPart * (b - a).norm();
-    low.array() -= slack;
-    high.array() += slack;
+    widen(kSlackOfPart * (b - a).norm());
   }
   void extend(const PartBox& other) {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
+  }
+  void widen(double by) {
+    low.array() -= by;
+    high.array() += by;
   }
   [[nodiscard]] bool meets(const PartBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
@@ -73,6 +75,7 @@ public:
     PartBox box;
   };
   [[nodiscard]] const Features& features() const { return features_; }
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const Node& node(std::size_t i) const { return nodes_[i]; }
   [[nodiscard]] const Feature& from(std::size_t part) const { return features_[begins_[part]]; }
   [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
@@ -93,9 +96,27 @@ private:
   std::vector<Node> nodes_;
 };
 
-/// Pairs of parts, of one polyline and of another placed by X_12, whose boxes meet; in their order.
-[[nodiscard]] std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
-                                                                    const Pose<double>& X_12);
+/// Calls f for the pairs of leaves of two trees that may be wanted.
+/// \param may  whether pairs of their parts may be wanted, given the indices of a node of each tree
+template <class May, class F>
+void for_each_pair_of_leaves(const Polyline& one, const Polyline& two, const May& may, const F& f,
+                             std::size_t first = 0, std::size_t second = 0) {
+  if (!may(first, second)) {
+    return;
+  }
+  const Polyline::Node& a = one.node(first);
+  const Polyline::Node& b = two.node(second);
+  const auto go_on = [&](std::size_t i, std::size_t k) { for_each_pair_of_leaves(one, two, may, f, i, k); };
+  if (a.second == 0 && b.second == 0) {
+    f(a, b);
+  } else if (b.second == 0 || (a.second != 0 && a.box.extent() >= b.box.extent())) {
+    go_on(first + 1, second);
+    go_on(a.second, second);
+  } else {
+    go_on(first, second + 1);
+    go_on(first, b.second);
+  }
+}
 
 /// Where two polylines cross, or nearly do.
 struct PolylineCrossing {

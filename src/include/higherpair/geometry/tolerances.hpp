@@ -85,6 +85,9 @@ inline constexpr double kEdgeTurn = kPi / 2 - 1e-8;
 
 /// How far a curve may deviate from the chord between two neighbouring samples, relative to the chord.
 inline constexpr double kSlackOfPart = 0.25;
+inline constexpr double kSlackOfNormals = 0.5;  ///< the same for its normals
+/// Added to the chords of two cones of normals that are tested for being opposed.
+inline constexpr double kRoundingOfNormal = 1e-9;
 
 // A boundary that crosses itself.
 
