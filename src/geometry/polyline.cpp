@@ -17,7 +17,6 @@ Polyline::Polyline(Features features) : features_(std::move(features)) {
 }
 
 std::size_t Polyline::add(std::size_t begin, std::size_t end) {
-  constexpr std::size_t kPartsOfLeaf = 4;
   const std::size_t index = nodes_.size();
   nodes_.push_back({begin, end, 0, {}});
   PartBox box;
@@ -88,10 +87,14 @@ std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const
     return one.node(first).box.meets(two.node(second).box.moved(X_12));
   };
   for_each_pair_of_leaves(one, two, may_meet, [&](const Polyline::Node& a, const Polyline::Node& b) {
+    std::array<PartBox, Polyline::kPartsOfLeaf> boxes;
+    for (std::size_t i = a.begin; i < a.end; ++i) {
+      boxes[i - a.begin] = one.box_of(i);
+    }
     for (std::size_t k = b.begin; k < b.end; ++k) {
       const PartBox box(X_12 * two.from(k).at, X_12 * two.to(k).at);
       for (std::size_t i = a.begin; i < a.end; ++i) {
-        if (one.box_of(i).meets(box)) {
+        if (boxes[i - a.begin].meets(box)) {
           pairs.push_back({i, k});
         }
       }

@@ -68,6 +68,8 @@ class Polyline {
 public:
   explicit Polyline(Features features);
 
+  static constexpr std::size_t kPartsOfLeaf = 4;  ///< at most
+
   struct Node {
     std::size_t begin = 0, end = 0;  ///< parts
     /// Index of the node of the second half, that of the first half being the next one; 0: a leaf.
