@@ -1,5 +1,6 @@
 #include "higherpair/analysis/boundary_derivatives.hpp"
 
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/local_conic.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -107,20 +108,22 @@ std::optional<BoundaryDerivatives> BoundaryDerivatives::of(const Family& mechani
   return derivatives;
 }
 
-Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
-                                          const BoundaryPlace& place) const {
+PlaceDerivative BoundaryDerivatives::at(std::size_t contact, std::size_t side,
+                                        const BoundaryPlace& place) const {
   const Boundaries& boundaries = contacts_[contact][side];
-  const Boundary& own = *boundaries[kMiddle];
-  const Bounds range = own.spans()[static_cast<std::size_t>(place.span)]->range();
+  const Bounds range = range_of(*boundaries[kMiddle], place.span);
   const double share = (place.t - range.low) / range.width();
-  const SpanPoint at = own.at(place);
   const SpanNumbers slopes = slopes_at(boundaries, place.span, share, step_);
-  const Curve like = local_curve(at, own.is_corner(place));
+  return {slopes.head<2>(), slopes.segment<2>(2), slopes(4), slopes(5)};
+}
+
+Curve of_local_curve(const SpanPoint& at, bool corner, const PlaceDerivative& by_p) {
+  const Curve like = local_curve(at, corner);
   Curve by;
   by.kind = like.kind;
   by.q = 0;
-  by.vertex_B = slopes.head<2>();
-  by.axis_B = is_line(like) ? Vector2d(-slopes.segment<2>(2)) : Vector2d(Vector2d::Zero());
+  by.vertex_B = by_p.p_B;
+  by.axis_B = is_line(like) ? Vector2d(-by_p.n_B) : Vector2d(Vector2d::Zero());
   if (!is_conic(like)) {
     return by;
   }
@@ -129,10 +132,12 @@ Curve BoundaryDerivatives::of_local_curve(std::size_t contact, std::size_t side,
     number.c[1] = slope;
     return number;
   };
-  const LocalConic<Parametric> conic =
-      local_conic(Vector2<Parametric>(varied(at.p_B.x(), slopes(0)), varied(at.p_B.y(), slopes(1))),
-                  Vector2<Parametric>(varied(at.n_B.x(), slopes(2)), varied(at.n_B.y(), slopes(3))),
-                  varied(at.kappa, slopes(4)), varied(at.slope, slopes(5)), like.kind == CurveKind::kCircle);
+  const auto varied_vector = [&](const Vector2d& value, const Vector2d& slope) {
+    return Vector2<Parametric>(varied(value.x(), slope.x()), varied(value.y(), slope.y()));
+  };
+  const LocalConic<Parametric> conic = local_conic(
+      varied_vector(at.p_B, by_p.p_B), varied_vector(at.n_B, by_p.n_B), varied(at.kappa, by_p.kappa),
+      varied(at.slope, by_p.slope), like.kind == CurveKind::kCircle);
   by.vertex_B = {conic.vertex_B.x().c[1], conic.vertex_B.y().c[1]};
   by.axis_B = {conic.axis_B.x().c[1], conic.axis_B.y().c[1]};
   by.semi_latus = conic.semi_latus.c[1];

@@ -1,5 +1,7 @@
 #include "higherpair/analysis/derivatives.hpp"
 
+#include "higherpair/geometry/curvature_rates.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
@@ -8,6 +10,33 @@
 namespace higherpair {
 
 using Series = PowerSeries<double, kHighestDerivative>;
+
+namespace {
+
+// Adds what boundaries have beyond the local curves that agree with them at the row's contacts. False where
+// their curvature's rates are not known.
+bool add_beyond_local_curves(const Run& run, Dimensions<double>& dimensions) {
+  for (std::size_t i = 0; i < run.row.contacts.size(); ++i) {
+    const Contact& contact = run.mechanism().contacts[i];
+    const ContactMotion& motion = run.row.contacts[i];
+    for (std::size_t side = 0; contact.by_boundary && motion.touches && side < 2; ++side) {
+      const CurveRef& ref = ref_of(contact, side);
+      const Boundary& boundary = boundary_of(run.mechanism(), ref);
+      const BoundaryPlace& place = motion.place[side];
+      const auto rates = boundary.spans()[static_cast<std::size_t>(place.span)]->curvature_rates(place.t);
+      if (!rates) {
+        return false;
+      }
+      const SpanPoint point = boundary.at(place);
+      auto& of = side == 0 ? dimensions.contacts[i].curve1 : dimensions.contacts[i].curve2;
+      of.beyond = support_beyond(point, *rates, curve_of(run.mechanism(), ref));
+      of.normal_angle = angle_of(point.n_B);
+    }
+  }
+  return true;
+}
+
+}  // namespace
 
 std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
                                                            const std::vector<DriverMotion>& drivers,
@@ -26,6 +55,9 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
     }
   }
   Dimensions<double> dimensions = dimensions_of(run.mechanism());
+  if (!add_beyond_local_curves(run, dimensions) && order > 3) {
+    return std::nullopt;
+  }
   const auto held = plan_with_held_joints(run, dimensions, at);
   const auto motion = solve_series(held ? *held : run.plan(), dimensions, dimensions, std::move(at));
   if (!std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; })) {

@@ -134,7 +134,7 @@ double change_of_radii(const MotionRow& row, const MotionRow& displaced) {
 
 std::vector<double> derivative_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
                                      const std::function<std::vector<double>(const Run&, double)>& f) {
-  const Mechanism derivative = by.derivative_at(run);
+  const Mechanism derivative = by.derivative_at(run, &of_row);
   const double displacement = displacement_of(run, derivative, of_row);
   double h = displacement > 0 ? kLargestDisplacement / displacement : step_of_loads(run, derivative);
   const auto run_at = [&](double step) {

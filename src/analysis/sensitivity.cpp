@@ -150,18 +150,44 @@ bool all_known(const SeriesMotion<Parametric, 2>& motion) {
 
 }  // namespace
 
-Mechanism Sensitivity::derivative_at(const Run& run) const {
+Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size_t side,
+                                  const RowSensitivity* moved) const {
+  const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
+  const Boundary& boundary = boundary_of(run.mechanism(), ref);
+  const BoundaryPlace& place = run.row.contacts[contact].place[side];
+  const SpanPoint point = boundary.at(place);
+  const bool corner = boundary.is_corner(place);
+  PlaceDerivative by;
+  if (derivative_.boundaries) {
+    by = derivative_.boundaries->at(contact, side, place);
+  }
+  const auto rates = moved != nullptr && !corner && point.kappa != 0
+                         ? boundary.spans()[static_cast<std::size_t>(place.span)]->curvature_rates(place.t)
+                         : std::nullopt;
+  if (rates) {
+    // The contact moves by ds along the tangent, until its normal is that of the contact.
+    const Vector2d t_B = perp(point.n_B);
+    const double turn = moved->phi[contact] - moved->bodies[static_cast<std::size_t>(ref.body)].theta;
+    const double ds = (turn - by.n_B.dot(t_B)) / point.kappa;
+    by.p_B += ds * t_B;
+    by.n_B += ds * point.kappa * t_B;
+    by.kappa += ds * point.slope;
+    by.slope += ds * (*rates)[0];
+  }
+  return higherpair::of_local_curve(point, corner, by);
+}
+
+Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved) const {
   Mechanism derivative = derivative_.numbers;
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const Contact& contact = run.mechanism().contacts[i];
     for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
-      const ContactMotion& motion = run.row.contacts[i];
       const CurveRef& ref = ref_of(contact, side);
       Curve& curve = derivative.bodies[static_cast<std::size_t>(ref.body)]
                          .curves[static_cast<std::size_t>(ref.curve)]
                          .curve;
-      if (derivative_.boundaries && motion.touches) {
-        curve = derivative_.boundaries->of_local_curve(i, side, motion.place[side]);
+      if (run.row.contacts[i].touches) {
+        curve = of_local_curve(run, i, side, moved);
       } else {
         curve.vertex_B = curve.axis_B = Vector2d::Zero();
         curve.semi_latus = curve.q = 0;

@@ -1,5 +1,6 @@
 #include "envelope.hpp"
 
+#include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "relative_motion.hpp"
@@ -8,43 +9,38 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace higherpair {
 namespace {
 
-using Series = PowerSeries<double, 3>;
-using Longer = PowerSeries<double, 4>;
-using Vector = Vector2<Series>;
-
 constexpr int kMaxNewton = 50;
 constexpr int kNormals = 64;  // at which the sign of the equation is sampled
 
-using Relative = RelativeMotion<double, 3>;
-
-Relative relative_at(const CamMotion& motion, double x, LawSide side) {
-  Longer joint(x);
+template <int N>
+RelativeMotion<double, N> relative_at(const CamMotion& motion, double x, LawSide side) {
+  PowerSeries<double, N + 1> joint(x);
   joint.c[1] = 1;
-  Longer s;
+  PowerSeries<double, N + 1> s;
   motion.law.expand(x, side, s.c);
-  return relative_motion<double, 3>(motion, joint, s);
+  return relative_motion<double, N>(motion, joint, s);
 }
 
-// A point of the follower and its outward normal, in the follower's frame.
-struct Touch {
-  Vector p, n;
-};
-
-Vector unit_series(const Series& phi) {
-  using higherpair::cos;
-  using higherpair::sin;
-  return {cos(phi), sin(phi)};
-}
-
-// Finds where the follower's curve touches the cam: the point whose velocity relative to the cam is along the
-// curve.
+// Finds where the follower's curve touches the cam, up to the N-th power of the cam's coordinate: the point
+// whose velocity relative to the cam is along the curve.
+template <int N>
 class Touching {
 public:
+  using Series = PowerSeries<double, N>;
+  using Vector = Vector2<Series>;
+  using Relative = RelativeMotion<double, N>;
+
+  // A point of the follower and its outward normal, in the follower's frame.
+  struct Touch {
+    Vector p, n;
+  };
+
   explicit Touching(const FlankOrigin& of) : motion_(of.motion), curve_(of.curve), outer_(of.outer) {}
 
   [[nodiscard]] std::optional<Touch> at(const Relative& relative) const {
@@ -127,7 +123,7 @@ private:
     Touch touch;
     // Each pass doubles the number of correct terms.
     for (int pass = 0; pass < 4; ++pass) {
-      touch.n = unit_series(phi);
+      touch.n = {cos(phi), sin(phi)};
       const Vector t(-touch.n.y(), touch.n.x());
       const SupportPoint<Series> point = support_point(placed, touch.n);
       touch.p = point.p_W;
@@ -181,8 +177,26 @@ private:
   bool outer_;
 };
 
-// The contact point p of the cam, with outward normal n, as a point of a span with the parameter sense · x.
-SpanPoint point_of(const Vector& p, const Vector2d& n, double sense) {
+// A place of the cam, with the follower's curve there.
+template <int N>
+struct Place {
+  Vector2<PowerSeries<double, N>> p;
+  Vector2d n;  // outward normal of the cam
+};
+
+template <int N>
+std::optional<Place<N>> place_at(const FlankOrigin& origin, double x, LawSide side) {
+  const RelativeMotion<double, N> relative = relative_at<N>(origin.motion, x, side);
+  const auto touch = Touching<N>(origin).at(relative);
+  if (!touch) {
+    return std::nullopt;
+  }
+  const auto n = relative.R * touch->n;
+  return Place<N>{relative.R * touch->p + relative.p, {-value_of(n.x()), -value_of(n.y())}};
+}
+
+// The same as a point of a span with the parameter sense · x.
+SpanPoint point_of(const Vector2<PowerSeries<double, 3>>& p, const Vector2d& n, double sense) {
   const auto derivative_of = [&](std::size_t k, double factor) {
     return Vector2d(factor * p.x().c[k], factor * p.y().c[k]);
   };
@@ -199,14 +213,20 @@ SpanPoint point_of(const Vector& p, const Vector2d& n, double sense) {
 }  // namespace
 
 std::optional<SpanPoint> Envelope::at(double x, LawSide side) const {
-  const Relative relative = relative_at(origin_.motion, x, side);
-  const auto touch = Touching(origin_).at(relative);
-  if (!touch) {
+  const auto place = place_at<3>(origin_, x, side);
+  return place ? std::optional(point_of(place->p, place->n, sense_)) : std::nullopt;
+}
+
+std::optional<CurvatureRates> Envelope::curvature_rates(double x, LawSide side) const {
+  auto place = place_at<CurveSeries::kLast>(origin_, x, side);
+  if (!place) {
     return std::nullopt;
   }
-  const Vector p = relative.R * touch->p + relative.p;
-  const Vector n = relative.R * touch->n;
-  return point_of(p, Vector2d(-value_of(n.x()), -value_of(n.y())), sense_);
+  for (std::size_t k = 1; sense_ < 0 && k <= CurveSeries::kLast; k += 2) {
+    place->p.x().c[k] = -place->p.x().c[k];
+    place->p.y().c[k] = -place->p.y().c[k];
+  }
+  return rates_of_curvature(place->p);
 }
 
 }  // namespace higherpair

@@ -21,6 +21,9 @@ public:
   /// law on one side of it. None where no point of the follower can touch.
   [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side) const;
 
+  /// Rates of the cam's curvature there, along its tangent.
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double x, LawSide side) const;
+
   /// Bounds of the span over a range of the cam's coordinate within one piece of the law. None where they
   /// cannot be determined.
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& x) const;

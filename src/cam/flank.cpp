@@ -38,6 +38,10 @@ public:
     const double x = sense_ * t;
     return x <= joint_.low ? low_ : x >= joint_.high ? high_ : *envelope_->at(x, LawSide::kAfter);
   }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
+    return envelope_->curvature_rates(x, x < joint_.high ? LawSide::kAfter : LawSide::kBefore);
+  }
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? joint_ : Bounds{-joint_.high, -joint_.low};
   }

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/involute_span.hpp"
 
 #include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/curvature_rates.hpp"
 #include "numeric/interval.hpp"
 
 #include <algorithm>
@@ -25,6 +26,11 @@ public:
     const double rho = r * roll;
     // dκ/ds = -1/(r² φ³) where s grows with φ.
     return {involute_.center_B + r * e + rho * n, n, 1 / rho, -sense_ / (rho * rho * roll), rho};
+  }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    CurveSeries rho(involute_.base_radius * sense_ * t);
+    rho.c[1] = involute_.base_radius * sense_;
+    return rates_of_curvature(CurveSeries(1) / rho, rho);
   }
   [[nodiscard]] Bounds range() const override {
     return sense_ > 0 ? involute_.roll : Bounds{-involute_.roll.high, -involute_.roll.low};

@@ -1,6 +1,7 @@
 #include "polynomial_span.hpp"
 
 #include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"
 
@@ -68,16 +69,17 @@ SpanPoint point_of(const Derivatives& d) {
   return {d[0], vector_of(d[1].y() * inverse, -d[1].x() * inverse), kappa, slope, speed};
 }
 
-// Value and Taylor coefficients up to the 3rd of a polynomial, by Horner's scheme from the highest power
+// Value and Taylor coefficients up to the N-th of a polynomial, by Horner's scheme from the highest power
 // down.
-template <class T>
-std::array<T, 4> taylor(const T* coefficients, int degree, double t) {
-  std::array<T, 4> d = {coefficients[0], T(0 * coefficients[0]), T(0 * coefficients[0]),
-                        T(0 * coefficients[0])};
+template <std::size_t N = 3, class T>
+std::array<T, N + 1> taylor(const T* coefficients, int degree, double t) {
+  std::array<T, N + 1> d;
+  d.fill(T(0 * coefficients[0]));
+  d[0] = coefficients[0];
   for (int k = 1; k <= degree; ++k) {
-    d[3] = d[3] * t + d[2];
-    d[2] = d[2] * t + d[1];
-    d[1] = d[1] * t + d[0];
+    for (std::size_t i = N; i > 0; --i) {
+      d[i] = d[i] * t + d[i - 1];
+    }
     d[0] = d[0] * t + coefficients[k];
   }
   return d;
@@ -116,7 +118,19 @@ public:
     parts_ = count_parts();
   }
 
-  [[nodiscard]] SpanPoint at(double t) const override { return point_of(derivatives(t)); }
+  [[nodiscard]] SpanPoint at(double t) const override {
+    const auto p = point_at<3>(t);
+    return point_of({p[0], p[1], 2 * p[2], 6 * p[3]});
+  }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    const auto p = point_at<CurveSeries::kLast>(t);
+    Vector2<CurveSeries> series;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      series.x().c[k] = p[k].x();
+      series.y().c[k] = p[k].y();
+    }
+    return rates_of_curvature(series);
+  }
   [[nodiscard]] Bounds range() const override { return intervals_.range(); }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
     std::optional<SpanBounds> all;
@@ -137,25 +151,24 @@ private:
     return interval * static_cast<std::size_t>(degree_ + 1);
   }
 
-  [[nodiscard]] Derivatives derivatives(double t) const {
+  // Taylor coefficients of the point.
+  template <std::size_t N>
+  [[nodiscard]] std::array<Vector2d, N + 1> point_at(double t) const {
     const std::size_t interval = intervals_.at(t);
     const std::size_t first = first_of(interval);
     const double u = t - intervals_.begin(interval);
-    const auto a = taylor(&numerators_[first], degree_, u);
-    if constexpr (!kRational) {
-      return {a[0], a[1], 2 * a[2], 6 * a[3]};
-    }
-    // a = p w, term by term of the Taylor series.
-    const auto w = taylor(&denominators_[first], degree_, u);
-    std::array<Vector2d, 4> p;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      p[k] = a[k];
-      for (std::size_t i = 0; i < k; ++i) {
-        p[k] -= p[i] * w[k - i];
+    auto p = taylor<N>(&numerators_[first], degree_, u);
+    if constexpr (kRational) {
+      // The numerators are p w, term by term of the Taylor series.
+      const auto w = taylor<N>(&denominators_[first], degree_, u);
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        for (std::size_t i = 0; i < k; ++i) {
+          p[k] -= p[i] * w[k - i];
+        }
+        p[k] /= w[0];
       }
-      p[k] /= w[0];
     }
-    return {p[0], p[1], 2 * p[2], 6 * p[3]};
+    return p;
   }
 
   // Taylor coefficients, at an interval's end, of the polynomial with the absolute values of its

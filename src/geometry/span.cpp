@@ -1,5 +1,6 @@
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"
@@ -27,6 +28,12 @@ public:
     const SupportPoint<double> point = support_point(placed, n);
     const double slope = radius_slope(placed, point.rho, n);
     return {point.p_W, n, 1 / point.rho, -slope / (point.rho * point.rho * point.rho), std::abs(point.rho)};
+  }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    CurveSeries phi(sense_ * t);
+    phi.c[1] = sense_;
+    const Vector2<CurveSeries> n(cos(phi), sin(phi));
+    return rates_of_curvature(support_point(place(curve_, Pose<CurveSeries>{}), n).p_W);
   }
   [[nodiscard]] Bounds range() const override { return range_; }
   // The radius is monotonic from vertex to vertex.
@@ -57,6 +64,9 @@ public:
       : from_(from_B), length_((to_B - from_B).norm()), t_((to_B - from_B) / length_) {}
 
   [[nodiscard]] SpanPoint at(double t) const override { return {from_ + t * t_, -perp(t_), 0, 0, 1}; }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double /*t*/) const override {
+    return CurvatureRates{};
+  }
   [[nodiscard]] Bounds range() const override { return {0, length_}; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& /*t*/) const override {
     return SpanBounds{{1, 1}, {0, 0}};
@@ -74,6 +84,9 @@ public:
   CornerSpan(const Vector2d& at_B, double from, double to) : p_(at_B), range_{from, to} {}
 
   [[nodiscard]] SpanPoint at(double t) const override { return {p_, unit_vector(t), 0, 0, 1}; }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double /*t*/) const override {
+    return CurvatureRates{};
+  }
   [[nodiscard]] Bounds range() const override { return range_; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& /*t*/) const override {
     return SpanBounds{{0, 0}, {1, 1}};
@@ -94,6 +107,13 @@ public:
   [[nodiscard]] SpanPoint at(double t) const override {
     const SpanPoint point = span_->at(-t);
     return {point.p_B, -point.n_B, -point.kappa, point.slope, point.speed};
+  }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    auto rates = span_->curvature_rates(-t);
+    if (rates) {
+      rates = {-(*rates)[0], (*rates)[1], -(*rates)[2]};
+    }
+    return rates;
   }
   [[nodiscard]] Bounds range() const override { return {-span_->range().high, -span_->range().low}; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
@@ -119,6 +139,15 @@ public:
     const double m = 1 + point.kappa * distance_;
     return {point.p_B + distance_ * point.n_B, point.n_B, point.kappa / m, point.slope / (m * m * m),
             point.speed * m};
+  }
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    const auto rates = span_->curvature_rates(t);
+    if (!rates) {
+      return std::nullopt;
+    }
+    const CurveSeries kappa = curvature_series(span_->at(t), *rates);
+    const CurveSeries stretch = 1 + distance_ * kappa;
+    return rates_of_curvature(kappa / stretch, stretch);
   }
   [[nodiscard]] Bounds range() const override { return span_->range(); }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {

@@ -6,6 +6,7 @@
 #include "higherpair/analysis/jerk.hpp"
 #include "io/profile_testing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -160,31 +161,110 @@ TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
   EXPECT_GT(compared, 60);
 }
 
+// A cam made from a law gives its follower the law, a cycloid over 120 degrees:
+// s = h (x/b - sin(2 pi x/b)/(2 pi)).
+TEST(Derivatives, OfAFollowerOfALawAreThoseOfTheLaw) {
+  auto run = started(shipped("law_cam_roller"));
+  const double h = 0.02, b = 2 * kPi / 3, w = 2 * kPi / b;
+  for (const double u : {0.1, 0.58, 1.2, 1.9}) {
+    const std::vector<DriverMotion> drivers{{u, 1, 0}};
+    move_to(run, drivers);
+    const auto bodies = derivatives_of(run, drivers, 6);
+    ASSERT_TRUE(bodies);
+    const BodyDerivatives& follower = bodies->at(body_index(run, "follower"));
+    for (int k = 2; k <= 6; ++k) {
+      const double expected = -h / b * std::pow(w, k - 1) * std::cos(w * u + (k - 1) * kPi / 2);
+      EXPECT_NEAR(follower.p_WB[static_cast<std::size_t>(k)].y(), expected, 1e-10 * h * std::pow(w, k))
+          << u << " " << k;
+    }
+  }
+}
+
+// Involute flanks turn the wheel at a constant ratio.
+TEST(Derivatives, OfAWheelOnInvolutesAreThoseOfAConstantRatio) {
+  auto run = started(shipped("gear_teeth"));
+  const std::vector<DriverMotion> drivers{{0.09, 1, 0}};
+  move_to(run, drivers);
+  const auto bodies = derivatives_of(run, drivers, 6);
+  ASSERT_TRUE(bodies);
+  const BodyDerivatives& wheel = bodies->at(body_index(run, "wheel"));
+  EXPECT_NEAR(wheel.theta[1], -0.5, 1e-14);
+  for (std::size_t k = 2; k <= 6; ++k) {
+    EXPECT_NEAR(wheel.theta[k], 0, 1e-8) << k;
+  }
+}
+
 // The (k+1)th derivative against central differences of the kth along the motion.
+void expect_rates_of_those_below(Run& run, double at_start, double tolerance) {
+  const double h = 1e-3;
+  const auto at = [&](double u) {
+    const std::vector<DriverMotion> drivers{{u, 1, 0}};
+    move_to(run, drivers);
+    EXPECT_EQ(run.row.status, RowStatus::kOk);
+    return derivatives_of(run, drivers, 6).value();
+  };
+  const auto before2 = at(at_start - 2 * h), before = at(at_start - h), here = at(at_start);
+  const auto after = at(at_start + h), after2 = at(at_start + 2 * h);
+  const auto expect_rate = [&](const auto& quantity) {
+    double largest = 1;
+    for (std::size_t k = 0; k <= 6; ++k) {
+      largest = std::max(largest, std::abs(quantity(here, k)));
+    }
+    for (std::size_t k = 2; k < 6; ++k) {
+      const double rate =
+          (8 * (quantity(after, k) - quantity(before, k)) - (quantity(after2, k) - quantity(before2, k))) /
+          (12 * h);
+      EXPECT_NEAR(quantity(here, k + 1), rate, tolerance * largest) << k;
+    }
+  };
+  for (std::size_t body = 1; body < here.size(); ++body) {
+    expect_rate([&](const auto& bodies, std::size_t k) { return bodies[body].theta[k]; });
+    expect_rate(
+        [&](const auto& bodies, std::size_t k) { return bodies[body].p_WB[k].y() / run.plan().size; });
+  }
+}
+
 TEST(Derivatives, AreTheRatesOfThoseBelow) {
-  for (const char* name : {"ellipse_cam_roller", "watt_sixbar", "rolling_ellipses", "cam_chain"}) {
-    const Profile profile = shipped(name);
-    auto run = started(profile);
-    const double start = run.at.drivers.front() + 0.4, h = 1e-3;
-    const auto at = [&](double u) {
-      const std::vector<DriverMotion> drivers{{u, 1, 0}};
-      move_to(run, drivers);
-      EXPECT_EQ(run.row.status, RowStatus::kOk) << name;
-      return derivatives_of(run, drivers, 6).value();
-    };
-    const auto before2 = at(start - 2 * h), before = at(start - h), here = at(start);
-    const auto after = at(start + h), after2 = at(start + 2 * h);
-    for (std::size_t body = 1; body < here.size(); ++body) {
-      for (std::size_t k = 2; k < 6; ++k) {
-        const double rate = (8 * (after[body].theta[k] - before[body].theta[k]) -
-                             (after2[body].theta[k] - before2[body].theta[k])) /
-                            (12 * h);
-        double largest = 1;
-        for (const double derivative : here[body].theta) {
-          largest = std::max(largest, std::abs(derivative));
-        }
-        EXPECT_NEAR(here[body].theta[k + 1], rate, 1e-6 * largest) << name << " " << body << " " << k;
-      }
+  for (const char* name : {"ellipse_cam_roller", "watt_sixbar", "rolling_ellipses", "cam_chain", "spline_cam",
+                           "law_cam_flat", "groove_cam", "valve_train", "four_arc_cam"}) {
+    SCOPED_TRACE(name);
+    auto run = started(shipped(name));
+    expect_rates_of_those_below(run, run.at.drivers.front() + 0.4, 1e-6);
+  }
+}
+
+TEST(Derivatives, AreTheRatesOfThoseBelowOnOffsetsOfASpline) {
+  const std::string rest = R"(
+[bodies.follower]
+pose = { x = 0, y = 60 }
+points.P = [0, 0]
+curves.roller = { type = "circle", center = [0, 0], radius = 4 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0.1, 1] }
+[contacts.touch]
+between = ["cam.outline", "follower.roller"]
+approach = "-"
+[driver]
+joint = "pivot"
+)";
+  const std::string start = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+)";
+  const std::string points =
+      "points = [[40, 0], [30, 21], [21, 34], [0, 31], [-19, 33], [-31, 20], [-38, 0], [-29, -20], [-20, "
+      "-34], "
+      "[0, -30], [21, -33], [29, -21]], closed = true";
+  const std::string spline = "curves.spline = { type = \"spline\", " + points + " }\n";
+  for (const std::string& outline :
+       {spline + "curves.outline = { type = \"offset\", of = \"spline\", by = 3 }",
+        spline + "curves.outline = { type = \"offset\", of = \"spline\", by = -3 }"}) {
+    SCOPED_TRACE(outline);
+    auto run = started(testing::read(start + outline + rest));
+    for (const double u : {0.15, 0.7, 1.31, 2.9}) {
+      expect_rates_of_those_below(run, u, 1e-5);
     }
   }
 }

@@ -258,9 +258,10 @@ Model model_of(const Shape& shape) {
 class OfShapes : public ::testing::TestWithParam<Shape> {};
 
 // Differences of the sixth order between runs with other numbers, with an estimate of their error.
-TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
-  const Model model = model_of(GetParam());
-  const Slopes found = slopes_of(model, {"*"}, GetParam().numbers);
+void expect_differences_of_runs(const Shape& shape, const std::vector<std::string>& columns,
+                                const RunSettings& settings, double tolerance, int least) {
+  const Model model = model_of(shape);
+  const Slopes found = slopes_of(model, columns, shape.numbers);
   const std::vector<double> largest = largest_of(found);
   const std::size_t count = largest.size();
   double worst = 0;
@@ -272,7 +273,7 @@ TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
     for (const double step : {-3.0, -2.0, -1.0, 1.0, 2.0, 3.0}) {
       const auto other = model.with({{found.numbers[i].paths[0], value + step * h}});
       ASSERT_TRUE(other) << to_string(other.error());
-      runs.push_back(other->run().value());
+      runs.push_back(other->run(settings).value());
     }
     for (std::size_t c = 0; c < count; ++c) {
       const std::string& name = found.columns[c].name;
@@ -294,13 +295,23 @@ TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
         ++compared;
         const double off = std::abs(ours - sixth) / size;
         worst = std::isnan(off) || off > worst ? off : worst;
-        EXPECT_LE(std::abs(ours - sixth), 2e-7 * size + doubt)
+        EXPECT_LE(std::abs(ours - sixth), tolerance * size + doubt)
             << name << " by " << found.numbers[i].name << " in row " << k << ": " << ours << ", " << sixth;
       }
     }
   }
-  EXPECT_GT(compared, 300);
-  RecordProperty("worst", std::to_string(worst));
+  EXPECT_GT(compared, least);
+  ::testing::Test::RecordProperty("worst", std::to_string(worst));
+}
+
+TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
+  expect_differences_of_runs(GetParam(), {"*"}, {}, 2e-7, 300);
+}
+
+TEST_P(OfShapes, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
+  RunSettings settings;
+  settings.jerk = true;
+  expect_differences_of_runs(GetParam(), {"*.jerk", "*.j?"}, settings, 2e-6, 15);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/curve.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,9 @@ struct SpanPoint {
   double speed = 1;  ///< ds/dt > 0 [m per unit of the parameter]; at a corner dφ/dt = 1
 };
 
+/// d²κ/ds², d³κ/ds³ and d⁴κ/ds⁴ along t [1/m³, 1/m⁴, 1/m⁵].
+using CurvatureRates = std::array<double, 3>;
+
 /// Enclosures of the rates of a span over an interval of its parameter, rounding included.
 struct SpanBounds {
   Bounds speed;  ///< ds/dt [m per unit of the parameter]; 0 at a corner
@@ -38,6 +42,11 @@ public:
   /// The point at a parameter within range(); the values continue smoothly a little beyond it.
   [[nodiscard]] virtual SpanPoint at(double t) const = 0;
   [[nodiscard]] virtual Bounds range() const = 0;
+  /// The rates of the curvature beyond SpanPoint::slope, on which derivatives of motions beyond the third
+  /// depend. None for a kind of curve that does not have them: nor have the motions, then.
+  [[nodiscard]] virtual std::optional<CurvatureRates> curvature_rates(double /*t*/) const {
+    return std::nullopt;
+  }
   /// Bounds over an interval within range(); their excess shrinks in proportion to it. None for a kind of
   /// curve that has no bounds: no list of its contacts can be proven complete.
   [[nodiscard]] virtual std::optional<SpanBounds> bounds(const Bounds& /*t*/) const { return std::nullopt; }

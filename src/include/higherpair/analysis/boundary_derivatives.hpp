@@ -10,6 +10,16 @@
 
 namespace higherpair {
 
+/// Derivatives of what a boundary is at one place: its point, normal, curvature and dκ/ds, in the body's
+/// frame.
+struct PlaceDerivative {
+  Vector2d p_B = Vector2d::Zero(), n_B = Vector2d::Zero();
+  double kappa = 0, slope = 0;
+};
+
+/// Those of the numbers of its local_curve() there.
+[[nodiscard]] Curve of_local_curve(const SpanPoint& at, bool corner, const PlaceDerivative& by);
+
 /// How the boundaries of contacts change with a parameter p from which a mechanism is made.
 ///
 /// A contact depends on its boundaries only through their points, normals and curvatures near the contact,
@@ -26,9 +36,9 @@ public:
   /// None where not all of them have the same spans.
   [[nodiscard]] static std::optional<BoundaryDerivatives> of(const Family& mechanisms, double step);
 
-  /// Derivatives with respect to p of the numbers of the curve that agrees with the boundary at a place.
+  /// Derivatives with respect to p at a place, at a constant fraction of its span.
   /// \param side  0: of the contact's first curve, 1: of its second
-  [[nodiscard]] Curve of_local_curve(std::size_t contact, std::size_t side, const BoundaryPlace& place) const;
+  [[nodiscard]] PlaceDerivative at(std::size_t contact, std::size_t side, const BoundaryPlace& place) const;
 
   /// Deviation of the derivatives from sixth-order differences, relative to the larger of their size and the
   /// size to be expected if a change of p by `scale` makes a different boundary: an upper estimate of their

@@ -46,9 +46,15 @@ public:
   /// Every number of the mechanism replaced by its derivative, except the curves of contacts by_boundary.
   [[nodiscard]] const Mechanism& derivative() const { return derivative_.numbers; }
   /// The same for run.mechanism(), whose curves agree with those boundaries at the row's contacts.
-  [[nodiscard]] Mechanism derivative_at(const Run& run) const;
+  /// \param moved  sensitivity of the row: the curves are then those at the contact, which moves along the
+  /// boundaries with p, so that even the third derivatives of their points are right. Without it they are
+  /// those at a constant fraction of a span, which is enough up to accelerations.
+  [[nodiscard]] Mechanism derivative_at(const Run& run, const RowSensitivity* moved = nullptr) const;
 
 private:
+  [[nodiscard]] Curve of_local_curve(const Run& run, std::size_t contact, std::size_t side,
+                                     const RowSensitivity* moved) const;
+
   MechanismDerivative derivative_;
   std::vector<double> arcs_;
 };

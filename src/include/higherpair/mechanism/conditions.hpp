@@ -125,7 +125,31 @@ struct CurveDimensions {
   Vector2<D> vertex_B, axis_B;
   D semi_latus{0};
   D q{1};
+  /// For the local curve of a boundary: the support of the boundary exceeds that of the conic by
+  /// Σ beyond[k] (φ - normal_angle)^(k+4) [m], φ being the angle of the normal in the body's frame. Nothing
+  /// up to the third derivative of a motion depends on it.
+  std::array<double, 3> beyond{};
+  double normal_angle = 0;
 };
+
+/// Adds to a point of the local conic what the boundary has beyond it: p = h n + h′ t, ρ = h + h″.
+/// \param turn  φ - normal_angle, but for whole turns
+template <class T, class D>
+void add_beyond(const CurveDimensions<D>& curve, const T& turn, const Vector2<T>& n_W,
+                SupportPoint<T>& point) {
+  const T x = without_turns(turn);
+  T h(0), dh(0), ddh(0);
+  T power = x * x;
+  for (std::size_t k = 0; k < curve.beyond.size(); ++k) {
+    const auto n = static_cast<double>(k + 4);
+    ddh += n * (n - 1) * curve.beyond[k] * power;
+    power = power * x;
+    dh += n * curve.beyond[k] * power;
+    h += curve.beyond[k] * power * x;
+  }
+  point.p_W += h * n_W + dh * perp(n_W);
+  point.rho += h + ddh;
+}
 
 /// Two curves with a common normal: n out of curve 1, and the points with the outward normals n and -n.
 template <class T>
@@ -166,18 +190,23 @@ template <class T, class D>
   }
   at.p1_W = first.vertex_W;
   at.p2_W = second.vertex_W;
-  const auto set_point = [&](const PlacedCurve<T, D>& curve, const Vector2<T>& n_W, Vector2<T>& p_W, T& rho) {
-    const SupportPoint<T> support = support_point(curve, n_W);
+  const auto set_point = [&](const CurveDimensions<D>& own, const PlacedCurve<T, D>& curve,
+                             const BodyAt<T>& body, const Vector2<T>& n_W, Vector2<T>& p_W, T& rho) {
+    SupportPoint<T> support = support_point(curve, n_W);
+    if (own.beyond != std::array<double, 3>{}) {
+      const double reversed = &own == &curve2 ? kPi : 0;
+      add_beyond(own, T(at.phi + (reversed - own.normal_angle) - body.theta), n_W, support);
+    }
     p_W = support.p_W;
     rho = support.rho;
     const bool near_half = value_of(T(n_W.dot(curve.axis_W))) * curve.side < 0;
     at.exist = at.exist && (curve.q > D(0) || (near_half && value_of(support.w2) > 0));
   };
   if (!flat1) {
-    set_point(first, at.n_W, at.p1_W, at.rho1);
+    set_point(curve1, first, body1, at.n_W, at.p1_W, at.rho1);
   }
   if (!flat2) {
-    set_point(second, -at.n_W, at.p2_W, at.rho2);
+    set_point(curve2, second, body2, -at.n_W, at.p2_W, at.rho2);
   }
   return at;
 }
