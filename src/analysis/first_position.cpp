@@ -230,6 +230,12 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const BoundaryPair pair = standing_boundaries(model_, touching, placed);
   const double size = run_.plan().size;
+  if (contact.approach != Approach::kNearest && !contact.both_sides &&
+      bodies_overlap(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,
+                     pose_at(pair.motion2, posed), kOverlapDepth * size)) {
+    fail(g, why_no_contact(FindStatus::kOverlapAtStart, contact));
+    return false;
+  }
   const auto found = first_boundary_contact(run_, pair, contact, placed.u, posed, touching.follower.sign);
   GroupState& group = touching_start_.groups[g];
   group.held =
