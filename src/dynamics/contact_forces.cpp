@@ -121,11 +121,6 @@ private:
     if (!forces_.pieces.empty() && forces_.pieces.back().to == stretch.from) {
       forces_.pieces.back().singular_to = true;
     }
-    for (auto& lowest : forces_.lowest) {
-      if (lowest && lowest->at == stretch.from) {
-        lowest->is_minimum = false;
-      }
-    }
   }
 
   void keep(const ForceFitter::Position& before, ForcePiece piece) {

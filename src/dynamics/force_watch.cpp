@@ -148,7 +148,7 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
   if (!lowest || best.value < lowest->force - piece.noise) {
     const double t = settled_minimum(force, best.t);
     const double at = parameter(piece, t);
-    lowest = LowestForce{value_at(force, t), at, driver_at(at), t != -1 || !piece.singular_from};
+    lowest = LowestForce{value_at(force, t), at, driver_at(at)};
   }
 }
 

@@ -42,8 +42,6 @@ struct LowestForce {
   double force = 0;  ///< [N]; < 0: the contact would have to pull
   double at = 0;     ///< where, as in ContactOpening
   double driver = 0;
-  /// False: it is still falling at the end of what is known, next to a singular position.
-  bool is_minimum = true;
 };
 
 /// Coefficients of a series in Chebyshev polynomials T_0, T_1, …
