@@ -4,7 +4,6 @@
 #include "other_place.hpp"
 #include "step.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -14,14 +13,9 @@ namespace {
 
 // A joint of the contact's group, whose acceleration is reported where it jumps.
 std::optional<int> moved_joint(const Run& run, std::size_t contact) {
-  for (const Group& group : run.plan().groups) {
-    if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
-            group.contacts.end() &&
-        !group.joints.empty()) {
-      return group.joints.front();
-    }
-  }
-  return std::nullopt;
+  const auto g = group_with_contact(run.plan(), static_cast<int>(contact));
+  const bool moves = g && !run.plan().groups[*g].joints.empty();
+  return moves ? std::optional(run.plan().groups[*g].joints.front()) : std::nullopt;
 }
 
 double acceleration_of(const Run& run, int joint) {

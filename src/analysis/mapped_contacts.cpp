@@ -64,12 +64,9 @@ public:
 private:
   // The body that a contact alone places.
   [[nodiscard]] std::optional<int> follower_of(int contact) const {
-    for (const Group& group : plan_.groups) {
-      if (const auto placing = placing_contact(group); placing && placing->contact == contact) {
-        return placing->follower->body;
-      }
-    }
-    return std::nullopt;
+    const auto g = group_with_contact(plan_, contact);
+    const auto placing = g ? placing_contact(plan_.groups[*g]) : std::nullopt;
+    return placing ? std::optional(placing->follower->body) : std::nullopt;
   }
 
   [[nodiscard]] const std::string& name_of(int body) const {

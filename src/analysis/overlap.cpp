@@ -94,14 +94,8 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
 
 // The group of a tracked pair that has this contact, if any.
 std::optional<std::size_t> tracked_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
-    if (tracked != nullptr && tracked->contact == contact &&
-        std::holds_alternative<ContactTrack>(run.work.trial.tracks[g])) {
-      return g;
-    }
-  }
-  return std::nullopt;
+  const auto g = group_with_contact(run.plan(), contact);
+  return g && std::holds_alternative<ContactTrack>(run.work.trial.tracks[*g]) ? g : std::nullopt;
 }
 
 // The follower's rates with the first and the second contact where the second appears, x beyond run.at.state.
