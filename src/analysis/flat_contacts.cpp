@@ -65,9 +65,9 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   set(1 - passage.side, other, opposite);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
-  RunEvent event = event_at(EventType::kSecondContact, path, s, "");
-  event.contact = static_cast<int>(passage.contact);
-  event.cause = "two flat parts lie on each other and the motion goes on with the contact at the other end";
+  RunEvent& event = report_contact(
+      run, EventType::kSecondContact, path, s, passage.contact,
+      "two flat parts lie on each other and the motion goes on with the contact at the other end");
   if (const auto g = touching_group(run, static_cast<int>(passage.contact))) {
     const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
     event.cause +=
@@ -76,7 +76,6 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   }
   run.at.watches[passage.contact].interrupted = true;
   std::swap(run.at.state, over);
-  run.events.push_back(std::move(event));
   note_edge(run, path, s, passage.contact, over.contacts[passage.contact].place);
   return rests;
 }

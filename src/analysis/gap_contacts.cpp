@@ -143,21 +143,16 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   return Closing::kClosed;
 }
 
-void report(Run& run, EventType type, const Path& path, double s, int contact, std::string_view cause) {
-  RunEvent event = event_at(type, path, s, cause);
-  event.contact = contact;
-  run.events.push_back(std::move(event));
-}
-
 const std::string& follower_name(const Run& run, const TouchingBody& touching) {
   return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
 }
 
 // Continues run.at.state, which is at s, with the contact open, though the bodies overlap.
 void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
-  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = true;
-  report(
-      run, EventType::kOverlap, path, s, touching.contact,
+  const auto contact = static_cast<std::size_t>(touching.contact);
+  run.at.watches[contact].overlaps = true;
+  report_contact(
+      run, EventType::kOverlap, path, s, contact,
       fmt::format("the bodies strike each other at the end of a curve, beside the edge there or where it has "
                   "none: the contact cannot hold {}",
                   follower_name(run, touching)));
@@ -235,10 +230,11 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     if (!settle(run, path, s + x, closed)) {
       return std::nullopt;
     }
-    run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
-    report(run, EventType::kEngage, path, s + x, touching.contact,
-           fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
-                       rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
+    const auto contact = static_cast<std::size_t>(touching.contact);
+    run.at.watches[contact].overlaps = false;
+    report_contact(run, EventType::kEngage, path, s + x, contact,
+                   fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
+                               rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
     return x;
   }
   return std::nullopt;
@@ -272,10 +268,11 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   if (!settle(run, path, s, open)) {
     return;
   }
-  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
-  report(run, EventType::kRelease, path, s, touching.contact,
-         fmt::format("{}: the bodies part and {} stays where it is{}", reason, follower_name(run, touching),
-                     rate_jump_text(run, touching, {before, 0})));
+  const auto contact = static_cast<std::size_t>(touching.contact);
+  run.at.watches[contact].overlaps = false;
+  report_contact(run, EventType::kRelease, path, s, contact,
+                 fmt::format("{}: the bodies part and {} stays where it is{}", reason,
+                             follower_name(run, touching), rate_jump_text(run, touching, {before, 0})));
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

@@ -4,7 +4,6 @@
 #include "other_place.hpp"
 #include "step.hpp"
 
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -84,8 +83,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   if (!type) {
     return;
   }
-  RunEvent event = event_at(*type, path, s, cause_of(run, passage, *type));
-  event.contact = static_cast<int>(passage.contact);
+  RunEvent& event = report_contact(run, *type, path, s, passage.contact, cause_of(run, passage, *type));
   if (*type == EventType::kCurvatureJump) {
     const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
     event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
@@ -95,7 +93,6 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
                                run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
                                from_to_text(before, acceleration_of(run, *joint)));
   }
-  run.events.push_back(std::move(event));
 }
 
 }  // namespace higherpair

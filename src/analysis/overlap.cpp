@@ -137,22 +137,19 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
 // another contact.
 void report(Run& run, std::size_t contact, const Path& path, double s,
             const std::optional<RateJump>& change) {
-  RunEvent event;
-  event.type = EventType::kOverlap;
-  set_place(event, path, s);
-  event.contact = static_cast<int>(contact);
-  event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
-  if (change) {
-    OverlapWatch& watch = run.at.watches[contact];
-    watch.overlaps = false;
-    watch.interrupted = true;
-    event.type = EventType::kSecondContact;
-    event.cause = fmt::format(
-        "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
-        "for a unit rate of the driver jumps {}",
-        from_to_text(change->before, change->after));
+  if (!change) {
+    report_contact(run, EventType::kOverlap, path, s, contact,
+                   "the two bodies begin to overlap elsewhere on their boundaries");
+    return;
   }
-  run.events.push_back(std::move(event));
+  OverlapWatch& watch = run.at.watches[contact];
+  watch.overlaps = false;
+  watch.interrupted = true;
+  report_contact(
+      run, EventType::kSecondContact, path, s, contact,
+      fmt::format("a second contact of the same two bodies appears and the motion goes on with it; the "
+                  "follower's rate for a unit rate of the driver jumps {}",
+                  from_to_text(change->before, change->after)));
 }
 
 // Both places touch there, with the same velocities: the motion goes on with the one that keeps the bodies
