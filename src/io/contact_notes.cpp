@@ -23,7 +23,7 @@ struct PosedCurve {
 
 PosedCurve posed_curve(const Mechanism& mechanism, const CurveRef& ref) {
   const Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
-  const NamedCurve& named = body.curves[static_cast<std::size_t>(ref.curve)];
+  const NamedCurve& named = described_curve(mechanism, ref);
   const Pose<double> X_WB = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
   const bool closed = is_conic(named.curve) && named.curve.q > 0;
   return {&named.curve, X_WB * (closed ? center(named.curve) : named.curve.vertex_B),

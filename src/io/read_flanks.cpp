@@ -107,8 +107,7 @@ private:
       return std::nullopt;
     }
     const CurveRef other = is_own(contact.first) ? contact.second : contact.first;
-    const NamedCurve& curve =
-        mechanism_.bodies[static_cast<std::size_t>(other.body)].curves[static_cast<std::size_t>(other.curve)];
+    const NamedCurve& curve = described_curve(mechanism_, other);
     if (curve.boundary || curve.curve.kind == CurveKind::kChain) {
       report(reading_, late.contact,
              "the follower of a cam has a circle, an ellipse or other conic, a line or a point as its curve");

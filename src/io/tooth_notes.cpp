@@ -1,6 +1,7 @@
 #include "tooth_notes.hpp"
 
 #include "higherpair/geometry/involute_span.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ std::optional<Vector2d> ground_pivot(const Mechanism& mechanism, int body, const
 
 std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref) {
   const Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
-  const NamedCurve& named = body.curves[static_cast<std::size_t>(ref.curve)];
+  const NamedCurve& named = described_curve(mechanism, ref);
   const std::vector<int> curves = named.parts.empty() ? std::vector<int>{ref.curve} : named.parts;
   std::optional<Involute> all;
   for (const int index : curves) {
