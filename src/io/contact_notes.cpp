@@ -47,9 +47,9 @@ std::string behind_face(const PosedCurve& face, const PosedCurve& other, const U
     return "";
   }
   return fmt::format(
-      "{} lies behind the face {} in the poses, {:.4g} {} from it; the normal of a face points out of its "
+      "{} lies behind the face {} in the poses, {} from it; the normal of a face points out of its "
       "body, towards what touches it: reverse it if that side is meant",
-      other.name, face.name, from_si(dimension::kLength, units).apply(behind), name_of(units.length));
+      other.name, face.name, with_unit(behind, dimension::kLength, units, 4));
 }
 
 bool is_within(const PosedCurve& inner, const PosedCurve& outer) {

@@ -24,18 +24,13 @@ struct Flanks {
 
 // The point of ground to which a point of a body is pinned.
 std::optional<Vector2d> ground_pivot(const Mechanism& mechanism, int body, const Vector2d& p_B, double near) {
-  const auto point = [&](const PointRef& ref) {
-    return mechanism.bodies[static_cast<std::size_t>(ref.body)]
-        .points[static_cast<std::size_t>(ref.point)]
-        .p_B;
-  };
   for (const Joint& joint : mechanism.joints) {
     const bool second = joint.first.body == 0;
     const PointRef& own = second ? joint.second : joint.first;
     const PointRef& ground = second ? joint.first : joint.second;
     if (joint.type == JointType::kRevolute && ground.body == 0 && own.body == body &&
-        (point(own) - p_B).norm() <= near) {
-      return point(ground);
+        (point_of(mechanism, own) - p_B).norm() <= near) {
+      return point_of(mechanism, ground);
     }
   }
   return std::nullopt;
@@ -80,11 +75,10 @@ std::string interference(const Flanks& root, const Flanks& tip, double tangent, 
     return "";
   }
   const Scaling angle = from_si(dimension::kAngle, units);
-  const std::string past =
-      met < 0 ? fmt::format(", {:.4g} {} past its base circle",
-                            from_si(dimension::kLength, units).apply(-met * root.base_radius),
-                            name_of(units.length))
-              : "";
+  const std::string past = met < 0
+                               ? fmt::format(", {} past its base circle",
+                                             with_unit(-met * root.base_radius, dimension::kLength, units, 4))
+                               : "";
   const double most = (tangent - root.base_radius * root.roll.low) / tip.base_radius;
   const std::string shorter = most > tip.roll.low
                                   ? fmt::format("let the `roll` of {} end at {:.5g}, or ", tip.name,
