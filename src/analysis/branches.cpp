@@ -54,8 +54,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
     }
   }
   const bool turning_drivers = std::all_of(group.drivers.begin(), group.drivers.end(), [&](int driver) {
-    const auto joint = static_cast<std::size_t>(mechanism.drivers[static_cast<std::size_t>(driver)].joint);
-    return mechanism.joints[joint].type == JointType::kRevolute;
+    return driven_joint(mechanism, static_cast<std::size_t>(driver)).type == JointType::kRevolute;
   });
   if (!group.contacts.empty() || !turning_drivers || pins.size() != group.bodies.size()) {
     return false;

@@ -71,9 +71,8 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
                 contacts[static_cast<std::size_t>(index)], state.bodies, rows);
   }
   for (const int index : group.drivers) {
-    const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-    append_driver_row(mechanism, mechanism.joints[static_cast<std::size_t>(driver.joint)],
-                      drivers[static_cast<std::size_t>(index)], state.bodies, size, rows);
+    const auto i = static_cast<std::size_t>(index);
+    append_driver_row(mechanism, driven_joint(mechanism, i), drivers[i], state.bodies, size, rows);
   }
   hold_angles(condition_set(model.plan, group).idle_bodies, state, state, size, rows);
   return rows;

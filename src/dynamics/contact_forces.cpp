@@ -2,6 +2,7 @@
 
 #include "force_fit.hpp"
 #include "force_watch.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
@@ -46,8 +47,7 @@ private:
     double parts = 0;
     bool changes = false;
     for (std::size_t i = 0; i < to.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(run().mechanism().drivers[i].joint);
-      const bool turns = run().mechanism().joints[joint].type == JointType::kRevolute;
+      const bool turns = driven_joint(run().mechanism(), i).type == JointType::kRevolute;
       const double longest = turns ? kLongestPieceTurn : kLongestPieceSlide * run().plan().size;
       parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
       changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||

@@ -1,5 +1,6 @@
 #include "higherpair/dynamics/path_extremes.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/peaks.hpp"
 #include "tolerances.hpp"
 
@@ -116,8 +117,7 @@ private:
     path_.motion(to, last);
     double parts = kFewest;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(start_.mechanism().drivers[i].joint);
-      const double longest = has_angle(start_.mechanism().joints[joint].type)
+      const double longest = has_angle(driven_joint(start_.mechanism(), i).type)
                                  ? kLongestSampleTurn
                                  : kLongestSampleSlide * start_.plan().size;
       parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);

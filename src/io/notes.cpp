@@ -1,6 +1,7 @@
 #include "higherpair/io/notes.hpp"
 
 #include "higherpair/analysis/start_ranges.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -95,8 +96,7 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   if (ranges->empty()) {
     return fmt::format("; it can be with no other {} that was tried", key);
   }
-  const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-  const Dimension dimension = turns ? dimension::kAngle : dimension::kLength;
+  const Dimension dimension = driver_dimension(mechanism);
   const Scaling scaling = from_si(dimension, profile.units);
   std::string text;
   for (const StartRange& range : *ranges) {

@@ -53,7 +53,7 @@ public:
       }
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
-      driver(mechanism_.drivers[i], profile_.programs[i]);
+      driver(i, profile_.programs[i]);
     }
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Mistake& a, const Mistake& b) { return a.mark < b.mark; });
@@ -209,9 +209,10 @@ private:
     }
   }
 
-  void driver(const Driver& driver, const DriverProgram& program) {
-    const std::string path = driver.name.empty() ? "driver" : "drivers." + driver.name;
-    const bool turns = mechanism_.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+  void driver(std::size_t i, const DriverProgram& program) {
+    const std::string& name = mechanism_.drivers[i].name;
+    const std::string path = name.empty() ? "driver" : "drivers." + name;
+    const bool turns = driven_joint(mechanism_, i).type == JointType::kRevolute;
     if (turns) {
       angle_unit(path + ".start");
       angle_unit(path + ".end");

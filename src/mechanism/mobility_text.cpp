@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -34,10 +35,10 @@ std::string names_of(const std::vector<Item>& items, const std::vector<int>& ind
 }
 
 std::string driver_name(const Mechanism& mechanism, int index) {
-  const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-  const std::string& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)].name;
-  return driver.name.empty() ? fmt::format("driver (of {})", joint)
-                             : fmt::format("drivers.{} (of {})", driver.name, joint);
+  const auto i = static_cast<std::size_t>(index);
+  const std::string& name = mechanism.drivers[i].name;
+  const std::string& joint = driven_joint(mechanism, i).name;
+  return name.empty() ? fmt::format("driver (of {})", joint) : fmt::format("drivers.{} (of {})", name, joint);
 }
 
 std::string repeated(const Redundancy& set) {

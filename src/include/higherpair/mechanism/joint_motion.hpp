@@ -27,6 +27,12 @@ struct JointMotion {
 /// \param joint  index of Mechanism::joints
 [[nodiscard]] bool is_driven(const Mechanism& mechanism, int joint);
 
+/// The joint that a driver moves.
+/// \param driver  index of Mechanism::drivers
+[[nodiscard]] inline const Joint& driven_joint(const Mechanism& mechanism, std::size_t driver = 0) {
+  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
+}
+
 /// The poses of the description as motions at rest.
 [[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
 
