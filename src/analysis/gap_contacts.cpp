@@ -263,8 +263,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.held = true;
-  group.held_at = carried_coordinate(touching.follower, body_in(open, touching.follower.carrier),
-                                     body_in(open, touching.follower.body));
+  group.held_at = carried_coordinate(touching.follower, open.bodies);
   if (!settle(run, path, s, open)) {
     return;
   }
