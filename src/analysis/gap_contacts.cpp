@@ -88,8 +88,7 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
     return std::nullopt;
   }
   const Contact& contact = contact_of(run, touching_of(run, g));
-  const bool own_is_first =
-      passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+  const bool own_is_first = passing.own == contact.first;
   const BoundaryPlace& first = own_is_first ? passing.end : there->other;
   return Engagement{g, *x, {first, own_is_first ? there->other : passing.end}};
 }

@@ -106,8 +106,7 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   const Contact& contact = run.mechanism().contacts[i];
   std::optional<Change> change;
   for (const Passing& passing : ends_around(run, contact, place)) {
-    const bool own_is_first =
-        passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+    const bool own_is_first = passing.own == contact.first;
     const auto x = passing_within(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
     if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
       change = Change{*x, begins};

@@ -45,15 +45,12 @@ private:
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
                                      const std::vector<DriverMotion>& to) const {
     double parts = 0;
-    bool changes = false;
     for (std::size_t i = 0; i < to.size(); ++i) {
       const bool turns = driven_joint(run().mechanism(), i).type == JointType::kRevolute;
       const double longest = turns ? kLongestPieceTurn : kLongestPieceSlide * run().plan().size;
       parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
-      changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||
-                from[i].acceleration != to[i].acceleration;
     }
-    return changes || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
+    return from != to || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
   }
 
   void add_stretch(double from, double to, double parts) {
