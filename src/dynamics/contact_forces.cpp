@@ -27,12 +27,9 @@ public:
   }
 
   ContactForces record() {
-    std::vector<DriverMotion> from, to;
-    path_.motion(path_.knots.front(), from);
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
-      path_.motion(path_.knots[i], to);
-      add_stretch(path_.knots[i - 1], path_.knots[i], parts_between(from, to));
-      path_.motion(path_.knots[i], from);
+      const double from = path_.knots[i - 1], to = path_.knots[i];
+      add_stretch(from, to, parts_between(path_.at(from), path_.at(to)));
     }
     if (!moved_) {
       add_position();

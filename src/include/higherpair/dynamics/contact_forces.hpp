@@ -17,6 +17,13 @@ struct DriverPath {
   /// the drivers do not move.
   std::vector<double> knots;
   std::function<void(double at, std::vector<DriverMotion>& drivers)> motion;
+
+  /// The drivers' motion at a place of the path.
+  [[nodiscard]] std::vector<DriverMotion> at(double place) const {
+    std::vector<DriverMotion> drivers;
+    motion(place, drivers);
+    return drivers;
+  }
 };
 
 /// The straight path between two positions of the drivers, with velocities and accelerations interpolated
