@@ -26,9 +26,7 @@ public:
     // dκ/ds = -1/(r² φ³) where s grows with φ.
     return {involute_.center_B + r * e + rho * n, n, 1 / rho, -sense_ / (rho * rho * roll), rho};
   }
-  [[nodiscard]] Bounds range() const override {
-    return sense_ > 0 ? involute_.roll : Bounds{-involute_.roll.high, -involute_.roll.low};
-  }
+  [[nodiscard]] Bounds range() const override { return sense_ > 0 ? involute_.roll : -involute_.roll; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
     const Interval speed = involute_.base_radius * sense_ * to_interval(t);
     return SpanBounds{to_bounds(speed), {1, 1}};
