@@ -1,6 +1,7 @@
 #include "coupled_system.hpp"
 
 #include "group_kinds.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
