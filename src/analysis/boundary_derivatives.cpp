@@ -93,10 +93,7 @@ std::optional<BoundaryDerivatives> BoundaryDerivatives::of(const Family& mechani
       Boundaries& boundaries = derivatives.contacts_[i][side];
       for (std::size_t k = 0; k < boundaries.size(); ++k) {
         const CurveRef& ref = ref_of(mechanisms[k]->contacts[i], side);
-        boundaries[k] = mechanisms[k]
-                            ->bodies[static_cast<std::size_t>(ref.body)]
-                            .curves[static_cast<std::size_t>(ref.curve)]
-                            .boundary;
+        boundaries[k] = described_curve(*mechanisms[k], ref).boundary;
       }
       for (const auto& other : boundaries) {
         if (!same_spans(*boundaries[kMiddle], *other)) {

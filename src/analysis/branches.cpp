@@ -12,11 +12,6 @@
 namespace higherpair {
 namespace {
 
-double posed_coordinate(const std::vector<BodyMotion>& posed, const CarriedBody& carried) {
-  return carried_coordinate(carried, posed[static_cast<std::size_t>(carried.carrier)],
-                            posed[static_cast<std::size_t>(carried.body)]);
-}
-
 ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
   ContactPlace place;
   place.contact = tracked.contact;
@@ -54,8 +49,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
     }
   }
   const bool turning_drivers = std::all_of(group.drivers.begin(), group.drivers.end(), [&](int driver) {
-    const auto joint = static_cast<std::size_t>(mechanism.drivers[static_cast<std::size_t>(driver)].joint);
-    return mechanism.joints[joint].type == JointType::kRevolute;
+    return driven_joint(mechanism, static_cast<std::size_t>(driver)).type == JointType::kRevolute;
   });
   if (!group.contacts.empty() || !turning_drivers || pins.size() != group.bodies.size()) {
     return false;
@@ -127,7 +121,7 @@ tl::expected<Branches, StartFailure> list_branches(const Mechanism& mechanism,
     branches.complete = branches.complete && !one_of_many;
   }
   for (ContactPlace& place : branches.contacts) {
-    place.posed = posed_coordinate(posed, place.follower);
+    place.posed = carried_coordinate(place.follower, posed);
   }
   for (const State& state : different(found.states, run.plan().size)) {
     std::vector<double>& coordinates = branches.assemblies.emplace_back();

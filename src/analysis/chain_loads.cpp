@@ -75,8 +75,7 @@ bool take_joint(const Mechanism& mechanism, const Group& group, int held, int ot
     const bool is_second = joint.second.body == held && joint.first.body == other;
     const bool is_first = joint.first.body == held && joint.second.body == other;
     if (joint.type == type && (is_first || is_second)) {
-      support = {index, is_second ? 1.0 : -1.0, body_point(mechanism, joint.second),
-                 joint.type == JointType::kPrismatic};
+      support = {index, is_second ? 1.0 : -1.0, body_point(mechanism, joint.second)};
       return true;
     }
   }

@@ -60,10 +60,9 @@ struct ChainLoads {
 
 /// A joint that holds a body of a group.
 struct ChainSupport {
-  int joint = -1;     ///< index of Mechanism::joints; none: -1
-  double sign = 1;    ///< +1 where the held body is the joint's second, else -1
-  BodyPoint second;   ///< the joint's second point, at which a guide's force is assumed to act
-  bool rigid = true;  ///< whether it transmits a moment: a slide does, a slot does not
+  int joint = -1;    ///< index of Mechanism::joints; none: -1
+  double sign = 1;   ///< +1 where the held body is the joint's second, else -1
+  BodyPoint second;  ///< the joint's second point, at which a guide's force is assumed to act
 };
 
 /// The joints of a group. Driven: `outer[0]` is the driven one. RRR: `outer` hold links a and b, `inner`

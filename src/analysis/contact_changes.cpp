@@ -10,21 +10,11 @@
 #include "step.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace higherpair {
 namespace {
-
-std::size_t group_with_contact(const Run& run, std::size_t contact) {
-  const auto& groups = run.plan().groups;
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-    return std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
-           group.contacts.end();
-  });
-  return static_cast<std::size_t>(found - groups.begin());
-}
 
 bool has_just_passed(const OnPath& at, const JointPassage& passage) {
   return passage.contact == at.passed.contact && passage.side == at.passed.side &&
@@ -34,7 +24,7 @@ bool has_just_passed(const OnPath& at, const JointPassage& passage) {
 
 // Goes on from the joint at which run.at.state is.
 JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
-  const std::size_t g = group_with_contact(at.run, passage.contact);
+  const std::size_t g = *group_with_contact(at.run.plan(), static_cast<int>(passage.contact));
   // At an edge, another place at which the bodies touch takes over, if there is one.
   if (is_on_edge(at.run, passage.contact, passage.side, passage.after) && hand_over(at, g)) {
     return {JointOutcome::kDiverted};

@@ -1,6 +1,7 @@
 #include "coupled_system.hpp"
 
 #include "group_kinds.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
@@ -71,9 +72,8 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
                 contacts[static_cast<std::size_t>(index)], state.bodies, rows);
   }
   for (const int index : group.drivers) {
-    const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-    append_driver_row(mechanism, mechanism.joints[static_cast<std::size_t>(driver.joint)],
-                      drivers[static_cast<std::size_t>(index)], state.bodies, size, rows);
+    const auto i = static_cast<std::size_t>(index);
+    append_driver_row(mechanism, driven_joint(mechanism, i), drivers[i], state.bodies, size, rows);
   }
   hold_angles(condition_set(model.plan, group).idle_bodies, state, state, size, rows);
   return rows;

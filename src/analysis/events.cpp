@@ -160,11 +160,9 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
       return root_between(value, *before, h, *after);
     }();
     if (x) {
-      RunEvent event = event_at(
-          EventType::kConforming, path, s + *x,
+      report_contact(
+          run, EventType::kConforming, path, s + *x, i,
           "both curves have the same curvature at the contact: beyond, the bodies cut into each other there");
-      event.contact = static_cast<int>(i);
-      run.events.push_back(std::move(event));
     }
   }
 }

@@ -142,7 +142,7 @@ void FirstPosition::begin_arcs(const Group& group) {
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
   const double u = tracked.driver_sign * run_.at.drivers[static_cast<std::size_t>(tracked.driver)];
-  const double q = posed_coordinate(tracked.follower);
+  const double q = carried_coordinate(tracked.follower, posed_.bodies);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
   const bool anywhere = moves_in_itself(tracked.pair.curve2, tracked.pair.motion2);
   const double touching = found.status == FindStatus::kFound && !anywhere ? found.at.q : q;
@@ -192,17 +192,13 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   return false;
 }
 
-double FirstPosition::posed_coordinate(const CarriedBody& body) const {
-  return carried_coordinate(body, body_in(posed_, body.carrier), body_in(posed_, body.body));
-}
-
 // Finds the contact of a body that depends on bodies placed before; place_group then starts from it.
 bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), touching.contact);
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
   const StandingPair placed = standing_pair(model_, touching, state_);
-  const double posed = posed_coordinate(follower);
+  const double posed = carried_coordinate(follower, posed_.bodies);
   const double turned = follower.freedom.turns ? body_in(state_, follower.carrier).theta : 0;
   if (contact.by_boundary) {
     return start_on_boundaries(touching, g, placed, posed + turned);
@@ -242,7 +238,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
       contact.keep == Keep::kGap &&
       starts_open(pair, placed.u, posed, found ? std::optional(found->q) : std::nullopt, contact, size);
   if (group.held) {
-    group.held_at = posed_coordinate(touching.follower);
+    group.held_at = carried_coordinate(touching.follower, posed_.bodies);
     return true;
   }
   if (!found) {

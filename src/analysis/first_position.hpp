@@ -29,7 +29,6 @@ private:
   [[nodiscard]] bool start_tracked(const TrackedPair& tracked, std::size_t g);
   [[nodiscard]] bool start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
                                         const FindResult& found);
-  [[nodiscard]] double posed_coordinate(const CarriedBody& body) const;
   [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
   [[nodiscard]] bool start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                          const StandingPair& placed, double posed);

@@ -13,17 +13,6 @@
 namespace higherpair {
 namespace {
 
-// The body that a contact places, or null.
-const TouchingBody* touching_body(const Run& run, std::size_t contact) {
-  for (const Group& group : run.plan().groups) {
-    const auto* touching = std::get_if<TouchingBody>(&group.kind);
-    if (touching != nullptr && touching->contact == static_cast<int>(contact)) {
-      return touching;
-    }
-  }
-  return nullptr;
-}
-
 // The end of the other body's flat span if it comes before that of the own one.
 std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
                                     double way) {
@@ -76,17 +65,17 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   set(1 - passage.side, other, opposite);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
-  RunEvent event = event_at(EventType::kSecondContact, path, s, "");
-  event.contact = static_cast<int>(passage.contact);
-  event.cause = "two flat parts lie on each other and the motion goes on with the contact at the other end";
-  if (const TouchingBody* touching = touching_body(run, passage.contact)) {
+  RunEvent& event = report_contact(
+      run, EventType::kSecondContact, path, s, passage.contact,
+      "two flat parts lie on each other and the motion goes on with the contact at the other end");
+  if (const auto g = touching_group(run, static_cast<int>(passage.contact))) {
+    const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
     event.cause +=
         fmt::format("; the follower's rate for a unit rate of the driver jumps {}",
-                    from_to_text(follower_rate(run.at.state, *touching), follower_rate(over, *touching)));
+                    from_to_text(follower_rate(run.at.state, touching), follower_rate(over, touching)));
   }
   run.at.watches[passage.contact].interrupted = true;
   std::swap(run.at.state, over);
-  run.events.push_back(std::move(event));
   note_edge(run, path, s, passage.contact, over.contacts[passage.contact].place);
   return rests;
 }

@@ -88,8 +88,7 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
     return std::nullopt;
   }
   const Contact& contact = contact_of(run, touching_of(run, g));
-  const bool own_is_first =
-      passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+  const bool own_is_first = passing.own == contact.first;
   const BoundaryPlace& first = own_is_first ? passing.end : there->other;
   return Engagement{g, *x, {first, own_is_first ? there->other : passing.end}};
 }
@@ -143,21 +142,16 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   return Closing::kClosed;
 }
 
-void report(Run& run, EventType type, const Path& path, double s, int contact, std::string_view cause) {
-  RunEvent event = event_at(type, path, s, cause);
-  event.contact = contact;
-  run.events.push_back(std::move(event));
-}
-
 const std::string& follower_name(const Run& run, const TouchingBody& touching) {
   return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
 }
 
 // Continues run.at.state, which is at s, with the contact open, though the bodies overlap.
 void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
-  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = true;
-  report(
-      run, EventType::kOverlap, path, s, touching.contact,
+  const auto contact = static_cast<std::size_t>(touching.contact);
+  run.at.watches[contact].overlaps = true;
+  report_contact(
+      run, EventType::kOverlap, path, s, contact,
       fmt::format("the bodies strike each other at the end of a curve, beside the edge there or where it has "
                   "none: the contact cannot hold {}",
                   follower_name(run, touching)));
@@ -235,10 +229,11 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     if (!settle(run, path, s + x, closed)) {
       return std::nullopt;
     }
-    run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
-    report(run, EventType::kEngage, path, s + x, touching.contact,
-           fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
-                       rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
+    const auto contact = static_cast<std::size_t>(touching.contact);
+    run.at.watches[contact].overlaps = false;
+    report_contact(run, EventType::kEngage, path, s + x, contact,
+                   fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
+                               rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
     return x;
   }
   return std::nullopt;
@@ -267,15 +262,15 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.held = true;
-  group.held_at = carried_coordinate(touching.follower, body_in(open, touching.follower.carrier),
-                                     body_in(open, touching.follower.body));
+  group.held_at = carried_coordinate(touching.follower, open.bodies);
   if (!settle(run, path, s, open)) {
     return;
   }
-  run.at.watches[static_cast<std::size_t>(touching.contact)].overlaps = false;
-  report(run, EventType::kRelease, path, s, touching.contact,
-         fmt::format("{}: the bodies part and {} stays where it is{}", reason, follower_name(run, touching),
-                     rate_jump_text(run, touching, {before, 0})));
+  const auto contact = static_cast<std::size_t>(touching.contact);
+  run.at.watches[contact].overlaps = false;
+  report_contact(run, EventType::kRelease, path, s, contact,
+                 fmt::format("{}: the bodies part and {} stays where it is{}", reason,
+                             follower_name(run, touching), rate_jump_text(run, touching, {before, 0})));
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

@@ -63,7 +63,9 @@ BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier,
   return carried.carrier == 0 ? relative : compose(carrier, relative);
 }
 
-double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier, const BodyMotion& body) {
+double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies) {
+  const BodyMotion& carrier = bodies[static_cast<std::size_t>(carried.carrier)];
+  const BodyMotion& body = bodies[static_cast<std::size_t>(carried.body)];
   if (carried.freedom.turns) {
     return body.theta - carrier.theta;
   }

@@ -48,8 +48,8 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
                                         double q_dot, double q_ddot);
 
 /// The coordinate of a carried body at its present position; continuous.
-[[nodiscard]] double carried_coordinate(const CarriedBody& carried, const BodyMotion& carrier,
-                                        const BodyMotion& body);
+/// \param bodies  motions of Mechanism::bodies
+[[nodiscard]] double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies);
 
 /// Sliding, rolling and normal rates of a contact from the velocities of its bodies.
 void set_contact_rates(const Planned& model, int contact, State& state);

@@ -43,8 +43,7 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
   const Mechanism& mechanism = run.mechanism();
   Coordinates<JerkSeries> at = constant<JerkSeries>(row_coordinates(run));
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
-    const JointMotion driver = joint_motion(mechanism, joint, run.row.bodies);
+    const JointMotion driver = joint_motion(mechanism, driven_joint(mechanism, i), run.row.bodies);
     at.drivers[i] = series_of<3>(std::array{driver.position, driver.velocity, driver.acceleration,
                                             higher.empty() ? 0.0 : higher[i][0]});
   }

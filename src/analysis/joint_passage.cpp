@@ -4,8 +4,6 @@
 #include "other_place.hpp"
 #include "step.hpp"
 
-#include <algorithm>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -14,14 +12,9 @@ namespace {
 
 // A joint of the contact's group, whose acceleration is reported where it jumps.
 std::optional<int> moved_joint(const Run& run, std::size_t contact) {
-  for (const Group& group : run.plan().groups) {
-    if (std::find(group.contacts.begin(), group.contacts.end(), static_cast<int>(contact)) !=
-            group.contacts.end() &&
-        !group.joints.empty()) {
-      return group.joints.front();
-    }
-  }
-  return std::nullopt;
+  const auto g = group_with_contact(run.plan(), static_cast<int>(contact));
+  const bool moves = g && !run.plan().groups[*g].joints.empty();
+  return moves ? std::optional(run.plan().groups[*g].joints.front()) : std::nullopt;
 }
 
 double acceleration_of(const Run& run, int joint) {
@@ -90,8 +83,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   if (!type) {
     return;
   }
-  RunEvent event = event_at(*type, path, s, cause_of(run, passage, *type));
-  event.contact = static_cast<int>(passage.contact);
+  RunEvent& event = report_contact(run, *type, path, s, passage.contact, cause_of(run, passage, *type));
   if (*type == EventType::kCurvatureJump) {
     const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
     event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
@@ -101,7 +93,6 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
                                run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
                                from_to_text(before, acceleration_of(run, *joint)));
   }
-  run.events.push_back(std::move(event));
 }
 
 }  // namespace higherpair

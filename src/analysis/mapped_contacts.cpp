@@ -64,12 +64,9 @@ public:
 private:
   // The body that a contact alone places.
   [[nodiscard]] std::optional<int> follower_of(int contact) const {
-    for (const Group& group : plan_.groups) {
-      if (const auto placing = placing_contact(group); placing && placing->contact == contact) {
-        return placing->follower->body;
-      }
-    }
-    return std::nullopt;
+    const auto g = group_with_contact(plan_, contact);
+    const auto placing = g ? placing_contact(plan_.groups[*g]) : std::nullopt;
+    return placing ? std::optional(placing->follower->body) : std::nullopt;
   }
 
   [[nodiscard]] const std::string& name_of(int body) const {
@@ -99,7 +96,7 @@ private:
       mapped.unbounded = {is_unbounded(mapped.pair.curve1), is_unbounded(mapped.pair.curve2)};
     }
     mapped.driver = driver_of(mechanism_, *known_joint);
-    mapped.posed = coordinate(mapped.follower, posed_);
+    mapped.posed = carried_coordinate(mapped.follower, posed_);
     set_position(mapped);
   }
 
@@ -107,7 +104,7 @@ private:
     if (run_) {
       const State& state = run_->at.state;
       const Vector2d n_W = state.contacts[static_cast<std::size_t>(mapped.contact)].at.n_W;
-      mapped.q = coordinate(mapped.follower, state.bodies);
+      mapped.q = carried_coordinate(mapped.follower, state.bodies);
       mapped.n_W = mapped.known_is_first ? n_W : Vector2d(-n_W);
     }
     if (mapped.driver) {
@@ -115,15 +112,10 @@ private:
     } else if (!mapped.pair.motion1.turns) {
       mapped.refusal = name_of(mapped.known.body) + " slides and is not driven: no range is given for it";
     } else if (run_) {
-      mapped.u = coordinate(mapped.known, run_->at.state.bodies);
+      mapped.u = carried_coordinate(mapped.known, run_->at.state.bodies);
     } else {
-      mapped.u = coordinate(mapped.known, posed_);
+      mapped.u = carried_coordinate(mapped.known, posed_);
     }
-  }
-
-  [[nodiscard]] static double coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies) {
-    return carried_coordinate(carried, bodies[static_cast<std::size_t>(carried.carrier)],
-                              bodies[static_cast<std::size_t>(carried.body)]);
   }
 
   const Mechanism& mechanism_;

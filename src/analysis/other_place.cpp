@@ -33,14 +33,10 @@ std::string rate_jump_text(const Run& run, const TouchingBody& touching, const R
 }
 
 std::optional<std::size_t> touching_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-    if (touching != nullptr && touching->contact == contact &&
-        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary) {
-      return g;
-    }
-  }
-  return std::nullopt;
+  const auto g = group_with_contact(run.plan(), contact);
+  const bool touching = g && std::holds_alternative<TouchingBody>(run.plan().groups[*g].kind) &&
+                        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary;
+  return touching ? g : std::nullopt;
 }
 
 std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,

@@ -94,14 +94,8 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
 
 // The group of a tracked pair that has this contact, if any.
 std::optional<std::size_t> tracked_group(const Run& run, int contact) {
-  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    const auto* tracked = std::get_if<TrackedPair>(&run.plan().groups[g].kind);
-    if (tracked != nullptr && tracked->contact == contact &&
-        std::holds_alternative<ContactTrack>(run.work.trial.tracks[g])) {
-      return g;
-    }
-  }
-  return std::nullopt;
+  const auto g = group_with_contact(run.plan(), contact);
+  return g && std::holds_alternative<ContactTrack>(run.work.trial.tracks[*g]) ? g : std::nullopt;
 }
 
 // The follower's rates with the first and the second contact where the second appears, x beyond run.at.state.
@@ -143,22 +137,19 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
 // another contact.
 void report(Run& run, std::size_t contact, const Path& path, double s,
             const std::optional<RateJump>& change) {
-  RunEvent event;
-  event.type = EventType::kOverlap;
-  set_place(event, path, s);
-  event.contact = static_cast<int>(contact);
-  event.cause = "the two bodies begin to overlap elsewhere on their boundaries";
-  if (change) {
-    OverlapWatch& watch = run.at.watches[contact];
-    watch.overlaps = false;
-    watch.interrupted = true;
-    event.type = EventType::kSecondContact;
-    event.cause = fmt::format(
-        "a second contact of the same two bodies appears and the motion goes on with it; the follower's rate "
-        "for a unit rate of the driver jumps {}",
-        from_to_text(change->before, change->after));
+  if (!change) {
+    report_contact(run, EventType::kOverlap, path, s, contact,
+                   "the two bodies begin to overlap elsewhere on their boundaries");
+    return;
   }
-  run.events.push_back(std::move(event));
+  OverlapWatch& watch = run.at.watches[contact];
+  watch.overlaps = false;
+  watch.interrupted = true;
+  report_contact(
+      run, EventType::kSecondContact, path, s, contact,
+      fmt::format("a second contact of the same two bodies appears and the motion goes on with it; the "
+                  "follower's rate for a unit rate of the driver jumps {}",
+                  from_to_text(change->before, change->after)));
 }
 
 // Both places touch there, with the same velocities: the motion goes on with the one that keeps the bodies

@@ -4,6 +4,7 @@
 #include "crossing.hpp"
 #include "events.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "limit_events.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
@@ -29,7 +30,7 @@ constexpr std::size_t kMostEvents = 250'000;
 double parts_of(const Run& run, const Path& path) {
   double parts = 1;
   for (std::size_t i = 0; i < path.from.size(); ++i) {
-    const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[i].joint)];
+    const Joint& joint = driven_joint(run.mechanism(), i);
     const double largest =
         joint.type == JointType::kRevolute ? kLargestTurn : kLargestSlide * driver_scale(run, i);
     parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);

@@ -67,7 +67,7 @@ bool PinLinkage::add(const Mechanism& mechanism, const Group& group) {
   if (driven == nullptr) {
     return false;
   }
-  const Joint& joint = joint_at(mechanism, mechanism.drivers[static_cast<std::size_t>(driven->driver)].joint);
+  const Joint& joint = driven_joint(mechanism, static_cast<std::size_t>(driven->driver));
   const auto ends = ends_at(joint, driven->carried.body);
   if (!ends) {
     return false;

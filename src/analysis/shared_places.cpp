@@ -106,8 +106,7 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   const Contact& contact = run.mechanism().contacts[i];
   std::optional<Change> change;
   for (const Passing& passing : ends_around(run, contact, place)) {
-    const bool own_is_first =
-        passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
+    const bool own_is_first = passing.own == contact.first;
     const auto x = passing_within(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
     if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
       change = Change{*x, begins};
@@ -125,13 +124,6 @@ const TouchingBody* free_to_go_on(const Run& run, std::size_t g) {
   }
   const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(touching->contact)];
   return contact.by_boundary && contact.jump && !contact.both_sides ? touching : nullptr;
-}
-
-void report(Run& run, EventType type, const Path& path, double s, std::size_t contact,
-            const std::string& cause) {
-  RunEvent event = event_at(type, path, s, cause);
-  event.contact = static_cast<int>(contact);
-  run.events.push_back(std::move(event));
 }
 
 }  // namespace
@@ -168,9 +160,10 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
             [](const Change& a, const Change& b) { return std::abs(a.x) < std::abs(b.x); });
   for (const Change& change : changes) {
     change.begins ? ++places : --places;
-    report(run, change.begins ? EventType::kEngage : EventType::kRelease, path, s + change.x, contact,
-           change.begins ? fmt::format("the two bodies begin to touch at a further place, now at {}", places)
-                         : fmt::format("the two bodies part at one of several places, {} left", places));
+    report_contact(run, change.begins ? EventType::kEngage : EventType::kRelease, path, s + change.x, contact,
+                   change.begins
+                       ? fmt::format("the two bodies begin to touch at a further place, now at {}", places)
+                       : fmt::format("the two bodies part at one of several places, {} left", places));
   }
 }
 
@@ -197,11 +190,12 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
   const auto places = shared_places(run, i, run.at.state, kOverlapOfBoundaries * run.plan().size);
   for (const NearPlace& place : places) {
     if (const auto change = go_on_at(run, path, g, s, place)) {
-      report(run, EventType::kRelease, path, s, i,
-             fmt::format(
-                 "the contact leaves the end of a curve and goes on at another place where the two bodies "
-                 "touch, {} left{}",
-                 places.size(), rate_jump_text(run, *touching, *change)));
+      report_contact(
+          run, EventType::kRelease, path, s, i,
+          fmt::format(
+              "the contact leaves the end of a curve and goes on at another place where the two bodies "
+              "touch, {} left{}",
+              places.size(), rate_jump_text(run, *touching, *change)));
       return true;
     }
   }
@@ -224,10 +218,10 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   if (!change) {
     return false;
   }
-  report(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
-         fmt::format("the contact {} of {}{}",
-                     passage->notch ? "goes on beyond a concave corner" : "goes over a corner",
-                     body_of_side(run, i, passage->side), rate_jump_text(run, *touching, *change)));
+  report_contact(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
+                 fmt::format("the contact {} of {}{}",
+                             passage->notch ? "goes on beyond a concave corner" : "goes over a corner",
+                             body_of_side(run, i, passage->side), rate_jump_text(run, *touching, *change)));
   return true;
 }
 

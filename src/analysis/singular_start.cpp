@@ -1,6 +1,7 @@
 #include "singular_start.hpp"
 
 #include "assembly.hpp"
+#include "coupled_system.hpp"
 #include "crossing.hpp"
 #include "group_system.hpp"
 #include "higherpair/contact/finder.hpp"
@@ -70,14 +71,7 @@ void settle_coupled(Run& run, std::size_t g) {
   const auto singular = reduction.singular_point(kNearSingularStart * unit_of(run, path));
   if (singular && std::abs(singular->ahead) <= kNearSingularStart * unit_of(run, path)) {
     reduction.place(*singular);
-    for (const int body : run.plan().groups[g].bodies) {
-      run.at.state.bodies[static_cast<std::size_t>(body)] =
-          run.work.trial.bodies[static_cast<std::size_t>(body)];
-    }
-    for (const int contact : run.plan().groups[g].contacts) {
-      run.at.state.contacts[static_cast<std::size_t>(contact)] =
-          run.work.trial.contacts[static_cast<std::size_t>(contact)];
-    }
+    take_group(run.plan().groups[g], run.work.trial, run.at.state);
     run.at.state.groups[g].sine = 0;
   }
 }

@@ -84,11 +84,9 @@ void note_edge(Run& run, const Path& path, double s, std::size_t contact,
   for (std::size_t side = 0; side < 2; ++side) {
     if (is_on_edge(run, contact, side, run.at.state.contacts[contact].place[side]) &&
         !is_on_edge(run, contact, side, before[side])) {
-      RunEvent event = event_at(EventType::kEnd, path, s,
-                                fmt::format("the contact goes on at the edge at the end of the curve of {}",
-                                            body_of_side(run, contact, side)));
-      event.contact = static_cast<int>(contact);
-      run.events.push_back(std::move(event));
+      report_contact(run, EventType::kEnd, path, s, contact,
+                     fmt::format("the contact goes on at the edge at the end of the curve of {}",
+                                 body_of_side(run, contact, side)));
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "higherpair/analysis/start_ranges.hpp"
 
 #include "assembly.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "tolerances.hpp"
 
@@ -79,8 +80,7 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
   if (!assemble(*run)) {
     return std::nullopt;
   }
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
-  const double turn = joint.type == JointType::kRevolute ? 2 * kPi : 0;
+  const double turn = driven_joint(mechanism).type == JointType::kRevolute ? 2 * kPi : 0;
   const double reach = kReachOfSlide * run->plan().size;
   std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn).ranges()
                                             : Scan(*run, drivers.front() - reach, 2 * reach).ranges();

@@ -235,9 +235,7 @@ void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMo
 }
 
 double driver_scale(const Run& run, std::size_t driver) {
-  const Joint& joint =
-      run.mechanism().joints[static_cast<std::size_t>(run.mechanism().drivers[driver].joint)];
-  return joint.type == JointType::kRevolute ? 1 : run.plan().size;
+  return driven_joint(run.mechanism(), driver).type == JointType::kRevolute ? 1 : run.plan().size;
 }
 
 StepResult try_step(Run& run, const Path& path, double s, double h) {

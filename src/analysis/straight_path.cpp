@@ -21,6 +21,13 @@ RunEvent event_at(EventType type, const Path& path, double s, std::string_view c
   return event;
 }
 
+RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, std::size_t contact,
+                         std::string_view cause) {
+  run.events.push_back(event_at(type, path, s, cause));
+  run.events.back().contact = static_cast<int>(contact);
+  return run.events.back();
+}
+
 void set_place(RunEvent& event, const Path& path, double s) {
   event.driver = driver_at(path, s);
   const double share = path.length == 0 ? 1 : s / path.length;

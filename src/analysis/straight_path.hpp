@@ -18,6 +18,11 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 /// An event at s on the path.
 [[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
 
+/// Adds an event of a contact at s on the path to the run's events.
+/// \returns the event, for what else is known of it
+RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, std::size_t contact,
+                         std::string_view cause);
+
 /// Sets where on the path an event happens.
 void set_place(RunEvent& event, const Path& path, double s);
 

@@ -197,9 +197,8 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
     return place_touching(model, touching, g, from, 0, to);
   }
   const CarriedBody& follower = touching.follower;
-  const double lost =
-      carried_coordinate(follower, body_in(from, follower.carrier), body_in(from, follower.body)) +
-      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
+  const double lost = carried_coordinate(follower, from.bodies) +
+                      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
   return contact.by_boundary ? place_boundaries_anew(model, touching, g, from, lost, to)
                              : place_conics_anew(model, touching, g, from, lost, to);
 }
@@ -221,7 +220,7 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const Vector2d p = motion.at.p_W();
   const PointMotion known = motion_at_place(body_in(state, other), p);
   BodyMotion& body = body_in(state, follower.body);
-  const double q = carried_coordinate(follower, carrier, body);
+  const double q = carried_coordinate(follower, state.bodies);
   const StandingPair placed = standing_pair(model, touching, state);
   const double per_q = velocity_per_q(placed.pair.motion2, p).dot(n);
   const double inverse = per_q == 0 ? 0 : 1 / per_q;

@@ -42,11 +42,9 @@ public:
     const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
     return envelope_->curvature_rates(x, x < joint_.high ? LawSide::kAfter : LawSide::kBefore);
   }
-  [[nodiscard]] Bounds range() const override {
-    return sense_ > 0 ? joint_ : Bounds{-joint_.high, -joint_.low};
-  }
+  [[nodiscard]] Bounds range() const override { return sense_ > 0 ? joint_ : -joint_; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
-    return envelope_->bounds(sense_ > 0 ? t : Bounds{-t.high, -t.low});
+    return envelope_->bounds(sense_ > 0 ? t : -t);
   }
   [[nodiscard]] int parts() const override { return parts_; }
   [[nodiscard]] FlankOrigin origin() const { return envelope_->origin(); }

@@ -13,12 +13,8 @@ double contact_modulus(const ElasticMaterial& first, const ElasticMaterial& seco
   return 1 / (compliance(first) + compliance(second));
 }
 
-LinePressure line_pressure(double load, double curvature, double modulus) {
-  if (!(load > 0)) {
-    return {};
-  }
-  const double greatest = std::sqrt(load * modulus * curvature / kPi);
-  return {greatest, 2 * load / (kPi * greatest)};
+double line_pressure(double load, double curvature, double modulus) {
+  return load > 0 ? std::sqrt(load * modulus * curvature / kPi) : 0;
 }
 
 }  // namespace higherpair

@@ -99,16 +99,6 @@ void add(const TangencyProblem& problem, const Tangency& tangency, std::vector<T
   found.push_back(tangency);
 }
 
-// One of the two square roots of a number of absolute value 1.
-Complex<Extended> root_of_unit(const Complex<Extended>& a) {
-  if (a.re >= 0) {
-    const Extended re = sqrt(Extended((1 + a.re) / 2));
-    return {re, Extended(a.im / (2 * re))};
-  }
-  const Extended im = sqrt(Extended((1 - a.re) / 2));
-  return {Extended(a.im / (2 * im)), im};
-}
-
 // Two parabolas, one of which turns, are tangent at infinity wherever their axes are parallel: double roots
 // on the unit circle, for which the iteration for all roots would take a hundred sweeps. They are divided out
 // at their known values: e^{2iq} is the ratio of the squares of the axes, which are the first entries of the
@@ -122,7 +112,7 @@ Polynomial without_parallel_axes(const TangencyProblem& problem, Polynomial poly
     return form.S[0][1].re < 0 ? -form.S[0][0] : form.S[0][0];
   };
   const Complex<Extended> ratio = axis2(problem.second) * conj(axis2(problem.first));
-  const Complex<Extended> z = root_of_unit(Extended(1 / sqrt(norm(ratio))) * ratio);
+  const Complex<Extended> z = square_root(Extended(1 / sqrt(norm(ratio))) * ratio);
   divide_out(polynomial, z);
   divide_out(polynomial, -z);
   return polynomial;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace higherpair {
-namespace {
 
 Complex<Extended> square_root(const Complex<Extended>& a) {
   const Extended r = sqrt(norm(a));
@@ -16,8 +15,6 @@ Complex<Extended> square_root(const Complex<Extended>& a) {
   }
   return {Extended(abs(im)), a.im < 0 ? Extended(-re) : re};
 }
-
-}  // namespace
 
 Complex<Extended> complex_of(const Vector2d& v) {
   return {Extended(v.x()), Extended(v.y())};

@@ -11,6 +11,9 @@ namespace higherpair {
 
 [[nodiscard]] Complex<Extended> complex_of(const Vector2d& v);
 
+/// One of the two square roots.
+[[nodiscard]] Complex<Extended> square_root(const Complex<Extended>& a);
+
 /// Value of the form, its gradient (as a complex number), the change of the gradient along dw, and the signed
 /// curvature where the gradient is G.
 /// \pre not a point

@@ -192,13 +192,10 @@ void divide_out(Polynomial& coefficients, const Complex<Extended>& root) {
   }
 }
 
-bool vanishes(const Polynomial& coefficients, long double scale, int except) {
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    if (static_cast<int>(k) != except && magnitude(coefficients[k]) > kNegligibleCoefficient * scale) {
-      return false;
-    }
-  }
-  return true;
+bool vanishes(const Polynomial& coefficients, long double scale) {
+  return std::none_of(coefficients.begin(), coefficients.end(), [&](const Complex<Extended>& coefficient) {
+    return magnitude(coefficient) > kNegligibleCoefficient * scale;
+  });
 }
 
 long double size_of(const Polynomial& coefficients) {

@@ -24,8 +24,8 @@ enum class RootsAsked { kAll, kOfUnitSize, kReal };
 /// Divides a polynomial by (x - root), |root| = 1, as long as that is a root to 70 digits, but at most twice.
 void divide_out(Polynomial& coefficients, const Complex<Extended>& root);
 
-/// Whether all coefficients but that of x^`except` (-1: none) are negligible against `scale`.
-[[nodiscard]] bool vanishes(const Polynomial& coefficients, long double scale, int except = -1);
+/// Whether all coefficients are negligible against `scale`.
+[[nodiscard]] bool vanishes(const Polynomial& coefficients, long double scale);
 
 /// Σ |coefficient|, a measure of size.
 [[nodiscard]] long double size_of(const Polynomial& coefficients);

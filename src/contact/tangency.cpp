@@ -248,9 +248,8 @@ DoubleMember double_member(const TangencyProblem& problem, const Coordinate& at)
   const auto value = [&](const Extended& l) { return Extended(abs(((a * l + b) * l + c) * l + d)); };
   const Extended one = (-b + root) / (3 * a);
   const Extended other = (-b - root) / (3 * a);
+  const Matrix3c<Extended> scaled = (value(one) < value(other) ? one : other) * first.S;
   DoubleMember member;
-  member.lambda = value(one) < value(other) ? one : other;
-  const Matrix3c<Extended> scaled = member.lambda * first.S;
   member.M = scaled + second.S;
   Extended left = 0;
   Extended whole = 0;

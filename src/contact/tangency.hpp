@@ -47,9 +47,8 @@ struct TangencyShape {
 
 [[nodiscard]] TangencyShape shape_at(const TangencyProblem& problem, const Tangency& tangency);
 
-/// λ₀ of the pencil's double root at a coordinate, and the degenerate conic λ₀ S1 + S2. \pre two conics
+/// The degenerate conic λ₀ S1 + S2 of the pencil's double root λ₀ at a coordinate. \pre two conics
 struct DoubleMember {
-  Extended lambda;
   Matrix3c<Extended> M;
   bool coincident = false;  ///< M = 0: the two conics are the same
 };

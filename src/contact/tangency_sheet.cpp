@@ -51,7 +51,7 @@ SheetStretch stretch_at(const Boundary& boundary, int span, const Bounds& t, con
   stretch.half = t.width() / 2;
   stretch.reach = stretch.half * largest(bounds.speed);
   stretch.tilt = stretch.half * largest(bounds.turn);
-  stretch.along = side > 0 ? bounds.speed : Bounds{-bounds.speed.high, -bounds.speed.low};
+  stretch.along = side > 0 ? bounds.speed : -bounds.speed;
   stretch.turn = bounds.turn;
   return stretch;
 }

@@ -140,9 +140,7 @@ void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
   for (std::size_t b = 1; b < sketch.mechanism.bodies.size(); ++b) {
     for (std::size_t p = 0; p < sketch.mechanism.bodies[b].points.size(); ++p) {
       const PointRef ref{static_cast<int>(b), static_cast<int>(p)};
-      const bool asked = std::any_of(wanted.begin(), wanted.end(), [&](const PointRef& other) {
-        return other.body == ref.body && other.point == ref.point;
-      });
+      const bool asked = std::find(wanted.begin(), wanted.end(), ref) != wanted.end();
       if (!asked && sketch.point_look(ref.body, p).hide) continue;
       if (asked || !is_joined(sketch.mechanism, ref.body, ref.point)) {
         add_trace(sketch, ref);

@@ -2,6 +2,7 @@
 
 #include "force_fit.hpp"
 #include "force_watch.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
@@ -26,12 +27,9 @@ public:
   }
 
   ContactForces record() {
-    std::vector<DriverMotion> from, to;
-    path_.motion(path_.knots.front(), from);
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
-      path_.motion(path_.knots[i], to);
-      add_stretch(path_.knots[i - 1], path_.knots[i], parts_between(from, to));
-      path_.motion(path_.knots[i], from);
+      const double from = path_.knots[i - 1], to = path_.knots[i];
+      add_stretch(from, to, parts_between(path_.at(from), path_.at(to)));
     }
     if (!moved_) {
       add_position();
@@ -44,16 +42,12 @@ private:
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
                                      const std::vector<DriverMotion>& to) const {
     double parts = 0;
-    bool changes = false;
     for (std::size_t i = 0; i < to.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(run().mechanism().drivers[i].joint);
-      const bool turns = run().mechanism().joints[joint].type == JointType::kRevolute;
+      const bool turns = driven_joint(run().mechanism(), i).type == JointType::kRevolute;
       const double longest = turns ? kLongestPieceTurn : kLongestPieceSlide * run().plan().size;
       parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
-      changes = changes || from[i].position != to[i].position || from[i].velocity != to[i].velocity ||
-                from[i].acceleration != to[i].acceleration;
     }
-    return changes || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
+    return from != to || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
   }
 
   void add_stretch(double from, double to, double parts) {
@@ -120,11 +114,6 @@ private:
     left_out_ = stretch.from;
     if (!forces_.pieces.empty() && forces_.pieces.back().to == stretch.from) {
       forces_.pieces.back().singular_to = true;
-    }
-    for (auto& lowest : forces_.lowest) {
-      if (lowest && lowest->at == stretch.from) {
-        lowest->is_minimum = false;
-      }
     }
   }
 

@@ -112,11 +112,9 @@ double ForceWatch::polished(const ForceFitter::Position& before, const ForcePiec
   const ForceSeries slope = derivative(force);
   const double half_length = (piece.to - piece.from) / 2;
   Run probe = before.run;
-  std::vector<DriverMotion> drivers;
   double at = zero;
   for (int pass = 0; pass < 2 && half_length > 0 && at > before.at; ++pass) {
-    path_.motion(at, drivers);
-    move_to(probe, drivers);
+    move_to(probe, path_.at(at));
     if (!fitter_.columns().solve(probe) || !fitter_.columns().is_known(i)) {
       return zero;
     }
@@ -148,14 +146,12 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
   if (!lowest || best.value < lowest->force - piece.noise) {
     const double t = settled_minimum(force, best.t);
     const double at = parameter(piece, t);
-    lowest = LowestForce{value_at(force, t), at, driver_at(at), t != -1 || !piece.singular_from};
+    lowest = LowestForce{value_at(force, t), at, driver_at(at)};
   }
 }
 
 double ForceWatch::driver_at(double at) const {
-  std::vector<DriverMotion> there;
-  path_.motion(at, there);
-  return there.front().position;
+  return path_.at(at).front().position;
 }
 
 }  // namespace higherpair

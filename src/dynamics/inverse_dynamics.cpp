@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/unit_motion.hpp"
 #include "higherpair/dynamics/reactions.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -101,8 +102,7 @@ void InverseDynamics::read_contacts(const Run& run) {
 
 void InverseDynamics::read_efforts(const Run& run) {
   for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
-    const auto joint = static_cast<std::size_t>(run.mechanism().drivers[i].joint);
-    const bool turns = run.mechanism().joints[joint].type == JointType::kRevolute;
+    const bool turns = driven_joint(run.mechanism(), i).type == JointType::kRevolute;
     reactions_.drivers[i].effort = determined(statics_.driver_row(i), turns ? statics_.size() : 1);
   }
 }

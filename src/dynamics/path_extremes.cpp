@@ -1,5 +1,6 @@
 #include "higherpair/dynamics/path_extremes.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/peaks.hpp"
 #include "tolerances.hpp"
 
@@ -111,13 +112,10 @@ private:
   }
 
   [[nodiscard]] double parts_between(double from, double to) const {
-    std::vector<DriverMotion> first, last;
-    path_.motion(from, first);
-    path_.motion(to, last);
+    const std::vector<DriverMotion> first = path_.at(from), last = path_.at(to);
     double parts = kFewest;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(start_.mechanism().drivers[i].joint);
-      const double longest = has_angle(start_.mechanism().joints[joint].type)
+      const double longest = has_angle(driven_joint(start_.mechanism(), i).type)
                                  ? kLongestSampleTurn
                                  : kLongestSampleSlide * start_.plan().size;
       parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);
@@ -232,9 +230,7 @@ private:
     }
     const bool nothing = largest <= blocks_[b].sought[k].noise;
     const double at = settled(peak->at);
-    std::vector<DriverMotion> there;
-    path_.motion(at, there);
-    return PathExtreme{nothing ? 0 : sign * peak->value, at, there.front().position,
+    return PathExtreme{nothing ? 0 : sign * peak->value, at, path_.at(at).front().position,
                        !nothing && grows_at(at)};
   }
 

@@ -3,6 +3,7 @@
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 #include "numeric/least_norm.hpp"
 #include "tolerances.hpp"
@@ -71,8 +72,7 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
     }
   });
   for_each_index(group.drivers, driver_rows_, rows_, [&](std::size_t i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
-    append_driver_row(mechanism, joint, 0, bodies, size_, rows_);
+    append_driver_row(mechanism, driven_joint(mechanism, i), 0, bodies, size_, rows_);
   });
   for (const int body : held_[g]) {
     rows_.push_back(angle_row(bodies, body, 0, size_));

@@ -48,8 +48,7 @@ public:
       out[2 * i] = *force;
       const double curvature = curvature_of(run, i);
       if (pressures_[i] && curvature > 0) {
-        out[2 * i + 1] =
-            line_pressure(*force / pressures_[i]->width, curvature, pressures_[i]->modulus).greatest;
+        out[2 * i + 1] = line_pressure(*force / pressures_[i]->width, curvature, pressures_[i]->modulus);
       }
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {

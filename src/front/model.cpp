@@ -16,14 +16,6 @@ bool alike(const Items& a, const Items& b, const Same& same) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-bool is_same(const PointRef& a, const PointRef& b) {
-  return a.body == b.body && a.point == b.point;
-}
-
-bool is_same(const CurveRef& a, const CurveRef& b) {
-  return a.body == b.body && a.curve == b.curve;
-}
-
 // The profile of a mechanism that was built, not read from text.
 Profile profile_of(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs,
                    const std::string& name) {
@@ -41,12 +33,12 @@ bool same_structure(const Mechanism& a, const Mechanism& b) {
     return x.name == y.name && x.points.size() == y.points.size() && x.curves.size() == y.curves.size();
   };
   const auto joints = [](const Joint& x, const Joint& y) {
-    return x.name == y.name && x.type == y.type && is_same(x.first, y.first) && is_same(x.second, y.second) &&
+    return x.name == y.name && x.type == y.type && x.first == y.first && x.second == y.second &&
            x.carrier == y.carrier;
   };
   const auto contacts = [](const Contact& x, const Contact& y) {
-    return x.name == y.name && is_same(x.first, y.first) && is_same(x.second, y.second) &&
-           x.rolling == y.rolling && x.keep == y.keep && x.both_sides == y.both_sides;
+    return x.name == y.name && x.first == y.first && x.second == y.second && x.rolling == y.rolling &&
+           x.keep == y.keep && x.both_sides == y.both_sides;
   };
   const auto drivers = [](const Driver& x, const Driver& y) {
     return x.name == y.name && x.joint == y.joint;

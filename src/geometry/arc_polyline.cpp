@@ -1,5 +1,6 @@
 #include "higherpair/geometry/arc_polyline.hpp"
 
+#include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 
 #include <algorithm>
@@ -41,23 +42,13 @@ private:
   double kappa_ = 0;
 };
 
-struct End {
-  Vector2d p;
-  Vector2d t;
-};
-
-End end_at(const Span& span, double t) {
-  const SpanPoint point = span.at(t);
-  return {point.p_B, perp(point.n_B)};
-}
-
 // Where the two arcs of the biarc with tangents of equal length meet.
-Vector2d middle_of_biarc(const End& a, const End& b) {
-  const Vector2d chord = b.p - a.p;
-  const double along = chord.dot(a.t + b.t);
+Vector2d middle_of_biarc(const PieceEnd& a, const PieceEnd& b) {
+  const Vector2d chord = b.p_B - a.p_B;
+  const double along = chord.dot(a.t_B + b.t_B);
   const double length = chord.squaredNorm();
-  const double d = length / (along + std::sqrt(along * along + 2 * (1 - a.t.dot(b.t)) * length));
-  return (a.p + b.p + d * (a.t - b.t)) / 2;
+  const double d = length / (along + std::sqrt(along * along + 2 * (1 - a.t_B.dot(b.t_B)) * length));
+  return (a.p_B + b.p_B + d * (a.t_B - b.t_B)) / 2;
 }
 
 class Fitter {
@@ -89,25 +80,25 @@ private:
   }
 
   void add(const Span& span, double from, double to, int halvings) {
-    const End a = end_at(span, from);
-    const End b = end_at(span, to);
-    const Arc whole(a.p, a.t, b.p);
+    const PieceEnd a = end_at(span, from);
+    const PieceEnd b = end_at(span, to);
+    const Arc whole(a.p_B, a.t_B, b.p_B);
     const auto from_whole = [&](const Vector2d& p) { return whole.distance(p); };
-    if ((whole.end_tangent() - b.t).norm() <= kSameTangent && worst(span, from, to, from_whole) <= same_) {
-      vertices_.push_back({a.p, whole.bulge()});
+    if ((whole.end_tangent() - b.t_B).norm() <= kSameTangent && worst(span, from, to, from_whole) <= same_) {
+      vertices_.push_back({a.p_B, whole.bulge()});
       return;
     }
     const Vector2d middle = middle_of_biarc(a, b);
-    const Arc first(a.p, a.t, middle);
+    const Arc first(a.p_B, a.t_B, middle);
     const Vector2d t = first.end_tangent();
-    const Arc second(middle, t, b.p);
+    const Arc second(middle, t, b.p_B);
     const auto from_biarc = [&](const Vector2d& p) {
       return (p - middle).dot(t) < 0 ? first.distance(p) : second.distance(p);
     };
-    const bool forward = (middle - a.p).dot(a.t) > 0 && (b.p - middle).dot(b.t) > 0;
+    const bool forward = (middle - a.p_B).dot(a.t_B) > 0 && (b.p_B - middle).dot(b.t_B) > 0;
     if (halvings == kArcHalvings ||
         (forward && worst(span, from, to, from_biarc) <= kSureShare * tolerance_)) {
-      vertices_.push_back({a.p, first.bulge()});
+      vertices_.push_back({a.p_B, first.bulge()});
       vertices_.push_back({middle, second.bulge()});
       return;
     }

@@ -22,11 +22,6 @@ PieceEnd end_of_arc(const ArcPiece& arc, double angle) {
   return {arc.center + arc.radius * e, arc.sweep > 0 ? perp(e) : Vector2d(-perp(e))};
 }
 
-PieceEnd end_of_span(const Span& span, double t) {
-  const SpanPoint point = span.at(t);
-  return {point.p_B, perp(point.n_B)};
-}
-
 SpanPtr arc_span(const ArcPiece& arc) {
   if (arc.sweep > 0) {
     return conic_span(*make_circle(arc.center, arc.radius), arc.from, arc.from + arc.sweep);
@@ -48,12 +43,17 @@ void for_each_point(const std::vector<ContourPiece>& pieces, const Found& found)
 
 }  // namespace
 
+PieceEnd end_at(const Span& span, double t) {
+  const SpanPoint point = span.at(t);
+  return {point.p_B, perp(point.n_B)};
+}
+
 PieceEnd begin_of(const ContourPiece& piece) {
   return std::visit(Each{[](const LinePiece& line) {
                            return PieceEnd{line.from, (line.to - line.from).normalized()};
                          },
                          [](const ArcPiece& arc) { return end_of_arc(arc, arc.from); },
-                         [](const SpanPtr& span) { return end_of_span(*span, span->range().low); }},
+                         [](const SpanPtr& span) { return end_at(*span, span->range().low); }},
                     piece);
 }
 
@@ -62,7 +62,7 @@ PieceEnd end_of(const ContourPiece& piece) {
                            return PieceEnd{line.to, (line.to - line.from).normalized()};
                          },
                          [](const ArcPiece& arc) { return end_of_arc(arc, arc.from + arc.sweep); },
-                         [](const SpanPtr& span) { return end_of_span(*span, span->range().high); }},
+                         [](const SpanPtr& span) { return end_at(*span, span->range().high); }},
                     piece);
 }
 

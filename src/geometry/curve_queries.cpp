@@ -36,10 +36,6 @@ Bounds whole_piece(const Curve& curve) {
   return piece.kind == PieceKind::kClosed ? Bounds{-kPi, kPi} : piece.phi;
 }
 
-Bounds negative(const Bounds& x) {
-  return {-x.high, -x.low};
-}
-
 // Calls `take` for a few angles along the piece; returns half of their spacing.
 template <class F>
 double for_samples(const Curve& curve, const F& take) {
@@ -97,7 +93,7 @@ Bounds radius_bounds(const Curve& curve) {
   // A conic is sharpest at its vertex; an ellipse is flattest on its minor axis, an open conic at infinity.
   const double flattest = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : kInfinity;
   const Bounds rho{curve.semi_latus, flattest};
-  return curve.side == Side::kInside ? rho : negative(rho);
+  return curve.side == Side::kInside ? rho : -rho;
 }
 
 Bounds radius_bounds(const PlacedCurve<double>& curve, const Vector2d& n_W, const Rotation<double>& half) {
@@ -134,7 +130,7 @@ Bounds radius_bounds(const PlacedCurve<double>& curve, const Vector2d& n_W, cons
   }
   const auto rho = [&](double w2) { return w2 > 0 ? curve.semi_latus / (w2 * std::sqrt(w2)) : kInfinity; };
   const Bounds bounds{rho(w2_max), rho(w2_min)};
-  return curve.side > 0 ? bounds : negative(bounds);
+  return curve.side > 0 ? bounds : -bounds;
 }
 
 std::optional<NormalArc> normals_of(const PlacedCurve<double>& curve) {

@@ -32,9 +32,7 @@ public:
     rho.c[1] = involute_.base_radius * sense_;
     return rates_of_curvature(CurveSeries(1) / rho, rho);
   }
-  [[nodiscard]] Bounds range() const override {
-    return sense_ > 0 ? involute_.roll : Bounds{-involute_.roll.high, -involute_.roll.low};
-  }
+  [[nodiscard]] Bounds range() const override { return sense_ > 0 ? involute_.roll : -involute_.roll; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
     const Interval speed = involute_.base_radius * sense_ * to_interval(t);
     return SpanBounds{to_bounds(speed), {1, 1}};

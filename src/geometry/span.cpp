@@ -115,11 +115,11 @@ public:
     }
     return rates;
   }
-  [[nodiscard]] Bounds range() const override { return {-span_->range().high, -span_->range().low}; }
+  [[nodiscard]] Bounds range() const override { return -span_->range(); }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
-    auto of = span_->bounds({-t.high, -t.low});
+    auto of = span_->bounds(-t);
     if (of) {
-      of->turn = {-of->turn.high, -of->turn.low};
+      of->turn = -of->turn;
     }
     return of;
   }

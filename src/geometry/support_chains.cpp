@@ -31,7 +31,7 @@ public:
   }
 
 private:
-  [[nodiscard]] Bounds with_sense(const Bounds& x) const { return sense_ > 0 ? x : Bounds{-x.high, -x.low}; }
+  [[nodiscard]] Bounds with_sense(const Bounds& x) const { return sense_ > 0 ? x : -x; }
 
   const SupportCurve& curve_;
   std::size_t piece_;

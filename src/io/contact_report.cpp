@@ -102,10 +102,8 @@ bool stays_closed(const Profile& profile, const DriverPath& path, const Run& sta
       spring.free = PreloadNumber(preloads[k], profile).si(advice.numbers[k]);
     }
   }
-  std::vector<DriverMotion> drivers;
-  path.motion(path.knots.front(), drivers);
   std::vector<double> positions;
-  for (const DriverMotion& driver : drivers) {
+  for (const DriverMotion& driver : path.at(path.knots.front())) {
     positions.push_back(driver.position);
   }
   auto run = start_run(mechanism, positions, start.tolerance);

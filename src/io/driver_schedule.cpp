@@ -1,5 +1,6 @@
 #include "higherpair/io/driver_schedule.hpp"
 
+#include "higherpair/io/coordinate.hpp"
 #include "schedule_timing.hpp"
 #include "tolerances.hpp"
 
@@ -18,8 +19,7 @@ using io_detail::kMostRows;
 using io_detail::mistake;
 
 bool is_turning(const Profile& profile, std::size_t driver) {
-  const auto joint = static_cast<std::size_t>(profile.mechanism.drivers[driver].joint);
-  return profile.mechanism.joints[joint].type == JointType::kRevolute;
+  return driven_joint(profile.mechanism, driver).type == JointType::kRevolute;
 }
 
 double full_turn(const Units& units) {
@@ -90,7 +90,7 @@ std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile&
   std::vector<OneDriver> drivers;
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
     const DriverProgram& program = profile.programs[i];
-    const Dimension position = is_turning(profile, i) ? dimension::kAngle : dimension::kLength;
+    const Dimension position = driver_dimension(profile.mechanism, i);
     const Dimension velocity = position / dimension::kTime;
     OneDriver driver{program.positions,
                      program.start,

@@ -1,6 +1,7 @@
 #include "higherpair/io/notes.hpp"
 
 #include "higherpair/analysis/start_ranges.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -68,18 +69,16 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
     return notes;
   }
   const double size = size_of(mechanism);
-  const Scaling length = from_si(dimension::kLength, profile.units);
+  const auto length = [&](double metres) { return with_unit(metres, dimension::kLength, profile.units, 4); };
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const Moved moved = farthest(body, bodies[i].X_WB);
     if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
-      const std::string_view unit = name_of(profile.units.length);
-      notes.push_back(
-          about(profile.source,
-                fmt::format("bodies.{0}: {1} is {2:.4g} {3} from where the pose has it at the start, in a "
-                            "mechanism of {4:.4g} {3}; is that the assembly that is meant? Else give a "
-                            "better pose",
-                            body.name, moved.name, length.apply(moved.by), unit, length.apply(size))));
+      notes.push_back(about(profile.source,
+                            fmt::format("bodies.{}: {} is {} from where the pose has it at the start, in a "
+                                        "mechanism of {}; is that the assembly that is meant? Else give a "
+                                        "better pose",
+                                        body.name, moved.name, length(moved.by), length(size))));
     }
   }
   return notes;
@@ -97,8 +96,7 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   if (ranges->empty()) {
     return fmt::format("; it can be with no other {} that was tried", key);
   }
-  const bool turns = mechanism.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
-  const Dimension dimension = turns ? dimension::kAngle : dimension::kLength;
+  const Dimension dimension = driver_dimension(mechanism);
   const Scaling scaling = from_si(dimension, profile.units);
   std::string text;
   for (const StartRange& range : *ranges) {

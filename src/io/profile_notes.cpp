@@ -53,7 +53,7 @@ public:
       }
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
-      driver(mechanism_.drivers[i], profile_.programs[i]);
+      driver(i, profile_.programs[i]);
     }
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Mistake& a, const Mistake& b) { return a.mark < b.mark; });
@@ -79,11 +79,9 @@ private:
     found_.push_back({value.mark, fmt::format("{} = {}: {}", path, text_of(value), text)});
   }
 
-  [[nodiscard]] double length(double metres) const {
-    return from_si(dimension::kLength, profile_.units).apply(metres);
+  [[nodiscard]] std::string length(double metres) const {
+    return with_unit(metres, dimension::kLength, profile_.units, 3);
   }
-
-  [[nodiscard]] std::string_view length_unit() const { return name_of(profile_.units.length); }
 
   // Gravity of 9.81 although lengths are in millimetres.
   void gravity() {
@@ -113,8 +111,8 @@ private:
     constexpr double kLarge = 50;  // [m]
     const double metres = size_of(mechanism_);
     if (metres > kLarge && !mechanism_.joints.empty()) {
-      add("units.length", fmt::format("the mechanism is {:.3g} {} large: are its numbers in \"{}\"?",
-                                      length(metres), length_unit(), length_unit()));
+      add("units.length", fmt::format("the mechanism is {} large: are its numbers in \"{}\"?", length(metres),
+                                      name_of(profile_.units.length)));
     }
   }
 
@@ -158,9 +156,8 @@ private:
     if (extent > 0 && (gyration > kGyrationOff * extent || gyration < extent / kGyrationOff)) {
       add_with_value(
           "bodies." + body.name + ".inertia",
-          fmt::format("a radius of gyration of {:.3g} {} in a body of {:.3g} {}: numbers here are in {}",
-                      length(gyration), length_unit(), length(extent), length_unit(),
-                      unit_text(dimension::kInertia, profile_.units)));
+          fmt::format("a radius of gyration of {} in a body of {}: numbers here are in {}", length(gyration),
+                      length(extent), unit_text(dimension::kInertia, profile_.units)));
     }
   }
 
@@ -212,9 +209,10 @@ private:
     }
   }
 
-  void driver(const Driver& driver, const DriverProgram& program) {
-    const std::string path = driver.name.empty() ? "driver" : "drivers." + driver.name;
-    const bool turns = mechanism_.joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+  void driver(std::size_t i, const DriverProgram& program) {
+    const std::string& name = mechanism_.drivers[i].name;
+    const std::string path = name.empty() ? "driver" : "drivers." + name;
+    const bool turns = driven_joint(mechanism_, i).type == JointType::kRevolute;
     if (turns) {
       angle_unit(path + ".start");
       angle_unit(path + ".end");

@@ -106,8 +106,7 @@ bool report_fault(TableReader& table, const Outline& outline,
 }  // namespace
 
 std::string length_text(const Reading& reading, double metres) {
-  return fmt::format("{:.6g} {}", from_si(dimension::kLength, reading.units).apply(metres),
-                     name_of(reading.units.length));
+  return with_unit(metres, dimension::kLength, reading.units);
 }
 
 std::string point_text(const Reading& reading, const Vector2d& p) {

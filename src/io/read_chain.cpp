@@ -98,13 +98,10 @@ void report_fillet(TableReader& table, const Outline& outline, const FilletFault
     rule = fmt::format("the way turns back, there is no rounding {}", corner);
   } else {
     const double largest = largest_fillet(outline.pieces, outline.closed, radius);
-    rule = fmt::format(
-        "is too large for {}; {}", corner,
-        largest > 0
-            ? fmt::format("up to {} fits everywhere",
-                          fmt::format("{:.3g} {}", from_si(dimension::kLength, reading.units).apply(largest),
-                                      name_of(reading.units.length)))
-            : "no smaller one fits either");
+    rule = fmt::format("is too large for {}; {}", corner,
+                       largest > 0 ? fmt::format("up to {} fits everywhere",
+                                                 with_unit(largest, dimension::kLength, reading.units, 3))
+                                   : "no smaller one fits either");
   }
   report(table.reading(), *table.take("fillet"), rule);
 }

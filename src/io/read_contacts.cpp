@@ -1,4 +1,5 @@
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
 #include <array>
@@ -38,12 +39,6 @@ std::string_view why_no_contact(const Curve& a, const Curve& b) {
   return "";
 }
 
-const Curve& curve_at(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
-      .curves[static_cast<std::size_t>(ref.curve)]
-      .curve;
-}
-
 void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
   const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
   const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;
@@ -53,7 +48,7 @@ void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
   contact.first = pair->first;
   contact.second = pair->second;
   const auto is_in_parts = [&](const CurveRef& ref) {
-    return curve_at(mechanism, ref).kind == CurveKind::kChain;
+    return curve_of(mechanism, ref).kind == CurveKind::kChain;
   };
   if (contact.rolling && (is_in_parts(contact.first) || is_in_parts(contact.second))) {
     report(table.reading(), *item,
@@ -61,7 +56,7 @@ void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
            "wheels by gears");
   }
   const std::string_view objection =
-      why_no_contact(curve_at(mechanism, pair->first), curve_at(mechanism, pair->second));
+      why_no_contact(curve_of(mechanism, pair->first), curve_of(mechanism, pair->second));
   if (!objection.empty()) {
     report(table.reading(), *item, objection);
   }

@@ -1,3 +1,4 @@
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "laws.hpp"
@@ -43,9 +44,7 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
   if (!reading.mistakes.empty()) {
     return;  // the driver's joint may have one of them
   }
-  const Joint& driven =
-      profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers.front().joint)];
-  const LawQuantities quantities{has_angle(driven.type) ? dimension::kAngle : dimension::kLength, *value};
+  const LawQuantities quantities{driver_dimension(profile.mechanism), *value};
   const auto index = laws.find(follow, quantities, profile.mechanism);
   const auto schedule = DriverSchedule::analyze(profile);
   if (!index || !schedule) return;

@@ -1,4 +1,5 @@
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
@@ -81,9 +82,9 @@ void read_positions(TableReader& table, const Dimension& dimension, DriverProgra
 }
 
 // 1 rad/s, or 1 length unit per second, in the profile's units.
-double default_velocity(bool turns, const Units& units) {
+double default_velocity(const Joint& joint, const Units& units) {
   constexpr Dimension kPerTime = dimension::kNumber / dimension::kTime;
-  return from_si(turns ? dimension::kAngularVelocity : kPerTime, units).apply(1);
+  return from_si(has_angle(joint.type) ? dimension::kAngularVelocity : kPerTime, units).apply(1);
 }
 
 void read_times(TableReader& table, DriverProgram& program) {
@@ -94,14 +95,13 @@ void read_times(TableReader& table, DriverProgram& program) {
 // Reads the keys whose values are angles for a revolute joint and lengths for a prismatic one.
 void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& joint, DriverProgram& program) {
   const Units& units = table.reading().units;
-  const bool turns = joint.type == JointType::kRevolute;
-  const Dimension position = turns ? dimension::kAngle : dimension::kLength;
+  const Dimension position = coordinate_dimension(joint);
   const Dimension velocity = position / dimension::kTime;
   program.start =
       read_number(table, "start", {position}).value_or(PoseCoordinate(mechanism, units).of(joint));
   program.end = read_number(table, "end", {position});
   read_positions(table, position, program);
-  program.velocity = read_number(table, "velocity", {velocity}).value_or(default_velocity(turns, units));
+  program.velocity = read_number(table, "velocity", {velocity}).value_or(default_velocity(joint, units));
   program.acceleration = read_number(table, "acceleration", {velocity / dimension::kTime}).value_or(0);
 }
 
@@ -120,14 +120,12 @@ void read_driving_law(TableReader& table, const Item& name, const Joint& joint, 
   for (const char* key : kMotionKeys) {
     table.refuse(key, "the law says where the driver is at which time: leave it out");
   }
-  const bool turns = joint.type == JointType::kRevolute;
-  const auto law =
-      laws.find(name, {dimension::kTime, turns ? dimension::kAngle : dimension::kLength}, mechanism);
+  const auto law = laws.find(name, {dimension::kTime, coordinate_dimension(joint)}, mechanism);
   if (law) {
     program.law = laws.made(*law);
     program.law_name = "laws." + mechanism.laws[static_cast<std::size_t>(*law)].name;
     program.start = (*program.law)(0.0);
-    program.velocity = default_velocity(turns, table.reading().units);
+    program.velocity = default_velocity(joint, table.reading().units);
   }
 }
 
@@ -205,7 +203,7 @@ DriverProgram default_program(const Mechanism& mechanism, const Driver& driver, 
   const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
   DriverProgram program;
   program.start = io_detail::PoseCoordinate(mechanism, units).of(joint);
-  program.velocity = io_detail::default_velocity(joint.type == JointType::kRevolute, units);
+  program.velocity = io_detail::default_velocity(joint, units);
   return program;
 }
 

@@ -1,5 +1,6 @@
 #include "higherpair/cam/flank.hpp"
 #include "higherpair/cam/sizing.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -41,10 +42,6 @@ std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
   return found;
 }
 
-Dimension dimension_of(const Joint& joint) {
-  return has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
-}
-
 class FlankMaker {
 public:
   FlankMaker(Reading& reading, LawBook& laws, Mechanism& mechanism)
@@ -63,8 +60,8 @@ public:
     }
     const Joint& turning = mechanism_.joints[static_cast<std::size_t>(*cam_joint)];
     const Joint& moved = mechanism_.joints[static_cast<std::size_t>(*follower_joint)];
-    const auto law =
-        laws_.find(late.law, {dimension_of(turning), dimension_of(moved), LawUnits::kSi}, mechanism_);
+    const auto law = laws_.find(
+        late.law, {coordinate_dimension(turning), coordinate_dimension(moved), LawUnits::kSi}, mechanism_);
     if (!law) {
       return;
     }
@@ -107,8 +104,7 @@ private:
       return std::nullopt;
     }
     const CurveRef other = is_own(contact.first) ? contact.second : contact.first;
-    const NamedCurve& curve =
-        mechanism_.bodies[static_cast<std::size_t>(other.body)].curves[static_cast<std::size_t>(other.curve)];
+    const NamedCurve& curve = described_curve(mechanism_, other);
     if (curve.boundary || curve.curve.kind == CurveKind::kChain) {
       report(reading_, late.contact,
              "the follower of a cam has a circle, an ellipse or other conic, a line or a point as its curve");
@@ -148,12 +144,8 @@ private:
     named.curve.vertex_B = named.boundary->middle_B();
   }
 
-  [[nodiscard]] std::string amount(const Dimension& of, double value) const {
-    return fmt::format("{:.6g} {}", from_si(of, reading_.units).apply(value), unit_text(of, reading_.units));
-  }
-
   [[nodiscard]] std::string cam_coordinate(const CamMotion& motion, double x) const {
-    return amount(motion.cam.turns ? dimension::kAngle : dimension::kLength, x);
+    return with_unit(x, coordinate_dimension(motion.cam.turns), reading_.units);
   }
 
   // Explains where the law's velocity jumps: there the flank has a gap for any follower but a knife edge,
@@ -206,16 +198,15 @@ private:
     if (const auto size = smallest_for_radius(cam, {})) {
       const bool turns = cam.motion.follower.turns;
       const double moved = size->rest - cam.motion.follower_rest;
-      text +=
-          fmt::format("it takes a base circle of more than {} instead of {} (the follower's pose {} by {}), ",
-                      amount(dimension::kLength, size->base_radius),
-                      amount(dimension::kLength, size_of(cam)->base_radius), turns ? "turned" : "moved",
-                      amount(turns ? dimension::kAngle : dimension::kLength, moved));
+      text += fmt::format(
+          "it takes a base circle of more than {} instead of {} (the follower's pose {} by {}), ",
+          length_text(reading_, size->base_radius), length_text(reading_, size_of(cam)->base_radius),
+          turns ? "turned" : "moved", with_unit(moved, coordinate_dimension(turns), reading_.units));
     }
     const bool roller = is_conic(cam.curve) && cam.curve.side == Side::kInside;
     const auto largest = roller ? largest_follower(cam, 0) : std::nullopt;
     if (largest && largest->value > 0) {
-      text += fmt::format("a roller of less than {}, ", amount(dimension::kLength, largest->value));
+      text += fmt::format("a roller of less than {}, ", length_text(reading_, largest->value));
     }
     return text.empty()
                ? "put the follower's pose farther from the cam's pivot (a larger base circle), take a "

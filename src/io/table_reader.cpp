@@ -97,7 +97,7 @@ std::optional<std::int64_t> TableReader::count(const std::string& key, std::int6
 }
 
 bool TableReader::has(std::string_view key) const {
-  return std::any_of(table_->begin(), table_->end(), [&](const Entry& entry) { return entry.key == key; });
+  return find(*table_, key) != nullptr;
 }
 
 void TableReader::finish() const {

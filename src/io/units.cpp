@@ -212,6 +212,10 @@ std::string unit_text(const Dimension& dimension, const Units& units) {
   return fmt::format("{}{}{}", above.empty() ? "1" : above, below.empty() ? "" : "/", below);
 }
 
+std::string with_unit(double si, const Dimension& dimension, const Units& units, int digits) {
+  return fmt::format("{:.{}g} {}", from_si(dimension, units).apply(si), digits, unit_text(dimension, units));
+}
+
 std::string describe(const Dimension& dimension) {
   for (const NamedDimension& named : kDimensionNames) {
     if (named.dimension == dimension) {

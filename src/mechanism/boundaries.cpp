@@ -11,10 +11,6 @@
 namespace higherpair {
 namespace {
 
-const NamedCurve& named(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
-}
-
 double size_with_boundaries(const Mechanism& mechanism) {
   double size = size_of(mechanism);
   for (const Body& body : mechanism.bodies) {
@@ -53,7 +49,7 @@ Boundary joined(const Body& body, const std::vector<int>& curves, const Boundary
 
 void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
   Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
-  NamedCurve own = named(mechanism, ref);
+  NamedCurve own = described_curve(mechanism, ref);
   if (!own.parts.empty()) {
     own.boundary = std::make_shared<const Boundary>(joined(body, own.parts, rules));
     body.curves[static_cast<std::size_t>(ref.curve)] = std::move(own);
@@ -70,7 +66,7 @@ void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
 
 bool needs_boundaries(const Mechanism& mechanism, const Contact& contact) {
   const auto is_chain = [&](const CurveRef& ref) {
-    return named(mechanism, ref).curve.kind == CurveKind::kChain;
+    return described_curve(mechanism, ref).curve.kind == CurveKind::kChain;
   };
   return !contact.by_boundary &&
          (contact.keep != Keep::kTouching || is_chain(contact.first) || is_chain(contact.second));

@@ -97,19 +97,6 @@ std::optional<CommonNormal> facing_at(const Dimensions<double>::Contact& contact
   return touch;
 }
 
-ConditionSet all_conditions(const Mechanism& mechanism, std::vector<int> idle_bodies) {
-  const auto indices = [](std::size_t from, std::size_t end) {
-    std::vector<int> all;
-    for (std::size_t i = from; i < end; ++i) {
-      all.push_back(static_cast<int>(i));
-    }
-    return all;
-  };
-  return {indices(1, mechanism.bodies.size()), indices(0, mechanism.joints.size()),
-          indices(0, mechanism.contacts.size()), indices(0, mechanism.drivers.size()),
-          std::move(idle_bodies)};
-}
-
 ConditionSystem::ConditionSystem(Dimensions<double> dimensions, ConditionSet set, double size)
     : set_(std::move(set)),
       dimensions_(std::move(dimensions)),
@@ -210,30 +197,6 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
   const bool exist = append_conditions(dimensions_, set_, at, size_, all);
   values = Eigen::Map<const Eigen::VectorXd>(all.data(), row_count());
   return exist;
-}
-
-Eigen::VectorXd ConditionSystem::unknowns(const Coordinates<double>& at) const {
-  Eigen::VectorXd x(columns_);
-  for (const int index : set_.bodies) {
-    const BodyAt<double>& body = at.bodies[static_cast<std::size_t>(index)];
-    x.segment<3>(body_column(index)) << body.X_WB.p_WB, size_ * body.theta;
-  }
-  for (const int contact : set_.contacts) {
-    x(contact_column(contact)) = size_ * at.phi[static_cast<std::size_t>(contact)];
-  }
-  return x;
-}
-
-void ConditionSystem::set_unknowns(const Eigen::VectorXd& x, Coordinates<double>& at) const {
-  for (const int index : set_.bodies) {
-    BodyAt<double>& body = at.bodies[static_cast<std::size_t>(index)];
-    const Eigen::Vector3d coordinates = x.segment<3>(body_column(index));
-    body.theta = coordinates.z() / size_;
-    body.X_WB = {Rotation<double>::from_angle(body.theta), coordinates.head<2>()};
-  }
-  for (const int contact : set_.contacts) {
-    at.phi[static_cast<std::size_t>(contact)] = x(contact_column(contact)) / size_;
-  }
 }
 
 }  // namespace higherpair

@@ -33,8 +33,7 @@ LinearConditions linear(const SizedMechanism& sized, const std::vector<Constrain
 void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& positions,
                         const MechanismPosition& at, std::vector<ConstraintRow>& rows) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto joint = static_cast<std::size_t>(sized.mechanism.drivers[i].joint);
-    append_driver_row(sized.mechanism, sized.mechanism.joints[joint], positions[i], at.bodies, sized.size,
+    append_driver_row(sized.mechanism, driven_joint(sized.mechanism, i), positions[i], at.bodies, sized.size,
                       rows);
   }
 }

@@ -173,8 +173,7 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(J.rows());
   for (Eigen::Index i = 0; i < drivers.rows(); ++i) {
     const auto driver = static_cast<std::size_t>(i);
-    const auto joint = static_cast<std::size_t>(sized.mechanism.drivers[driver].joint);
-    const bool turns = sized.mechanism.joints[joint].type == JointType::kRevolute;
+    const bool turns = driven_joint(sized.mechanism, driver).type == JointType::kRevolute;
     rates(conditions.J.rows() + i) =
         (question.velocities.empty() ? 1 : question.velocities[driver]) * (turns ? sized.size : 1);
   }

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -24,35 +25,20 @@ std::string drivers(int n) {
   return number_of(n, "driver", "drivers");
 }
 
-std::string joint_names(const Mechanism& mechanism, const std::vector<int>& joints) {
+template <class Item>
+std::string names_of(const std::vector<Item>& items, const std::vector<int>& indices) {
   std::vector<std::string> names;
-  for (const int joint : joints) {
-    names.push_back(mechanism.joints[static_cast<std::size_t>(joint)].name);
-  }
-  return joined_words(names);
-}
-
-std::string body_names(const Mechanism& mechanism, const std::vector<int>& bodies) {
-  std::vector<std::string> names;
-  for (const int body : bodies) {
-    names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
-  }
-  return joined_words(names);
-}
-
-std::string contact_names(const Mechanism& mechanism, const std::vector<int>& contacts) {
-  std::vector<std::string> names;
-  for (const int contact : contacts) {
-    names.push_back(mechanism.contacts[static_cast<std::size_t>(contact)].name);
+  for (const int index : indices) {
+    names.push_back(items[static_cast<std::size_t>(index)].name);
   }
   return joined_words(names);
 }
 
 std::string driver_name(const Mechanism& mechanism, int index) {
-  const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-  const std::string& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)].name;
-  return driver.name.empty() ? fmt::format("driver (of {})", joint)
-                             : fmt::format("drivers.{} (of {})", driver.name, joint);
+  const auto i = static_cast<std::size_t>(index);
+  const std::string& name = mechanism.drivers[i].name;
+  const std::string& joint = driven_joint(mechanism, i).name;
+  return name.empty() ? fmt::format("driver (of {})", joint) : fmt::format("drivers.{} (of {})", name, joint);
 }
 
 std::string repeated(const Redundancy& set) {
@@ -60,9 +46,9 @@ std::string repeated(const Redundancy& set) {
 }
 
 std::string everything_in(const Mechanism& mechanism, const Redundancy& set) {
-  std::string names = joint_names(mechanism, set.joints);
+  std::string names = names_of(mechanism.joints, set.joints);
   if (!set.contacts.empty()) {
-    names += (names.empty() ? "contacts " : ", contacts ") + contact_names(mechanism, set.contacts);
+    names += (names.empty() ? "contacts " : ", contacts ") + names_of(mechanism.contacts, set.contacts);
   }
   return names;
 }
@@ -71,25 +57,25 @@ std::string explain(const Mechanism& mechanism, const Redundancy& set) {
   switch (set.cause) {
     case RedundancyCause::kSamePin:
       return fmt::format("{}: the joints {} hold the same pin; k bodies on a pin need k - 1 joints",
-                         repeated(set), joint_names(mechanism, set.joints));
+                         repeated(set), names_of(mechanism.joints, set.joints));
     case RedundancyCause::kParallelCranks:
       return fmt::format(
           "{}: the links {} are equal and parallel, and two of them lead the others along the same circles",
-          repeated(set), body_names(mechanism, set.bodies));
+          repeated(set), names_of(mechanism.bodies, set.bodies));
     case RedundancyCause::kRollingOnPivots:
       return fmt::format(
           "{}: {} is rolling between pivots: {} keep the curves in touch already, so the contact removes "
           "only the slip",
-          repeated(set), contact_names(mechanism, set.contacts), joint_names(mechanism, set.joints));
+          repeated(set), names_of(mechanism.contacts, set.contacts), names_of(mechanism.joints, set.joints));
     case RedundancyCause::kSlidingOnPivots:
       return fmt::format(
           "{}: {} is sliding between pivots: {} keep the discs in touch already, so the contact removes "
           "nothing",
-          repeated(set), contact_names(mechanism, set.contacts), joint_names(mechanism, set.joints));
+          repeated(set), names_of(mechanism.contacts, set.contacts), names_of(mechanism.joints, set.joints));
     case RedundancyCause::kSlidesAlone:
       return fmt::format(
           "{}: {} are a loop of slides alone, in which nothing turns: the last one says so again",
-          repeated(set), joint_names(mechanism, set.joints));
+          repeated(set), names_of(mechanism.joints, set.joints));
     case RedundancyCause::kMember:
       break;
   }
@@ -109,11 +95,11 @@ std::string structure_text(const Mobility& mobility) {
 std::string missing_text(const Mechanism& mechanism, const Mobility& mobility) {
   std::string text =
       fmt::format("more freedom than drivers: {} left by the drivers, in which {} can move; add {}",
-                  freedoms(mobility.missing_drivers), body_names(mechanism, mobility.loose_bodies),
+                  freedoms(mobility.missing_drivers), names_of(mechanism.bodies, mobility.loose_bodies),
                   drivers(mobility.missing_drivers));
   if (!mobility.joints_to_drive.empty()) {
     text += fmt::format(" ({}: {})", mobility.missing_drivers == 1 ? "of one of the joints" : "of the joints",
-                        joint_names(mechanism, mobility.joints_to_drive));
+                        names_of(mechanism.joints, mobility.joints_to_drive));
   }
   return text + ", or joints or contacts that hold them";
 }

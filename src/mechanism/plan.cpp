@@ -192,6 +192,16 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   return plan;
 }
 
+std::optional<std::size_t> group_with_contact(const Plan& plan, int contact) {
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    const std::vector<int>& contacts = plan.groups[g].contacts;
+    if (std::find(contacts.begin(), contacts.end(), contact) != contacts.end()) {
+      return g;
+    }
+  }
+  return std::nullopt;
+}
+
 Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   Plan other;
   other.idle_bodies = plan.idle_bodies;

@@ -1,5 +1,7 @@
 #include "higherpair/mechanism/plan_text.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
+
 #include <fmt/core.h>
 
 namespace higherpair {
@@ -10,8 +12,7 @@ public:
   Words(const Mechanism& mechanism, const Group& group) : mechanism_(mechanism), group_(group) {}
 
   std::string operator()(const DrivenBody& driven) const {
-    const Driver& driver = mechanism_.drivers[static_cast<std::size_t>(driven.driver)];
-    return "driven at " + mechanism_.joints[static_cast<std::size_t>(driver.joint)].name;
+    return "driven at " + driven_joint(mechanism_, static_cast<std::size_t>(driven.driver)).name;
   }
   std::string operator()(const RrrDyad&) const { return "dyad RRR, two links between pins"; }
   std::string operator()(const RrpDyad& dyad) const {

@@ -1,6 +1,7 @@
 #include "recognise.hpp"
 
 #include "dyads_of.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -37,7 +38,7 @@ std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const GroupIte
   if (!driver || !is_grounded(joint)) {
     return std::nullopt;
   }
-  const Joint& driven = joint_of(mechanism, mechanism.drivers[static_cast<std::size_t>(*driver)].joint);
+  const Joint& driven = driven_joint(mechanism, static_cast<std::size_t>(*driver));
   const CarriedBody mover = carried_body(mechanism, driven, on_driver.body);
   tracked.driver = *driver;
   tracked.driver_sign = mover.sign;

@@ -49,8 +49,7 @@ public:
       }
     }
     for (const int index : order.drivers) {
-      const Driver& driver = mechanism.drivers[static_cast<std::size_t>(index)];
-      add_driver(mechanism.joints[static_cast<std::size_t>(driver.joint)]);
+      add_driver(driven_joint(mechanism, static_cast<std::size_t>(index)));
     }
     int rows = 0;
     const std::vector<int> joint_rows = first_rows(mechanism.joints, rows);

@@ -1,5 +1,6 @@
 #include "structure.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "redundancy.hpp"
 #include "structural_conditions.hpp"
 
@@ -159,8 +160,7 @@ Structure analyse_structure(const Mechanism& mechanism) {
     set_of(contact.first.body, contact.second.body).contacts.push_back(i);
   }
   for (const int i : order.drivers) {
-    const Driver& driver = mechanism.drivers[static_cast<std::size_t>(i)];
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+    const Joint& joint = driven_joint(mechanism, static_cast<std::size_t>(i));
     set_of(joint.first.body, joint.second.body).drivers.push_back(i);
   }
   for (BodySet& set : by_component) {

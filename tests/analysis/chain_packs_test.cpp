@@ -53,7 +53,7 @@ ChainSchedule schedule() {
 }
 
 ChainSupport support(int joint, double sign) {
-  return {joint, sign, {}, false};
+  return {joint, sign, {}};
 }
 
 // The angle column of a body, in a mechanism where every body turns.

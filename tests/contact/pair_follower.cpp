@@ -11,6 +11,7 @@
 namespace higherpair {
 namespace {
 
+constexpr double kStepAgreement = 0.25;   // as kCrossingAgreement, for a step without a crossing
 constexpr double kMayBeCrossing = 0.1;    // fraction of ∂gap/∂q left where a step may end at a crossing
 constexpr double kShortOfCrossing = 0.6;  // fraction taken of a step that would end at a crossing
 constexpr double kSameContact = 1e-2;     // relative to the follower's unit: nearer contacts are the same

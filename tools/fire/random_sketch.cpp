@@ -1,5 +1,6 @@
 #include "random_sketch.hpp"
 
+#include "draw.hpp"
 #include "higherpair/geometry/pose.hpp"
 #include "random_boundaries.hpp"
 #include "random_law_cam.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 namespace higherpair::fire {
 namespace {
@@ -38,19 +38,13 @@ struct Face {
   double normal = 0;
 };
 
-class Drawing {
+class Drawing : private Draw {
 public:
-  explicit Drawing(std::uint64_t seed) : engine_(seed) {}
+  explicit Drawing(std::uint64_t seed) : Draw(seed) {}
 
   Sketch draw(SketchKind kind);
 
 private:
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
-  }
-  int pick(int count) { return static_cast<int>(between(0, count)); }
-  bool chance(double p) { return between(0, 1) < p; }
-  double angle() { return between(-kPi, kPi); }
   Vector2d place() {
     const double x = between(-1, 1);
     return {x, between(-1, 1)};
@@ -91,7 +85,6 @@ private:
   void any_group();
   void groups(SketchKind kind);
 
-  std::mt19937_64 engine_;
   Sketch sketch_;
   std::vector<int> known_;
   bool drawn_in_place_ = false;  // the frames of all bodies coincide with that of ground

@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/front/motion.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 
 #include <algorithm>
@@ -65,9 +66,7 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
     const double share = std::lerp(from, to, event.share);
     happening.share = (static_cast<double>(k - 1) + share) / rows;
     if (schedule_.is_timed() && schedule_.driver_count() == 1) {
-      const Joint& driven =
-          profile_.mechanism.joints[static_cast<std::size_t>(profile_.mechanism.drivers.front().joint)];
-      const Dimension unit = has_angle(driven.type) ? dimension::kAngle : dimension::kLength;
+      const Dimension unit = driver_dimension(profile_.mechanism);
       const double position = from_si(unit, profile_.units).apply(event.driver);
       happening.share = schedule_.passing_time(k, position, share) / schedule_.time(schedule_.size() - 1);
     }

@@ -19,6 +19,7 @@ struct Bounds {
 
   [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
   [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] Bounds operator-() const { return {-high, -low}; }
 };
 
 enum class PieceKind {

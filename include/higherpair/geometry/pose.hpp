@@ -139,15 +139,6 @@ struct BodyMotion {
   return point_motion(body, body.X_WB.inverse_times(p_W));
 }
 
-/// Motion of the frame of a rigid body from the motions of two of its points A and B.
-/// \param p_A, p_B where the points are in the body's frame [m]; they must differ.
-/// \param a, b     their motions; the distance |b - a| should be |p_B - p_A|. Only the direction of b - a is
-///                 used, and of the relative velocity and acceleration what a rigid body can have (the part
-///                 along ẑ×(b - a)).
-/// The angle is in (-π, π]. ω = (ẑ×r)·(v_b - v_a)/r², α = (ẑ×r)·(a_b - a_a)/r² with r = b - a.
-[[nodiscard]] BodyMotion body_motion_from_points(const Vector2d& p_A, const PointMotion& a,
-                                                 const Vector2d& p_B, const PointMotion& b);
-
 /// Motion in W of a body B that moves relative to a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r +
 /// R v_CB and a = a_C + α_C ẑ×r - ω_C² r + 2 ω_C ẑ×(R v_CB) + R a_CB, r = R p_CB.
 /// \param motion_CB  relative to C, expressed in its frame

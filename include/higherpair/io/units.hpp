@@ -131,6 +131,11 @@ private:
 /// it back as part of a quantity gives the same unit.
 [[nodiscard]] std::string unit_text(const Dimension& dimension, const Units& units);
 
+/// A value in SI units and radians as a text in the units given, "12.5 mm".
+/// \param digits  significant digits, as of the format "g"
+[[nodiscard]] std::string with_unit(double si, const Dimension& dimension, const Units& units,
+                                    int digits = 6);
+
 /// The dimension in words with its article, to end "expected ...": "a length", "an angular velocity".
 [[nodiscard]] std::string describe(const Dimension& dimension);
 

@@ -58,11 +58,15 @@ struct Body {
 struct PointRef {
   int body = 0;
   int point = 0;
+
+  friend bool operator==(const PointRef&, const PointRef&) = default;
 };
 
 struct CurveRef {
   int body = 0;
   int curve = 0;
+
+  friend bool operator==(const CurveRef&, const CurveRef&) = default;
 };
 
 enum class JointType {

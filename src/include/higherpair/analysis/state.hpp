@@ -52,6 +52,8 @@ struct DriverMotion {
   double position = 0;  ///< [rad or m]
   double velocity = 0;
   double acceleration = 0;
+
+  friend bool operator==(const DriverMotion&, const DriverMotion&) = default;
 };
 
 /// The third to the sixth time derivative of a driver's coordinate [rad/s³ or m/s³, …].

@@ -12,16 +12,11 @@ struct ElasticMaterial {
 /// 1985, eq. 4.10).
 [[nodiscard]] double contact_modulus(const ElasticMaterial& first, const ElasticMaterial& second);
 
-/// Contact of two cylinders with parallel axes, without friction.
-struct LinePressure {
-  double greatest = 0;    ///< pressure in the middle of the strip, p0 = √(P E* κ/π) [Pa]
-  double half_width = 0;  ///< of the strip, b = 2 P/(π p0) [m]
-};
-
-/// Hertz's pressure between two cylinders (Johnson, eqs. 4.43 to 4.45). Both 0 without load.
+/// Hertz's pressure between two cylinders with parallel axes, without friction (Johnson, eqs. 4.43 to 4.45):
+/// its largest value p0 = √(P E* κ/π) [Pa], in the middle of the strip of contact. 0 without load.
 /// \param load       P, force per length of the line of contact, >= 0 [N/m]
 /// \param curvature  κ = κ1 + κ2 of the two bodies, > 0: a concave one has κ < 0, a flat one 0 [1/m]
 /// \param modulus    E*, see contact_modulus [Pa]
-[[nodiscard]] LinePressure line_pressure(double load, double curvature, double modulus);
+[[nodiscard]] double line_pressure(double load, double curvature, double modulus);
 
 }  // namespace higherpair

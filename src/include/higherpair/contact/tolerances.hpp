@@ -33,10 +33,9 @@ inline constexpr double kStepResolution = 1e-14;
 /// The rest of the path is taken in one step if it is at most this many steps long; avoids a remainder of
 /// rounding size.
 inline constexpr double kAlmostThere = 1.001;
-/// Largest difference between a step's solution and its prediction that is accepted, as a fraction of the
-/// change in that step: beyond it the step may have jumped to another branch.
-inline constexpr double kStepAgreement = 0.25;
-/// The same for a step in which branches cross and the branch changes.
+/// Largest difference between a step's solution and its prediction that is accepted where branches cross and
+/// the branch changes, as a fraction of the change in that step: beyond it the step may have jumped to
+/// another branch.
 inline constexpr double kCrossingAgreement = 0.03;
 /// The same for the walk from one contact to another on the same branch.
 inline constexpr double kWalkAgreement = 0.1;

@@ -17,6 +17,13 @@ struct DriverPath {
   /// the drivers do not move.
   std::vector<double> knots;
   std::function<void(double at, std::vector<DriverMotion>& drivers)> motion;
+
+  /// The drivers' motion at a place of the path.
+  [[nodiscard]] std::vector<DriverMotion> at(double place) const {
+    std::vector<DriverMotion> drivers;
+    motion(place, drivers);
+    return drivers;
+  }
 };
 
 /// The straight path between two positions of the drivers, with velocities and accelerations interpolated
@@ -42,8 +49,6 @@ struct LowestForce {
   double force = 0;  ///< [N]; < 0: the contact would have to pull
   double at = 0;     ///< where, as in ContactOpening
   double driver = 0;
-  /// False: it is still falling at the end of what is known, next to a singular position.
-  bool is_minimum = true;
 };
 
 /// Coefficients of a series in Chebyshev polynomials T_0, T_1, …

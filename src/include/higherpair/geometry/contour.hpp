@@ -33,6 +33,8 @@ struct PieceEnd {
   Vector2d t_B = Vector2d::UnitX();  ///< direction of the path
 };
 
+/// The end of a part of a span that ends at t.
+[[nodiscard]] PieceEnd end_at(const Span& span, double t);
 [[nodiscard]] PieceEnd begin_of(const ContourPiece& piece);
 [[nodiscard]] PieceEnd end_of(const ContourPiece& piece);
 [[nodiscard]] ContourPiece reversed(const ContourPiece& piece);

@@ -46,7 +46,6 @@ struct PathOfContact {
   std::array<double, 2> past_base = {};
 
   [[nodiscard]] double length() const { return approach + recess; }
-  [[nodiscard]] bool interferes() const { return past_base[0] > 0 || past_base[1] > 0; }
 };
 
 /// (ISO 21771, sections 5 and 6; Litvin and Fuentes, section 10.7.)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/io/units.hpp"
-#include "higherpair/mechanism/description.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <cstddef>
 
@@ -19,11 +19,6 @@ namespace higherpair {
 /// The dimension of what drives such a coordinate: a torque or a force.
 [[nodiscard]] constexpr Dimension effort_dimension(bool turns) {
   return turns ? dimension::kTorque : dimension::kForce;
-}
-
-/// The joint that a driver moves.
-[[nodiscard]] inline const Joint& driven_joint(const Mechanism& mechanism, std::size_t driver = 0) {
-  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
 }
 
 /// The dimension of a driver's position.

@@ -114,9 +114,6 @@ struct ConditionSet {
   std::vector<int> idle_bodies;  ///< whose rotation is not determined: they keep an angle
 };
 
-/// All bodies but ground, all joints, contacts and drivers.
-[[nodiscard]] ConditionSet all_conditions(const Mechanism& mechanism, std::vector<int> idle_bodies);
-
 /// Where a condition comes from.
 struct ConditionLabel {
   enum class Of { kJoint, kContact, kDriver, kIdleBody };
@@ -199,10 +196,6 @@ public:
   bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values, Eigen::MatrixXd& J) const;
   /// The residual alone.
   bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const;
-
-  /// The unknowns as a vector, and back.
-  [[nodiscard]] Eigen::VectorXd unknowns(const Coordinates<double>& at) const;
-  void set_unknowns(const Eigen::VectorXd& x, Coordinates<double>& at) const;
 
 private:
   ConditionSet set_;

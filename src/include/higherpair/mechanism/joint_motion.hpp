@@ -27,6 +27,12 @@ struct JointMotion {
 /// \param joint  index of Mechanism::joints
 [[nodiscard]] bool is_driven(const Mechanism& mechanism, int joint);
 
+/// The joint that a driver moves.
+/// \param driver  index of Mechanism::drivers
+[[nodiscard]] inline const Joint& driven_joint(const Mechanism& mechanism, std::size_t driver = 0) {
+  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
+}
+
 /// The poses of the description as motions at rest.
 [[nodiscard]] std::vector<BodyMotion> posed_bodies(const Mechanism& mechanism);
 
@@ -35,18 +41,19 @@ struct JointMotion {
   return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
 }
 
+/// The curve denoted by a reference as the mechanism describes it, with its name.
+[[nodiscard]] inline const NamedCurve& described_curve(const Mechanism& mechanism, const CurveRef& ref) {
+  return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
+}
+
 /// The boundary of a curve that has one.
 [[nodiscard]] inline const Boundary& boundary_of(const Mechanism& mechanism, const CurveRef& ref) {
-  return *mechanism.bodies[static_cast<std::size_t>(ref.body)]
-              .curves[static_cast<std::size_t>(ref.curve)]
-              .boundary;
+  return *described_curve(mechanism, ref).boundary;
 }
 
 /// The curve denoted by a reference, in its body's frame.
 [[nodiscard]] inline const Curve& curve_of(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)]
-      .curves[static_cast<std::size_t>(ref.curve)]
-      .curve;
+  return described_curve(mechanism, ref).curve;
 }
 
 }  // namespace higherpair

@@ -166,6 +166,9 @@ struct Plan {
   double size = 1;       ///< size_of the mechanism [m]
 };
 
+/// Index of the group that has a contact; none if no group does.
+[[nodiscard]] std::optional<std::size_t> group_with_contact(const Plan& plan, int contact);
+
 /// Largest distance between joint points and curve centres or vertices, in the poses [m]. Where all of them
 /// coincide to within 1e-7 of their coordinates, the largest of these, in a body or in ground; 1 m where they
 /// are below 1e-12 m.
