@@ -37,15 +37,15 @@ struct Analysis::Impl {
   DriverSchedule schedule;
   Run run;
   ColumnSet columns;
-  std::optional<InverseDynamics> dynamics;  ///< only with forces
-  std::optional<Run> start;                 ///< the run at its first row; only with forces
-  std::int64_t next = 0;                    ///< number of the next row
-  std::vector<DriverState> drivers;         ///< in the current row
-  std::vector<DriverMotion> motions;        ///< in the current row
-  std::vector<Event> events;
+  std::optional<InverseDynamics> dynamics = {};  ///< only with forces
+  std::optional<Run> start = {};                 ///< the run at its first row; only with forces
+  std::int64_t next = 0;                         ///< number of the next row
+  std::vector<DriverState> drivers = {};         ///< in the current row
+  std::vector<DriverMotion> motions = {};        ///< in the current row
+  std::vector<Event> events = {};
   bool good = true;
-  Diagnostics notes;
-  ContactForceReport contacts;           ///< only with forces, after the last row
+  Diagnostics notes = {};
+  ContactForceReport contacts = {};      ///< only with forces, after the last row
   const Reactions* reactions = nullptr;  ///< in the current row; only with forces
 
   RowHistory history = {};             ///< up to the current row
@@ -73,5 +73,10 @@ private:
   void add_law_jumps();
   void report_openings();
 };
+
+/// A run before its first row, from the first position on.
+[[nodiscard]] std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> model,
+                                                        const Units& units, DriverSchedule schedule, Run run,
+                                                        ColumnSet columns, bool forces);
 
 }  // namespace higherpair
