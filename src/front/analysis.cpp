@@ -239,6 +239,16 @@ void Analysis::Impl::begin_block() {
   begin_at(next, go_on_alike(here, ahead) ? ahead : here);
 }
 
+std::optional<RunSettings> settings_with_columns(const Model::Data& model, const RunSettings& settings) {
+  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    RunSettings more = settings;
+    more.forces = more.forces || forces;
+    more.jerk = more.jerk || jerk;
+    if (columns_of(model, more, more.units.value_or(model.profile.units))) return more;
+  }
+  return std::nullopt;
+}
+
 std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> model, const Units& units,
                                           DriverSchedule schedule, Run run, ColumnSet columns, bool forces) {
   auto impl = std::make_unique<Analysis::Impl>(

@@ -25,6 +25,11 @@ namespace higherpair {
 [[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,
                                            const Units& units);
 
+/// The settings with columns of forces and jerk only where a glob matches nothing else; none if a glob
+/// matches no column at all. \pre the mechanism has a plan.
+[[nodiscard]] std::optional<RunSettings> settings_with_columns(const Model::Data& model,
+                                                               const RunSettings& settings);
+
 /// Rows per block. At the beginning of each block a run continues from the state in which a scout (RowScout)
 /// has arrived there, unless that state differs from its own. Rows then do not depend on the blocks before
 /// theirs, and blocks computed on several threads are the same to the last bit.
