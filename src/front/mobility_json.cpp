@@ -7,6 +7,7 @@
 #include "mobility_gears.hpp"
 #include "mobility_loops.hpp"
 
+#include <array>
 #include <utility>
 
 namespace higherpair {
@@ -15,21 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* cause_of(const Redundancy& set) {
-  switch (set.cause) {
-    case RedundancyCause::kSamePin:
-      return "same_pin";
-    case RedundancyCause::kParallelCranks:
-      return "parallel_cranks";
-    case RedundancyCause::kRollingOnPivots:
-      return "rolling_on_pivots";
-    case RedundancyCause::kSlidingOnPivots:
-      return "sliding_on_pivots";
-    case RedundancyCause::kSlidesAlone:
-      return "slides_alone";
-    case RedundancyCause::kMember:
-      break;
-  }
-  return "member";
+  static constexpr std::array kNames = {"same_pin",          "parallel_cranks", "rolling_on_pivots",
+                                        "sliding_on_pivots", "slides_alone",    "member"};
+  static_assert(kNames.size() == static_cast<std::size_t>(RedundancyCause::kMember) + 1);
+  return kNames[static_cast<std::size_t>(set.cause)];
 }
 
 // Names and titles may quote a file that is not UTF-8.

@@ -19,17 +19,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* inversion_of(const SliderCrankInMechanism& loop) {
-  switch (loop.inversion) {
-    case SliderCrankInversion::kGuide:
-      return "guide fixed";
-    case SliderCrankInversion::kCrank:
-      return "crank fixed (turning guide)";
-    case SliderCrankInversion::kCoupler:
-      return "coupler fixed (rocking guide)";
-    case SliderCrankInversion::kMoving:
-      break;
-  }
-  return "on moving bodies";
+  static constexpr std::array kNames = {"guide fixed", "crank fixed (turning guide)",
+                                        "coupler fixed (rocking guide)", "on moving bodies"};
+  static_assert(kNames.size() == static_cast<std::size_t>(SliderCrankInversion::kMoving) + 1);
+  return kNames[static_cast<std::size_t>(loop.inversion)];
 }
 
 bool are_joined(const Mechanism& mechanism, int a, int b) {

@@ -6,6 +6,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -161,23 +162,10 @@ void write_view(JsonWriter& json, const MovingPolygon& polygon, double limit) {
 }
 
 std::string_view name_of(PolygonArrow::Kind kind) {
-  switch (kind) {
-    case PolygonArrow::Kind::kAbsolute:
-      return "absolute";
-    case PolygonArrow::Kind::kRelative:
-      return "relative";
-    case PolygonArrow::Kind::kNormal:
-      return "normal";
-    case PolygonArrow::Kind::kTangential:
-      return "tangential";
-    case PolygonArrow::Kind::kSliding:
-      return "sliding";
-    case PolygonArrow::Kind::kCoriolis:
-      return "coriolis";
-    case PolygonArrow::Kind::kForce:
-      break;
-  }
-  return "force";
+  static constexpr std::array kNames = {"absolute", "relative", "normal", "tangential",
+                                        "sliding",  "coriolis", "force"};
+  static_assert(kNames.size() == static_cast<std::size_t>(PolygonArrow::Kind::kForce) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
