@@ -1,5 +1,5 @@
 // The results of a design command, for people and for programs.
-#include "design_command.hpp"
+#include "design_report.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
 

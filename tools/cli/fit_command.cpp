@@ -1,17 +1,35 @@
-#include "fit_command.hpp"
-
+#include "commands.hpp"
+#include "fit_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
 #include "status_line.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct FitCommandOptions {
+  std::string input;     ///< the profile; with `curve` the points
+  std::string measured;  ///< empty: none
+  std::optional<std::string> output;
+  std::optional<std::string> json;
+  std::optional<std::string> csv;    ///< residuals
+  std::optional<std::string> curve;  ///< type of curve that is fitted to points
+  std::optional<std::string> loss;
+  std::optional<double> confidence;
+  std::vector<std::string> columns;
+  std::vector<std::string> offsets;
+  std::optional<int> starts;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;
+  bool quiet = false;
+};
 
 // The objection to a text that is not a fraction between 0 and 1.
 std::string share_objection(const std::string& text) {
@@ -108,51 +126,8 @@ FitSettings settings_of(const FitCommandOptions& options, StatusLine& line) {
   return settings;
 }
 
-}  // namespace
-
-CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "fit", "numbers of the profile from its measured motion; curves from measured points");
-  command
-      ->add_option("FILE", options.input,
-                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
-      ->required();
-  command->add_option("MEASURED", options.measured,
-                      "what was measured (CSV): driver or time, and columns of the profile's tables");
-  command->add_option("-o,--output", options.output, "the fitted profile, or curve; -: standard output");
-  command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
-  command->add_option("--csv", options.csv, "residuals as CSV, to this file; -: standard output");
-  command->add_option("--curve", options.curve, "fit this curve to points")
-      ->check(CLI::IsMember(fitted_curve_names()));
-  command->add_option("--loss", options.loss, "how residuals count: by squares (default), huber or tukey")
-      ->check(CLI::IsMember(fit_loss_names()));
-  command->add_option("--confidence", options.confidence, "of the intervals (default 0.95)")
-      ->check(CLI::Validator(share_objection, "SHARE"));
-  command->add_option("--columns", options.columns, "GLOB[,GLOB]: only these measured columns; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--offset", options.offsets,
-                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--starts", options.starts,
-                   "searches (default 12 where all variables have bounds, else 1)")
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options.seed,
-                      "of the random starts (default 1): the same seed, the same result");
-  command
-      ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
-      ->check(CLI::Range(1, 100'000));
-  command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
-  command->final_callback([&options] {
-    refuse_with_curve(options);
-    check_files(options);
-  });
-  return command;
-}
-
+// Fits the profile's variables to measured motion, or a curve to measured points; returns the exit code: 4
+// if the fit is not good (FitReport::good), 130 if it was interrupted; the results are written all the same.
 int fit_command(const FitCommandOptions& options) {
   if (options.curve) {
     return fit_points(options);
@@ -180,6 +155,52 @@ int fit_command(const FitCommandOptions& options) {
     return kExitInterrupted;
   }
   return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_fit(CLI::App& app) {
+  const auto options = std::make_shared<FitCommandOptions>();
+  CLI::App* command = app.add_subcommand(
+      "fit", "numbers of the profile from its measured motion; curves from measured points");
+  command
+      ->add_option("FILE", options->input,
+                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
+      ->required();
+  command->add_option("MEASURED", options->measured,
+                      "what was measured (CSV): driver or time, and columns of the profile's tables");
+  command->add_option("-o,--output", options->output, "the fitted profile, or curve; -: standard output");
+  command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--csv", options->csv, "residuals as CSV, to this file; -: standard output");
+  command->add_option("--curve", options->curve, "fit this curve to points")
+      ->check(CLI::IsMember(fitted_curve_names()));
+  command->add_option("--loss", options->loss, "how residuals count: by squares (default), huber or tukey")
+      ->check(CLI::IsMember(fit_loss_names()));
+  command->add_option("--confidence", options->confidence, "of the intervals (default 0.95)")
+      ->check(CLI::Validator(share_objection, "SHARE"));
+  command->add_option("--columns", options->columns, "GLOB[,GLOB]: only these measured columns; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--offset", options->offsets,
+                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--starts", options->starts,
+                   "searches (default 12 where all variables have bounds, else 1)")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--seed", options->seed,
+                      "of the random starts (default 1): the same seed, the same result");
+  command
+      ->add_option("--threads", options->threads, "threads (default: all); make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
+  command->final_callback([options] {
+    refuse_with_curve(*options);
+    check_files(*options);
+  });
+  return {command, [options] { return fit_command(*options); }};
 }
 
 }  // namespace higherpair::cli

@@ -1,5 +1,5 @@
 // The results of a fit, for people and for programs.
-#include "fit_command.hpp"
+#include "fit_report.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
 

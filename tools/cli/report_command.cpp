@@ -1,5 +1,4 @@
-#include "report_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -8,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,16 @@
 
 namespace higherpair::cli {
 namespace {
+
+struct ReportOptions {
+  std::string profile;
+  std::string output;
+  std::vector<std::string> overrides;
+  std::optional<std::int64_t> samples;
+  double tolerance = 1e-9;
+  bool timed = false;
+  bool quiet = false;
+};
 
 namespace fs = std::filesystem;
 
@@ -55,22 +65,7 @@ ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
   return settings;
 }
 
-}  // namespace
-
-CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("-o,--output", options.output, "the page to be written, F.html")->required();
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows");
-  add_tolerance_option(*command, options.tolerance);
-  command->add_flag("--time", options.timed, "the motion in time, as `step` has it");
-  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
-  command->final_callback([&options] { check_output(options); });
-  return command;
-}
-
+// Runs `report`; returns the exit code.
 int report_command(const ReportOptions& options) {
   const auto model = open_model(options.profile, options.overrides, options.quiet, {{"-o", options.output}});
   if (!model) {
@@ -99,6 +94,23 @@ int report_command(const ReportOptions& options) {
     }
   }
   return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
+  add_set_option(*command, options->overrides);
+  command->add_option("--samples", options->samples, "number of rows");
+  add_tolerance_option(*command, options->tolerance);
+  command->add_flag("--time", options->timed, "the motion in time, as `step` has it");
+  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
+  command->final_callback([options] { check_output(*options); });
+  return {command, [options] { return report_command(*options); }};
 }
 
 }  // namespace higherpair::cli

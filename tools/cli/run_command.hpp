@@ -9,10 +9,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace higherpair::cli {
 
 inline constexpr int kExitOk = 0;
@@ -72,13 +68,6 @@ void listen_to_signals();
 
 /// The exit code after a failed run; prints the error, unless interruption() is the cause.
 [[nodiscard]] int exit_failed(const Error& error);
-
-/// \name Add a command and its options.
-/// @{
-CLI::App* add_analyze_command(CLI::App& app, RunOptions& options);
-CLI::App* add_step_command(CLI::App& app, RunOptions& options);
-CLI::App* add_forces_command(CLI::App& app, RunOptions& options);
-/// @}
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

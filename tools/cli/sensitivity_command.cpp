@@ -1,5 +1,4 @@
-#include "sensitivity_command.hpp"
-
+#include "commands.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -8,12 +7,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct SensitivityOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::optional<std::string> rows;  ///< file for the derivatives of columns, row by row
+  std::vector<std::string> overrides;
+  std::vector<std::string> results;  ///< COLUMN:OF
+  std::vector<std::string> by;       ///< globs of paths
+  std::vector<std::string> columns;  ///< of `rows`; empty: those of the results
+  std::optional<std::int64_t> samples;
+  std::optional<std::int64_t> variants;
+  std::optional<std::uint64_t> seed;
+  double tolerance = 1e-9;
+  std::size_t top = 10;
+  int threads = 0;
+  bool timed = false;
+  bool quiet = false;
+};
 
 constexpr std::int64_t kMostVariants = 100'000'000;
 
@@ -150,54 +169,7 @@ std::optional<int> refuse_variants(const SensitivityOptions& options, const Mode
   return std::nullopt;
 }
 
-}  // namespace
-
-CLI::App* add_sensitivity_command(CLI::App& app, SensitivityOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "sensitivity",
-      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
-      "tolerance to tighten");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the derivatives", options.csv},
-                     {"the derivatives and bands", options.json});
-  command
-      ->add_option("--results", options.results,
-                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
-                   "slider.x:at=30; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option(
-          "--by", options.by,
-          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--rows", options.rows,
-                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
-                      "output)");
-  command
-      ->add_option("--columns", options.columns,
-                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--variants", options.variants,
-                   "check the bands of [tolerances] by so many random variants, such as 100000")
-      ->check(CLI::Range(kFewestVariants, kMostVariants));
-  command->add_option("--seed", options.seed, "other random variants (default 1)");
-  command->add_option("--top", options.top, "so many dimensions of each result are printed (default 10)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows");
-  add_tolerance_option(*command, options.tolerance);
-  command->add_option("--threads", options.threads, "so many at a time; otherwise as many as there are cores")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--time", options.timed, "the motion in time, as step has it");
-  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
-  command->final_callback([&options] { check_outputs(options); });
-  return command;
-}
-
+// Runs `sensitivity`; returns the exit code: 4 if the path is not good, or a band is wider than wanted.
 int sensitivity_command(const SensitivityOptions& options) {
   const auto model = open_model(options.profile, options.overrides, options.quiet, outputs_of(options));
   if (!model) {
@@ -251,6 +223,56 @@ int sensitivity_command(const SensitivityOptions& options) {
     }
   }
   return write(options, *model, findings);
+}
+
+}  // namespace
+
+Command add_sensitivity(CLI::App& app) {
+  const auto options = std::make_shared<SensitivityOptions>();
+  CLI::App* command = app.add_subcommand(
+      "sensitivity",
+      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
+      "tolerance to tighten");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the derivatives", options->csv},
+                     {"the derivatives and bands", options->json});
+  command
+      ->add_option("--results", options->results,
+                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
+                   "slider.x:at=30; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--by", options->by,
+          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--rows", options->rows,
+                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
+                      "output)");
+  command
+      ->add_option("--columns", options->columns,
+                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--variants", options->variants,
+                   "check the bands of [tolerances] by so many random variants, such as 100000")
+      ->check(CLI::Range(kFewestVariants, kMostVariants));
+  command->add_option("--seed", options->seed, "other random variants (default 1)");
+  command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  add_set_option(*command, options->overrides);
+  command->add_option("--samples", options->samples, "number of rows");
+  add_tolerance_option(*command, options->tolerance);
+  command
+      ->add_option("--threads", options->threads, "so many at a time; otherwise as many as there are cores")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--time", options->timed, "the motion in time, as step has it");
+  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
+  command->final_callback([options] { check_outputs(*options); });
+  return {command, [options] { return sensitivity_command(*options); }};
 }
 
 }  // namespace higherpair::cli
