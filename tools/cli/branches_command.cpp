@@ -18,9 +18,8 @@ struct BranchesOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::vector<std::string> overrides;
-  double tolerance = 1e-9;
+  BranchesSettings settings;
   bool quiet = false;
-  bool certify = false;  ///< decide every contact in exact arithmetic
 };
 
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
@@ -44,7 +43,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
 
 // Lists every contact at the first driver position; returns the exit code.
 int branches_command(const BranchesOptions& options) {
-  if (options.certify && !can_certify()) {
+  if (options.settings.certify && !can_certify()) {
     fmt::print(stderr,
                "higherpair: --certify: this build has no exact arithmetic; configure it with "
                "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
@@ -52,9 +51,7 @@ int branches_command(const BranchesOptions& options) {
   }
   const auto report = open_model(options.profile, options.overrides, options.quiet,
                                  given({{"--csv", options.csv}, {"--json", options.json}}))
-                          .and_then([&](const Model& model) {
-                            return branches_of(model, {options.certify, options.tolerance});
-                          });
+                          .and_then([&](const Model& model) { return branches_of(model, options.settings); });
   return report ? write_all(options, *report) : report_error(report.error());
 }
 
@@ -68,10 +65,11 @@ Command add_branches(CLI::App& app) {
   add_output_options(*command, options->profile, {"the list", options->csv}, {"the list", options->json});
   add_unused_samples(*command, "the first driver position counts");
   add_set_option(*command, options->overrides);
-  command->add_option("--tolerance", options->tolerance, "largest closure error, relative to the size")
+  command
+      ->add_option("--tolerance", options->settings.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
   command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");
-  command->add_flag("--certify", options->certify, "decide every contact in exact arithmetic");
+  command->add_flag("--certify", options->settings.certify, "decide every contact in exact arithmetic");
   return {command, [options] { return branches_command(*options); }};
 }
 

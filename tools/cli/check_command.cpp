@@ -17,8 +17,7 @@ struct CheckOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::vector<std::string> overrides;
-  double tolerance = 1e-9;
-  bool timed = false;  ///< the motion in time, as in `step`
+  CheckSettings settings;
   bool quiet = false;
 };
 
@@ -56,11 +55,7 @@ int check_command(const CheckOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  CheckSettings settings;
-  settings.in_time = options.timed;
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
-  const auto report = check(*model, settings);
+  const auto report = check(*model, options.settings);
   return report ? write(options, *model, *report) : exit_failed(report.error());
 }
 
@@ -68,6 +63,7 @@ int check_command(const CheckOptions& options) {
 
 Command add_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "check",
       "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
@@ -75,9 +71,9 @@ Command add_check(CLI::App& app) {
   add_output_options(*command, options->profile, {"the figures, one to a row,", options->csv},
                      {"the figures", options->json});
   add_set_option(*command, options->overrides);
-  add_tolerance_option(*command, options->tolerance);
+  add_tolerance_option(*command, options->settings.tolerance);
   add_unused_samples(*command, "the whole path counts");
-  command->add_flag("--time", options->timed, "the motion in time, as step has it");
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
   command->add_flag("--quiet", options->quiet, "no events and notes on standard error");
   return {command, [options] { return check_command(*options); }};
 }

@@ -22,14 +22,11 @@ struct DrawOptions {
   std::string profile;
   std::string output;
   std::vector<std::string> overrides;
-  std::optional<double> at;
-  std::optional<double> every;
   bool strip = false;
   std::vector<std::string> layers;
-  std::vector<std::string> traces;
   bool linkage = false;
   std::optional<double> width;
-  double tolerance = 1e-9;
+  SceneSettings settings;
   bool quiet = false;
 };
 
@@ -58,7 +55,7 @@ Result<std::vector<Role>> layers_of(const DrawOptions& options) {
 int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) {
   if (scenes.limit) {
     fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
-               *options.at, *scenes.limit, scenes.cause);
+               *options.settings.at, *scenes.limit, scenes.cause);
     return kExitRows;
   }
   if (!scenes.left_out.empty()) {
@@ -81,13 +78,8 @@ int draw_command(const DrawOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  SceneSettings settings;
-  settings.at = options.at;
-  settings.every = options.every;
-  settings.traces = options.traces;
+  SceneSettings settings = options.settings;
   settings.forces = std::find(layers->begin(), layers->end(), Role::kForce) != layers->end();
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
   const auto scenes = scenes_of(*model, settings);
   if (!scenes) {
     return exit_failed(scenes.error());
@@ -111,16 +103,18 @@ int draw_command(const DrawOptions& options) {
 
 Command add_draw(CLI::App& app) {
   const auto options = std::make_shared<DrawOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
   add_picture_option(*command, options->output);
   add_set_option(*command, options->overrides);
-  auto* at = command->add_option("--at", options->at, "position of the driver; otherwise the first")
+  auto* at = command->add_option("--at", options->settings.at, "position of the driver; otherwise the first")
                  ->check(finite_number());
-  auto* every =
-      command->add_option("--every", options->every, "draw every so much of the driver, all in one picture")
-          ->excludes(at);
+  auto* every = command
+                    ->add_option("--every", options->settings.every,
+                                 "draw every so much of the driver, all in one picture")
+                    ->excludes(at);
   command->add_flag("--strip", options->strip, "with --every: side by side")->needs(every);
   command
       ->add_option(
@@ -129,13 +123,14 @@ Command add_draw(CLI::App& app) {
           "curvature, linkage, center, trace, velocity, acceleration, force, label")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--trace", options->traces, "BODY.POINT: draw the path of this point; repeatable")
+  command
+      ->add_option("--trace", options->settings.traces, "BODY.POINT: draw the path of this point; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--linkage", options->linkage, "the equivalent linkage alone");
   command
       ->add_option("--width", options->width, "width in px; otherwise 900, or less where the picture is high")
       ->check(CLI::Range(50.0, 10'000.0));
-  add_tolerance_option(*command, options->tolerance);
+  add_tolerance_option(*command, options->settings.tolerance);
   command->add_flag("--quiet", options->quiet, "no notes on standard error");
   command->final_callback([options] {
     refuse_shared_files({{"FILE", options->profile}}, {{"--output", options->output}});

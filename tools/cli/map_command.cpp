@@ -22,8 +22,7 @@ struct MapOptions {
   std::optional<std::string> json;
   std::optional<std::string> output;  ///< path of the picture
   std::vector<std::string> overrides;
-  std::optional<std::int64_t> samples;
-  double tolerance = 1e-9;
+  MapSettings settings;
   bool quiet = false;
 };
 
@@ -67,7 +66,7 @@ int map_command(const MapOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  const auto report = map_of(*model, {options.samples, options.tolerance, &interruption()});
+  const auto report = map_of(*model, options.settings);
   if (!report) {
     return report_error(report.error());
   }
@@ -87,6 +86,7 @@ int map_command(const MapOptions& options) {
 
 Command add_map(CLI::App& app) {
   const auto options = std::make_shared<MapOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "map",
       "every contact of the two curves over the driver's turn: branches, and where they begin and end");
@@ -96,10 +96,12 @@ Command add_map(CLI::App& app) {
   command->add_option("-o,--output", options->output,
                       "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
   add_set_option(*command, options->overrides);
-  command->add_option("--samples", options->samples, "number of rows over the range, both ends included")
+  command
+      ->add_option("--samples", options->settings.samples,
+                   "number of rows over the range, both ends included")
       ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
   command
-      ->add_option("--tolerance", options->tolerance,
+      ->add_option("--tolerance", options->settings.tolerance,
                    "largest overlap of a contact that counts as free, relative to the size")
       ->check(positive_number());
   command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");

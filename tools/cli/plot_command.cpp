@@ -15,13 +15,9 @@ namespace {
 struct PlotOptions {
   std::string profile;
   std::string output;
-  std::vector<std::string> y;
-  std::optional<std::string> x;
   std::vector<std::string> overrides;
-  std::optional<std::int64_t> samples;
-  double tolerance = 1e-9;
   double width = 720;
-  bool timed = false;  ///< the motion in time, as in `step`
+  PlotSettings settings;
   bool quiet = false;
 };
 
@@ -33,14 +29,7 @@ int plot_command(const PlotOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  PlotSettings settings;
-  settings.y = options.y;
-  settings.x = options.x;
-  settings.run.in_time = options.timed;
-  settings.run.samples = options.samples;
-  settings.run.tolerance = options.tolerance;
-  settings.run.stop = &interruption();
-  const auto plot = plot_of(*model, settings);
+  const auto plot = plot_of(*model, options.settings);
   if (!plot) {
     return exit_failed(plot.error());
   }
@@ -59,20 +48,21 @@ int plot_command(const PlotOptions& options) {
 
 Command add_plot(CLI::App& app) {
   const auto options = std::make_shared<PlotOptions>();
+  options->settings.run.stop = &interruption();
   CLI::App* command = app.add_subcommand("plot", "columns of the table as a picture");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
   add_picture_option(*command, options->output);
   command
-      ->add_option("--y", options->y,
+      ->add_option("--y", options->settings.y,
                    "COLUMN[,COLUMN]: what is plotted, names or globs such as follower.*; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->required();
-  command->add_option("--x", options->x, "COLUMN: what it is plotted against (default: driver)");
-  command->add_flag("--time", options->timed, "the motion in time, as step has it");
+  command->add_option("--x", options->settings.x, "COLUMN: what it is plotted against (default: driver)");
+  command->add_flag("--time", options->settings.run.in_time, "the motion in time, as step has it");
   add_set_option(*command, options->overrides);
-  command->add_option("--samples", options->samples, "number of rows");
-  add_tolerance_option(*command, options->tolerance);
+  command->add_option("--samples", options->settings.run.samples, "number of rows");
+  add_tolerance_option(*command, options->settings.run.tolerance);
   command->add_option("--width", options->width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));
   command->add_flag("--quiet", options->quiet, "no notes on standard error");

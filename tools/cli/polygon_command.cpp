@@ -18,10 +18,8 @@ struct PolygonOptions {
   std::string profile;
   std::string output;
   std::vector<std::string> overrides;
-  double at = 0;
-  double tolerance = 1e-9;
   double width = 860;
-  bool forces = false;
+  PolygonSettings settings;
   bool quiet = false;
 };
 
@@ -34,12 +32,7 @@ int polygon_command(const PolygonOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  PolygonSettings settings;
-  settings.at = options.at;
-  settings.forces = options.forces;
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
-  const auto found = polygons_of(*model, settings);
+  const auto found = polygons_of(*model, options.settings);
   if (!found) {
     return exit_failed(found.error());
   }
@@ -54,7 +47,7 @@ int polygon_command(const PolygonOptions& options) {
   if (found->limit) {
     fmt::print(stderr,
                "{}: driver = {} cannot be reached: drawn at the limit position {:.9g} before it: {}\n",
-               options.profile, options.at, found->driver, *found->limit);
+               options.profile, options.settings.at, found->driver, *found->limit);
     return kExitRows;
   }
   print_passed(found->passed, *model);
@@ -65,16 +58,17 @@ int polygon_command(const PolygonOptions& options) {
 
 Command add_polygon(CLI::App& app) {
   const auto options = std::make_shared<PolygonOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
   add_picture_option(*command, options->output);
-  command->add_option("--at", options->at, "position of the driver, in the profile's unit")
+  command->add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
       ->required()
       ->check(finite_number());
-  command->add_flag("--forces", options->forces, "also the force polygon of every body");
+  command->add_flag("--forces", options->settings.forces, "also the force polygon of every body");
   add_set_option(*command, options->overrides);
-  add_tolerance_option(*command, options->tolerance);
+  add_tolerance_option(*command, options->settings.tolerance);
   command->add_option("--width", options->width, "width of the picture in px (default: 860)")
       ->check(CLI::Range(500.0, 10'000.0));
   command->add_flag("--quiet", options->quiet, "no notes on standard error");

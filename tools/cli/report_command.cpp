@@ -20,9 +20,7 @@ struct ReportOptions {
   std::string profile;
   std::string output;
   std::vector<std::string> overrides;
-  std::optional<std::int64_t> samples;
-  double tolerance = 1e-9;
-  bool timed = false;
+  ReportSettings settings;
   bool quiet = false;
 };
 
@@ -55,12 +53,8 @@ void check_output(const ReportOptions& options) {
 }
 
 ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
-  ReportSettings settings;
-  settings.in_time = options.timed;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
+  ReportSettings settings = options.settings;
   settings.source = source_of(options);
-  settings.stop = &interruption();
   settings.progress = [&progress](std::int64_t row, std::int64_t size) { progress.at(row, size); };
   return settings;
 }
@@ -100,14 +94,15 @@ int report_command(const ReportOptions& options) {
 
 Command add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
   command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
   add_set_option(*command, options->overrides);
-  command->add_option("--samples", options->samples, "number of rows");
-  add_tolerance_option(*command, options->tolerance);
-  command->add_flag("--time", options->timed, "the motion in time, as `step` has it");
+  command->add_option("--samples", options->settings.samples, "number of rows");
+  add_tolerance_option(*command, options->settings.tolerance);
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
   command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
   command->final_callback([options] { check_output(*options); });
   return {command, [options] { return report_command(*options); }};

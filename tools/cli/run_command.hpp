@@ -20,21 +20,15 @@ inline constexpr int kExitInterrupted = 130;
 
 struct RunOptions {
   std::string profile;
-  bool timed = false;   ///< step instead of analyze
-  bool forces = false;  ///< forces instead of analyze
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::optional<std::string> hdf5;
   std::optional<std::string> events;  ///< file of the events, as CSV
   std::vector<std::string> overrides;
-  std::optional<std::int64_t> samples;
-  double tolerance = 1e-9;
+  RunSettings settings;
   int threads = 0;  ///< 0: as many as there are cores
   bool quiet = false;
   bool summary = false;
-  std::vector<std::string> columns;  ///< names or globs; empty: all
-  bool jerk = false;                 ///< adds columns of jerk
-  std::optional<int> derivatives;    ///< adds columns of the derivatives from the third to this one
 };
 
 /// Prints what is wrong on standard error; returns the exit code.

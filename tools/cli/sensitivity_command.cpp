@@ -22,15 +22,11 @@ struct SensitivityOptions {
   std::optional<std::string> rows;  ///< file for the derivatives of columns, row by row
   std::vector<std::string> overrides;
   std::vector<std::string> results;  ///< COLUMN:OF
-  std::vector<std::string> by;       ///< globs of paths
   std::vector<std::string> columns;  ///< of `rows`; empty: those of the results
-  std::optional<std::int64_t> samples;
   std::optional<std::int64_t> variants;
   std::optional<std::uint64_t> seed;
-  double tolerance = 1e-9;
   std::size_t top = 10;
-  int threads = 0;
-  bool timed = false;
+  SensitivitySettings settings;
   bool quiet = false;
 };
 
@@ -117,9 +113,9 @@ Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const 
   ToleranceVariantSettings settings;
   settings.count = *options.variants;
   settings.seed = options.seed.value_or(1);
-  settings.threads = options.threads;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
+  settings.threads = options.settings.threads;
+  settings.samples = options.settings.samples;
+  settings.tolerance = options.settings.tolerance;
   settings.stop = &interruption();
   settings.progress = [&](std::int64_t done) { progress.at(done); };
   return tolerance_variants(model, report, settings);
@@ -163,7 +159,7 @@ std::optional<int> refuse_variants(const SensitivityOptions& options, const Mode
   if (!model.profile().tolerances) {
     return refuse("--variants: there is no [tolerances] in the profile: it says how numbers scatter");
   }
-  if (!options.by.empty()) {
+  if (!options.settings.by.empty()) {
     return refuse("--variants: the numbers that scatter are those of [tolerances]; leave --by out");
   }
   return std::nullopt;
@@ -179,13 +175,7 @@ int sensitivity_command(const SensitivityOptions& options) {
     return *code;
   }
   listen_to_signals();
-  SensitivitySettings settings;
-  settings.in_time = options.timed;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
-  settings.by = options.by;
-  settings.threads = options.threads;
-  settings.stop = &interruption();
+  SensitivitySettings settings = options.settings;
   for (const std::string& text : options.results) {
     auto measure = measure_from(text);
     if (!measure) {
@@ -203,7 +193,7 @@ int sensitivity_command(const SensitivityOptions& options) {
   SensitivityFindings findings;
   findings.report = *std::move(report);
   findings.top = options.top;
-  if (model->profile().tolerances && options.by.empty()) {
+  if (model->profile().tolerances && options.settings.by.empty()) {
     findings.task = model->profile().tolerances.get();
     findings.bands = tolerance_bands(*findings.task, findings.report);
   }
@@ -229,6 +219,7 @@ int sensitivity_command(const SensitivityOptions& options) {
 
 Command add_sensitivity(CLI::App& app) {
   const auto options = std::make_shared<SensitivityOptions>();
+  options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "sensitivity",
       "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
@@ -244,7 +235,7 @@ Command add_sensitivity(CLI::App& app) {
       ->allow_extra_args(false);
   command
       ->add_option(
-          "--by", options->by,
+          "--by", options->settings.by,
           "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -264,12 +255,13 @@ Command add_sensitivity(CLI::App& app) {
   command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   add_set_option(*command, options->overrides);
-  command->add_option("--samples", options->samples, "number of rows");
-  add_tolerance_option(*command, options->tolerance);
+  command->add_option("--samples", options->settings.samples, "number of rows");
+  add_tolerance_option(*command, options->settings.tolerance);
   command
-      ->add_option("--threads", options->threads, "so many at a time; otherwise as many as there are cores")
+      ->add_option("--threads", options->settings.threads,
+                   "so many at a time; otherwise as many as there are cores")
       ->check(CLI::Range(1, 4096));
-  command->add_flag("--time", options->timed, "the motion in time, as step has it");
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
   command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
   command->final_callback([options] { check_outputs(*options); });
   return {command, [options] { return sensitivity_command(*options); }};
