@@ -1,7 +1,6 @@
 #include "commands.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/diagnostic.hpp"
-#include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
@@ -92,8 +91,7 @@ int draw_command(const DrawOptions& options) {
   }
   draw.strip = options.strip;
   draw.title = model->mechanism().title;
-  if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}},
-                   &interruption())) {
+  if (!write_picture(options.output, draw_svg(scenes->scenes, draw))) {
     return exit_unwritten();
   }
   return judge(options, *model, *scenes);
@@ -107,7 +105,7 @@ Command add_draw(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
-  add_picture_option(*command, options->output);
+  add_picture_option(*command, options->profile, options->output);
   add_set_option(*command, options->overrides);
   auto* at = command->add_option("--at", options->settings.at, "position of the driver; otherwise the first")
                  ->check(finite_number());
@@ -132,10 +130,6 @@ Command add_draw(CLI::App& app) {
       ->check(CLI::Range(50.0, 10'000.0));
   add_tolerance_option(*command, options->settings.tolerance);
   command->add_flag("--quiet", options->quiet, "no notes on standard error");
-  command->final_callback([options] {
-    refuse_shared_files({{"FILE", options->profile}}, {{"--output", options->output}});
-    check_picture(options->output);
-  });
   return {command, [options] { return draw_command(*options); }};
 }
 

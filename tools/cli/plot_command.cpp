@@ -1,6 +1,5 @@
 #include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
-#include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
 #include "run_command.hpp"
@@ -37,8 +36,7 @@ int plot_command(const PlotOptions& options) {
   if (plot->stopped) {
     return kExitInterrupted;
   }
-  if (!write_files({{options.output, picture_for(options.output, plots_svg({plot->data}, options.width))}},
-                   &interruption())) {
+  if (!write_picture(options.output, plots_svg({plot->data}, options.width))) {
     return exit_unwritten();
   }
   return plot->good ? kExitOk : kExitRows;
@@ -51,7 +49,7 @@ Command add_plot(CLI::App& app) {
   options->settings.run.stop = &interruption();
   CLI::App* command = app.add_subcommand("plot", "columns of the table as a picture");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
-  add_picture_option(*command, options->output);
+  add_picture_option(*command, options->profile, options->output);
   command
       ->add_option("--y", options->settings.y,
                    "COLUMN[,COLUMN]: what is plotted, names or globs such as follower.*; repeatable")
@@ -66,10 +64,6 @@ Command add_plot(CLI::App& app) {
   command->add_option("--width", options->width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));
   command->add_flag("--quiet", options->quiet, "no notes on standard error");
-  command->final_callback([options] {
-    refuse_shared_files({{"FILE", options->profile}}, {{"--output", options->output}});
-    check_picture(options->output);
-  });
   return {command, [options] { return plot_command(*options); }};
 }
 

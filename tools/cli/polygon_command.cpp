@@ -1,6 +1,5 @@
 #include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
-#include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
@@ -39,9 +38,7 @@ int polygon_command(const PolygonOptions& options) {
   const std::string& name = model->mechanism().title;
   const std::string title = fmt::format("{}{}driver = {:.6g} {}", name, name.empty() ? "" : ", ",
                                         found->driver, found->driver_unit);
-  if (!write_files({{options.output,
-                     picture_for(options.output, polygons_svg(found->polygons, title, options.width))}},
-                   &interruption())) {
+  if (!write_picture(options.output, polygons_svg(found->polygons, title, options.width))) {
     return exit_unwritten();
   }
   if (found->limit) {
@@ -62,7 +59,7 @@ Command add_polygon(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
   command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
-  add_picture_option(*command, options->output);
+  add_picture_option(*command, options->profile, options->output);
   command->add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
       ->required()
       ->check(finite_number());
@@ -72,10 +69,6 @@ Command add_polygon(CLI::App& app) {
   command->add_option("--width", options->width, "width of the picture in px (default: 860)")
       ->check(CLI::Range(500.0, 10'000.0));
   command->add_flag("--quiet", options->quiet, "no notes on standard error");
-  command->final_callback([options] {
-    refuse_shared_files({{"FILE", options->profile}}, {{"--output", options->output}});
-    check_picture(options->output);
-  });
   return {command, [options] { return polygon_command(*options); }};
 }
 
