@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "file_text.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -6,9 +7,7 @@
 #include "run_command.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -26,20 +25,13 @@ struct ReportOptions {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 // The input of the analysis: the profile's text, preceded by the changes made on the command line.
 std::string source_of(const ReportOptions& options) {
   std::string source;
   for (const std::string& override : options.overrides) {
     source += "# --set " + override + "\n";
   }
-  return source + read_text(options.profile);
+  return source + file_text(options.profile).value_or("");
 }
 
 void check_output(const ReportOptions& options) {

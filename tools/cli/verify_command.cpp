@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "file_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
@@ -7,9 +8,6 @@
 #include "verify/verdicts_json.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -28,12 +26,9 @@ struct VerifyOptions {
 };
 
 std::optional<std::string> text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open() || std::filesystem::is_directory(path)) {
-    fmt::print(stderr, "{}: cannot be read\n", path);
-    return std::nullopt;
-  }
-  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  auto text = file_text(path);
+  if (!text) fmt::print(stderr, "{}: cannot be read\n", path);
+  return text;
 }
 
 void print(const Verdict& verdict, double bound) {
