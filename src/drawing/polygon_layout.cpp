@@ -102,9 +102,7 @@ bool PolygonLayout::is_long(std::size_t arrow) const {
 }
 
 std::string PolygonLayout::unit() const {
-  const std::string name = printed_unit(polygon->unit);
-  const std::string factor = printed_factor(exponent);
-  return factor + (factor.empty() || name.empty() ? "" : " ") + name;
+  return printed_unit(polygon->unit, exponent);
 }
 
 PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
