@@ -2,6 +2,7 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
@@ -129,8 +130,7 @@ void add_trace(Sketch& sketch, const PointRef& ref) {
   const NamedPoint& point = body.points[static_cast<std::size_t>(ref.point)];
   std::vector<double> path;
   for (const MotionRow* row : sketch.rows) {
-    const Vector2d p = body_in(*row, ref.body).X_WB * point.p_B;
-    path.insert(path.end(), {p.x(), p.y()});
+    append(path, body_in(*row, ref.body).X_WB * point.p_B);
   }
   sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::move(path));
   sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;
