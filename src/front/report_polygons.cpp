@@ -13,6 +13,8 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace higherpair {
 namespace {
 
@@ -145,19 +147,18 @@ double largest_shown(std::vector<double> sizes) {
 }
 
 void write_view(JsonWriter& json, const MovingPolygon& polygon, double limit) {
-  Vector2d low = Vector2d::Zero(), high = Vector2d::Zero();
+  Eigen::AlignedBox2d view(Vector2d::Zero(), Vector2d::Zero());
   for (const MovingPolygon::Part& part : polygon.parts) {
     for (const Track* track : {&part.from, &part.to}) {
       for (std::size_t i = 0; i < track->x.size(); ++i) {
         const Vector2d at(track->x[i], track->y[i]);
-        if (!(at.norm() <= limit)) continue;
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
+        if (at.norm() <= limit) view.extend(at);
       }
     }
   }
   json.key("view").open('[');
-  for (const double number : {low.x(), low.y(), high.x(), high.y()}) json.number(number, kVectorDigits);
+  for (const double number : {view.min().x(), view.min().y(), view.max().x(), view.max().y()})
+    json.number(number, kVectorDigits);
   json.close(']');
 }
 
