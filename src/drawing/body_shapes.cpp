@@ -18,26 +18,22 @@ constexpr double kWedgeSlope = 0.35;
 void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   const auto& samples = named.boundary->samples();
   std::vector<double> path;
-  const auto append = [&](const SpanPoint& at, double side) {
-    const Vector2d p = at.p_B + side * kSlotHalf * sketch.unit * at.n_B;
-    path.insert(path.end(), {p.x(), p.y()});
+  const auto add = [&](const SpanPoint& at, double side) {
+    append(path, at.p_B + side * kSlotHalf * sketch.unit * at.n_B);
   };
-  for (const auto& sample : samples) append(sample.point, 1);
-  for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) append(sample->point, -1);
+  for (const auto& sample : samples) add(sample.point, 1);
+  for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) add(sample->point, -1);
   sketch.add(Role::kJoint, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);
 }
 
 // A chain that is not a plate is drawn as a strip of material behind it.
 void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
   std::vector<double> path;
-  for (const Vector2d& p : outline_of(*named.boundary)) {
-    path.insert(path.end(), {p.x(), p.y()});
-  }
+  for (const Vector2d& p : outline_of(*named.boundary)) append(path, p);
   if (!is_plate(named)) {
     const auto& samples = named.boundary->samples();
     for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
-      const Vector2d behind = sample->point.p_B - kFace * sketch.unit * sample->point.n_B;
-      path.insert(path.end(), {behind.x(), behind.y()});
+      append(path, sample->point.p_B - kFace * sketch.unit * sample->point.n_B);
     }
   }
   sketch.add(Role::kBody, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);

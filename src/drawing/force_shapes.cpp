@@ -4,6 +4,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
@@ -24,8 +25,7 @@ using Kind = Shape::Kind;
 void set_arc(Shape& arc, const Vector2d& center, double radius, double turn) {
   const int count = 1 + static_cast<int>(std::abs(turn) / kArcStep);
   for (int i = 0; i <= count; ++i) {
-    const Vector2d p = center + radius * unit_vector(kPi / 2 + turn * i / count);
-    arc.numbers.insert(arc.numbers.end(), {p.x(), p.y()});
+    append(arc.numbers, center + radius * unit_vector(kPi / 2 + turn * i / count));
   }
 }
 

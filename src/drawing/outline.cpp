@@ -11,10 +11,6 @@ namespace {
 
 constexpr int kPointsPerTurn = 96;
 
-double cross_of(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // Convex hull by Andrew's monotone chain, counter-clockwise.
 std::vector<Vector2d> hull_of(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
@@ -26,7 +22,8 @@ std::vector<Vector2d> hull_of(std::vector<Vector2d> points) {
   }
   std::vector<Vector2d> hull;
   const auto add = [&](const Vector2d& p, std::size_t least) {
-    while (hull.size() >= least + 2 && cross_of(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+    while (hull.size() >= least + 2 &&
+           cross<double>(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
       hull.pop_back();
     }
     hull.push_back(p);
@@ -105,7 +102,7 @@ std::vector<double> rounded_hull(std::vector<Vector2d> points, double radius) {
     const Vector2d in = hull[i] - hull[(i + n - 1) % n];
     const Vector2d out = hull[(i + 1) % n] - hull[i];
     const double from = angle_of(in) - kPi / 2;
-    const double turn = std::atan2(cross_of(in, out), in.dot(out));
+    const double turn = std::atan2(cross(in, out), in.dot(out));
     append_arc(path, hull[i], radius, from, from + (turn <= 0 ? kPi : turn));
   }
   return path;

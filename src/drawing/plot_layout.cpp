@@ -74,10 +74,8 @@ std::vector<PlotPanel> make_panels(const PlotData& data) {
 }
 
 std::string unit_in_brackets(const PlotPanel& panel) {
-  const std::string factor = printed_factor(panel.y.ticks.exponent);
-  const std::string unit = printed_unit(panel.unit);
-  const std::string both = factor + (factor.empty() || unit.empty() ? "" : " ") + unit;
-  return both.empty() ? "" : "[" + both + "]";
+  const std::string unit = printed_unit(panel.unit, panel.y.ticks.exponent);
+  return unit.empty() ? "" : "[" + unit + "]";
 }
 
 // Lays out the names above a panel from left to right; returns the number of lines that they take.

@@ -127,11 +127,9 @@ private:
       svg_.text({{"x", x.px(value)}, {"y", bottom + 17}, {"text-anchor", "middle"}}, x.ticks.label(value));
       svg_.close();
     }
-    const std::string factor = printed_factor(x.ticks.exponent);
-    const std::string unit = printed_unit(data_.x.unit);
-    const std::string both = factor + (factor.empty() || unit.empty() ? "" : " ") + unit;
+    const std::string unit = printed_unit(data_.x.unit, x.ticks.exponent);
     svg_.text({{"x", (x.begin + x.end) / 2}, {"y", bottom + 2 * kPlotLine}, {"text-anchor", "middle"}},
-              data_.x.name + (both.empty() ? "" : " [" + both + "]"));
+              data_.x.name + (unit.empty() ? "" : " [" + unit + "]"));
     svg_.close();
   }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace higherpair {
 namespace {
 
@@ -17,22 +19,10 @@ constexpr double kTallestForces = 240;
 constexpr double kApart = 11;  // between arrows that would cover each other [px]
 constexpr double kNamed = 14;  // shortest arrow that gets a name [px]
 
-struct PolygonExtent {
-  Vector2d low = Vector2d::Zero();  // the pole is always included
-  Vector2d high = Vector2d::Zero();
-
-  void add(const Vector2d& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-};
-
-PolygonExtent polygon_extent(const Polygon& polygon) {
-  PolygonExtent extent;
-  for (const PolygonArrow& arrow : polygon.arrows) {
-    extent.add(arrow.from);
-    extent.add(arrow.to);
-  }
+// Contains the pole and all arrows.
+Eigen::AlignedBox2d polygon_extent(const Polygon& polygon) {
+  Eigen::AlignedBox2d extent(Vector2d::Zero(), Vector2d::Zero());
+  for (const PolygonArrow& arrow : polygon.arrows) extent.extend(arrow.from).extend(arrow.to);
   return extent;
 }
 
@@ -102,9 +92,7 @@ bool PolygonLayout::is_long(std::size_t arrow) const {
 }
 
 std::string PolygonLayout::unit() const {
-  const std::string name = printed_unit(polygon->unit);
-  const std::string factor = printed_factor(exponent);
-  return factor + (factor.empty() || name.empty() ? "" : " ") + name;
+  return printed_unit(polygon->unit, exponent);
 }
 
 PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
@@ -123,17 +111,17 @@ PolygonLayout lay_out(const Polygon& polygon, double width, double top) {
   const bool is_force = polygon.kind == Polygon::Kind::kForce;
   const auto line = common_line(polygon, layout.longest);
   layout.flat = line.has_value() && polygon.arrows.size() > 1;
-  const PolygonExtent extent = polygon_extent(polygon);
-  const Vector2d size = extent.high - extent.low;
+  const Eigen::AlignedBox2d extent = polygon_extent(polygon);
+  const Vector2d size = extent.sizes();
   const double room = kDrawnShare * width - 2 * kPolygonAround;
   layout.scale =
       std::min(room / std::max(size.x(), kThinPolygon * layout.longest),
                (is_force ? kTallestForces : kTallest) / std::max(size.y(), kThinPolygon * layout.longest));
   const double left = kPolygonMargin + kPolygonAround + std::max(0.0, (room - size.x() * layout.scale) / 2);
-  layout.origin = {left - extent.low.x() * layout.scale,
-                   top + kPolygonLine + kPolygonAround + extent.high.y() * layout.scale};
+  layout.origin = {left - extent.min().x() * layout.scale,
+                   top + kPolygonLine + kPolygonAround + extent.max().y() * layout.scale};
   set_ends(layout, layout.flat ? line : std::nullopt);
-  double lowest = layout.origin.y() - extent.low.y() * layout.scale;
+  double lowest = layout.origin.y() - extent.min().y() * layout.scale;
   for (const auto& [from, to] : layout.ends) lowest = std::max({lowest, from.y(), to.y()});
   layout.bottom = lowest + kPolygonAround + kPolygonLine;
   return layout;

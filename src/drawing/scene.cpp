@@ -2,15 +2,17 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "outline.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 namespace higherpair {
 namespace {
@@ -20,55 +22,51 @@ constexpr double kSceneMargin = 3;         // [units]
 constexpr double kLinkageRoom = 0.3;       // relative to the longer side: margin for equivalent linkages
 constexpr std::size_t kRowsLookedAt = 72;  // to find the room that shapes need
 
-struct SceneExtent {
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Vector2d high = -low;
+using Extent = Eigen::AlignedBox2d;
 
-  void add(const Vector2d& p, double radius = 0) {
-    low = low.cwiseMin((p.array() - radius).matrix());
-    high = high.cwiseMax((p.array() + radius).matrix());
-  }
-};
+void extend(Extent& extent, const Vector2d& p, double radius) {
+  extent.extend((p.array() - radius).matrix()).extend((p.array() + radius).matrix());
+}
 
 // The extent of points, closed curves and contacts, without symbols.
-SceneExtent bare_extent(const Sketch& sketch) {
-  SceneExtent extent;
+Extent bare_extent(const Sketch& sketch) {
+  Extent extent;
   for (const MotionRow* row : sketch.rows) {
     for (std::size_t i = 0; i < row->bodies.size(); ++i) {
       const Body& body = sketch.mechanism.bodies[i];
       const Pose<double>& X_WB = row->bodies[i].X_WB;
       for (const NamedPoint& point : body.points) {
-        extent.add(X_WB * point.p_B);
+        extent.extend(X_WB * point.p_B);
       }
       for (const NamedCurve& named : body.curves) {
         if (const auto middle = middle_of(named.curve)) {
-          extent.add(X_WB * *middle, reach_from(named.curve, *middle).value_or(0));
+          extend(extent, X_WB * *middle, reach_from(named.curve, *middle).value_or(0));
         }
       }
     }
     for (const ContactMotion& contact : row->contacts) {
-      extent.add(contact.at.p_W());
+      extent.extend(contact.at.p_W());
     }
   }
   return extent;
 }
 
-void add_shape(SceneExtent& extent, const Shape& shape, const Pose<double>& X_WB) {
+void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
   const std::vector<double>& n = shape.numbers;
   if (shape.kind == Shape::Kind::kCircle) {
-    extent.add(X_WB * Vector2d(n[0], n[1]), n[2]);
+    extend(extent, X_WB * Vector2d(n[0], n[1]), n[2]);
     return;
   }
   const std::size_t count = shape.kind == Shape::Kind::kText ? 2 : n.size();
   for (std::size_t i = 0; i + 1 < count; i += 2) {
     if (!std::isnan(n[i])) {
-      extent.add(X_WB * Vector2d(n[i], n[i + 1]));
+      extent.extend(X_WB * Vector2d(n[i], n[i + 1]));
     }
   }
 }
 
-SceneExtent full_extent(const Sketch& sketch) {
-  SceneExtent extent;
+Extent full_extent(const Sketch& sketch) {
+  Extent extent;
   const std::size_t stride = sketch.rows.size() / kRowsLookedAt + 1;
   for (std::size_t k = 0; k < sketch.rows.size(); k += stride) {
     for (const Shape& shape : sketch.shapes) {
@@ -77,7 +75,7 @@ SceneExtent full_extent(const Sketch& sketch) {
     for (const Spring& spring : sketch.mechanism.springs) {
       if (spring.joint) continue;
       for (const PointRef& end : {spring.first, spring.second}) {
-        extent.add(body_in(*sketch.rows[k], end.body).X_WB * point_of(sketch.mechanism, end));
+        extent.extend(body_in(*sketch.rows[k], end.body).X_WB * point_of(sketch.mechanism, end));
       }
     }
   }
@@ -85,35 +83,29 @@ SceneExtent full_extent(const Sketch& sketch) {
 }
 
 // The extent of the centres of curvature of a contact in all rows; none if one leaves the box `allowed`.
-std::optional<SceneExtent> linkage_extent(const Sketch& sketch, std::size_t contact,
-                                          const SceneExtent& allowed) {
-  SceneExtent extent;
+std::optional<Extent> linkage_extent(const Sketch& sketch, std::size_t contact, const Extent& allowed) {
+  Extent extent;
   for (const MotionRow* row : sketch.rows) {
     const CommonNormal& at = row->contacts[contact].at;
     if (!row->contacts[contact].touches) continue;
     for (const auto& [p_W, rho] : {std::pair(at.p1_W, at.rho1), std::pair(at.p2_W, -at.rho2)}) {
       if (std::isinf(rho)) continue;  // a flat face
       const Vector2d center = p_W - rho * at.n_W;
-      if (!((center - allowed.low).minCoeff() >= 0 && (allowed.high - center).minCoeff() >= 0)) {
-        return std::nullopt;
-      }
-      extent.add(center, sketch.unit);
+      if (!allowed.contains(center)) return std::nullopt;
+      extend(extent, center, sketch.unit);
     }
   }
   return extent;
 }
 
 // Enlarges the picture to show equivalent linkages completely, unless they extend too far beyond it.
-void add_linkages(SceneExtent& extent, const Sketch& sketch) {
-  SceneExtent allowed = extent;
-  const double room = kLinkageRoom * (extent.high - extent.low).maxCoeff();
-  allowed.add(extent.low, room);
-  allowed.add(extent.high, room);
+void add_linkages(Extent& extent, const Sketch& sketch) {
+  Extent allowed = extent;
+  const double room = kLinkageRoom * extent.sizes().maxCoeff();
+  extend(allowed, extent.min(), room);
+  extend(allowed, extent.max(), room);
   for (std::size_t i = 0; i < sketch.mechanism.contacts.size(); ++i) {
-    if (const auto own = linkage_extent(sketch, i, allowed)) {
-      extent.low = extent.low.cwiseMin(own->low);
-      extent.high = extent.high.cwiseMax(own->high);
-    }
+    if (const auto own = linkage_extent(sketch, i, allowed)) extent.extend(*own);
   }
 }
 
@@ -129,8 +121,7 @@ void add_trace(Sketch& sketch, const PointRef& ref) {
   const NamedPoint& point = body.points[static_cast<std::size_t>(ref.point)];
   std::vector<double> path;
   for (const MotionRow* row : sketch.rows) {
-    const Vector2d p = body_in(*row, ref.body).X_WB * point.p_B;
-    path.insert(path.end(), {p.x(), p.y()});
+    append(path, body_in(*row, ref.body).X_WB * point.p_B);
   }
   sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::move(path));
   sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;
@@ -209,27 +200,27 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
     }
   }
   assert(!sketch.rows.empty());
-  const SceneExtent bare = bare_extent(sketch);
-  const double diagonal = (bare.high - bare.low).norm();
+  const Extent bare = bare_extent(sketch);
+  const double diagonal = bare.sizes().norm();
   sketch.unit = (diagonal > 0 ? diagonal : 1) / kUnitsAcross;
   add_bodies(sketch);
   add_joints(sketch);
   add_traces(sketch, traces);
   // Draw pins over blocks, and short bars over long ones.
   const auto rank = [](const Shape& shape) {
-    SceneExtent extent;
+    Extent extent;
     if (shape.role == Role::kLink) add_shape(extent, shape, {});
-    const double size = shape.role == Role::kLink ? (extent.high - extent.low).norm() : 0;
+    const double size = shape.role == Role::kLink ? extent.sizes().norm() : 0;
     return std::tuple(shape.role, shape.role == Role::kJoint && shape.kind == Shape::Kind::kCircle, -size);
   };
   std::stable_sort(sketch.shapes.begin(), sketch.shapes.end(),
                    [&](const Shape& a, const Shape& b) { return rank(a) < rank(b); });
-  SceneExtent full = full_extent(sketch);
+  Extent full = full_extent(sketch);
   add_linkages(full, sketch);
   const double margin = kSceneMargin * sketch.unit;
   scene_.unit = sketch.unit * kMillimetres;
-  scene_.view = {(full.low.array() - margin).matrix() * kMillimetres,
-                 (full.high.array() + margin).matrix() * kMillimetres};
+  scene_.view = {(full.min().array() - margin).matrix() * kMillimetres,
+                 (full.max().array() + margin).matrix() * kMillimetres};
   largest_ = 1.5 * scene_.view.size().norm();
   scene_.fixed = std::move(sketch.shapes);
   for (Shape& shape : scene_.fixed) {

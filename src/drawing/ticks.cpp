@@ -119,8 +119,10 @@ std::string printed_unit(std::string_view unit) {
   return text == "1" ? "" : text;
 }
 
-std::string printed_factor(int exponent) {
-  return exponent == 0 ? "" : "×10" + raised(exponent);
+std::string printed_unit(std::string_view unit, int exponent) {
+  const std::string factor = exponent == 0 ? "" : "×10" + raised(exponent);
+  const std::string name = printed_unit(unit);
+  return factor + (factor.empty() || name.empty() ? "" : " ") + name;
 }
 
 }  // namespace higherpair

@@ -33,8 +33,8 @@ struct AxisRange {
 /// "deg/s^2" in print: "deg/s²"; products with a dot; empty for a pure number.
 [[nodiscard]] std::string printed_unit(std::string_view unit);
 
-/// "×10⁶"; empty for 0.
-[[nodiscard]] std::string printed_factor(int exponent);
+/// The same after a factor: "×10⁶ mm", "×10⁶"; without it if the exponent is 0.
+[[nodiscard]] std::string printed_unit(std::string_view unit, int exponent);
 
 /// A number with a true minus sign and at most `decimals` decimals, without trailing zeros.
 [[nodiscard]] std::string printed_number(double value, int decimals);

@@ -239,6 +239,27 @@ void Analysis::Impl::begin_block() {
   begin_at(next, go_on_alike(here, ahead) ? ahead : here);
 }
 
+std::optional<RunSettings> settings_with_columns(const Model::Data& model, const RunSettings& settings) {
+  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    RunSettings more = settings;
+    more.forces = more.forces || forces;
+    more.jerk = more.jerk || jerk;
+    if (columns_of(model, more, more.units.value_or(model.profile.units))) return more;
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> model, const Units& units,
+                                          DriverSchedule schedule, Run run, ColumnSet columns, bool forces) {
+  auto impl = std::make_unique<Analysis::Impl>(
+      Analysis::Impl{std::move(model), units, std::move(schedule), std::move(run), std::move(columns)});
+  if (forces) {
+    impl->dynamics.emplace(impl->run);
+    impl->start = impl->run;
+  }
+  return impl;
+}
+
 std::unique_ptr<Analysis::Impl> Analysis::Impl::make_worker() const {
   auto worker = std::make_unique<Impl>(*this);
   worker->start.reset();
@@ -342,27 +363,9 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
               "nothing loads the mechanism: no body has a mass, and there are no loads and no springs; "
               "all forces are 0"));
   }
-  std::optional<InverseDynamics> dynamics;
-  std::optional<Run> start;
-  if (settings.forces) {
-    dynamics.emplace(*run);
-    start = *run;
-  }
-  auto impl = std::make_unique<Analysis::Impl>(Analysis::Impl{data_,
-                                                              units,
-                                                              *std::move(schedule),
-                                                              *std::move(run),
-                                                              *std::move(columns),
-                                                              std::move(dynamics),
-                                                              std::move(start),
-                                                              0,
-                                                              {},
-                                                              {},
-                                                              {},
-                                                              true,
-                                                              std::move(notes),
-                                                              {},
-                                                              nullptr});
+  auto impl =
+      make_impl(data_, units, *std::move(schedule), *std::move(run), *std::move(columns), settings.forces);
+  impl->notes = std::move(notes);
   if (impl->schedule.size() > kBlockRows) {
     impl->scout.emplace(impl->run);
   }

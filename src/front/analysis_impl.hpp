@@ -25,6 +25,11 @@ namespace higherpair {
 [[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,
                                            const Units& units);
 
+/// The settings with columns of forces and jerk only where a glob matches nothing else; none if a glob
+/// matches no column at all. \pre the mechanism has a plan.
+[[nodiscard]] std::optional<RunSettings> settings_with_columns(const Model::Data& model,
+                                                               const RunSettings& settings);
+
 /// Rows per block. At the beginning of each block a run continues from the state in which a scout (RowScout)
 /// has arrived there, unless that state differs from its own. Rows then do not depend on the blocks before
 /// theirs, and blocks computed on several threads are the same to the last bit.
@@ -37,15 +42,15 @@ struct Analysis::Impl {
   DriverSchedule schedule;
   Run run;
   ColumnSet columns;
-  std::optional<InverseDynamics> dynamics;  ///< only with forces
-  std::optional<Run> start;                 ///< the run at its first row; only with forces
-  std::int64_t next = 0;                    ///< number of the next row
-  std::vector<DriverState> drivers;         ///< in the current row
-  std::vector<DriverMotion> motions;        ///< in the current row
-  std::vector<Event> events;
+  std::optional<InverseDynamics> dynamics = {};  ///< only with forces
+  std::optional<Run> start = {};                 ///< the run at its first row; only with forces
+  std::int64_t next = 0;                         ///< number of the next row
+  std::vector<DriverState> drivers = {};         ///< in the current row
+  std::vector<DriverMotion> motions = {};        ///< in the current row
+  std::vector<Event> events = {};
   bool good = true;
-  Diagnostics notes;
-  ContactForceReport contacts;           ///< only with forces, after the last row
+  Diagnostics notes = {};
+  ContactForceReport contacts = {};      ///< only with forces, after the last row
   const Reactions* reactions = nullptr;  ///< in the current row; only with forces
 
   RowHistory history = {};             ///< up to the current row
@@ -73,5 +78,10 @@ private:
   void add_law_jumps();
   void report_openings();
 };
+
+/// A run before its first row, from the first position on.
+[[nodiscard]] std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> model,
+                                                        const Units& units, DriverSchedule schedule, Run run,
+                                                        ColumnSet columns, bool forces);
 
 }  // namespace higherpair

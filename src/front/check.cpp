@@ -5,6 +5,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -77,15 +78,9 @@ void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, con
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNoLimit:
-      break;
-    case Verdict::kKept:
-      return "kept";
-    case Verdict::kExceeded:
-      return "exceeded";
-  }
-  return "";
+  static constexpr std::array kNames = {"", "kept", "exceeded"};
+  static_assert(kNames.size() == static_cast<std::size_t>(Verdict::kExceeded) + 1);
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dimension,

@@ -15,18 +15,13 @@ constexpr std::int64_t kEvaluations = 2'000'000;
 
 DesignOptions options_of(const DesignTask& task, const DesignSettings& settings) {
   DesignOptions options;
+  static_cast<DesignRun&>(options) = settings;
   options.method = task.method;
   options.seed = settings.seed.value_or(task.seed.value_or(1));
   options.starts = settings.starts.value_or(task.starts.value_or(kStarts));
   options.evaluations = settings.evaluations.value_or(kEvaluations);
-  options.seconds = settings.seconds;
   options.target = task.target;
-  options.threads = settings.threads;
   options.alternatives = settings.best;
-  options.stop = settings.stop;
-  options.progress = settings.progress;
-  options.known = settings.known;
-  options.ended = settings.ended;
   return options;
 }
 

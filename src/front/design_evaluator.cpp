@@ -231,9 +231,7 @@ Eigen::Index closure_count(const DesignSetup& setup) {
 void set_scales(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
   setup.scales.assign(task.constraints.size(), 1);
-  std::vector<double> x;
-  for (const DesignTask::Variable& variable : task.variables) x.push_back(variable.range.start);
-  const DesignScore start = score_of(setup, x, setup.start_branch.value_or(0));
+  const DesignScore start = score_of(setup, start_values(task), setup.start_branch.value_or(0));
   for (std::size_t k = 0; k < task.constraints.size(); ++k) {
     const DesignTask::Constraint& constraint = task.constraints[k];
     const double limit =

@@ -53,9 +53,7 @@ public:
       : setup_(setup), task_(setup.numbers.task()), units_(setup.numbers.model().units()) {}
 
   Diagnostics notes() {
-    std::vector<double> x;
-    for (const DesignTask::Variable& variable : task_.variables) x.push_back(variable.range.start);
-    const DesignScore score = score_of(setup_, x, *setup_.start_branch);
+    const DesignScore score = score_of(setup_, start_values(task_), *setup_.start_branch);
     if (!score.started) return {};
     std::size_t quantity = 0;
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {

@@ -35,10 +35,14 @@ bool has_whole_curves(const Mechanism& mechanism) {
   });
 }
 
-DesignNumbers::DesignNumbers(Model model, const DesignTask& task) : model_(std::move(model)), task_(&task) {
-  for (const DesignTask::Variable& variable : task.variables) {
-    start_.push_back(variable.range.start);
-  }
+std::vector<double> start_values(const DesignTask& task) {
+  std::vector<double> x;
+  for (const DesignTask::Variable& variable : task.variables) x.push_back(variable.range.start);
+  return x;
+}
+
+DesignNumbers::DesignNumbers(Model model, const DesignTask& task)
+    : model_(std::move(model)), task_(&task), start_(start_values(task)) {
   base_ = numbers_of(model_.mechanism());
   const bool changes_laws =
       std::any_of(task.variables.begin(), task.variables.end(), [](const auto& variable) {

@@ -15,6 +15,9 @@ namespace higherpair {
 /// Whether no body has a curve made of parts, such as a chain, a spline or a flank.
 [[nodiscard]] bool has_whole_curves(const Mechanism& mechanism);
 
+/// The values of the variables in the profile.
+[[nodiscard]] std::vector<double> start_values(const DesignTask& task);
+
 /// Maps the variables of a design to the mechanism. If every number of the mechanism is a linear function of
 /// the variables, as with coordinates of points, lengths and radii, it is computed from them; otherwise the
 /// profile is read again.

@@ -170,9 +170,7 @@ private:
   }
 
   [[nodiscard]] DesignScore score_before() const {
-    std::vector<double> x;
-    for (const DesignTask::Variable& variable : task_.variables) x.push_back(variable.range.start);
-    DesignScore score = score_of(setup_, x, setup_.start_branch.value_or(0));
+    DesignScore score = score_of(setup_, start_values(task_), setup_.start_branch.value_or(0));
     if (!setup_.start_branch) {
       score.started = false;
       std::fill(score.objectives.begin(), score.objectives.end(), std::numeric_limits<double>::quiet_NaN());

@@ -1,7 +1,6 @@
 #include "design_runs.hpp"
 
 #include "analysis_impl.hpp"
-#include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "tolerances.hpp"
 
@@ -56,27 +55,8 @@ std::optional<Analysis> analysis_of(const DesignSetup& setup, const DesignCandid
   if (!columns) {
     return std::nullopt;
   }
-  std::optional<InverseDynamics> dynamics;
-  std::optional<Run> start;
-  if (setup.settings.forces) {
-    dynamics.emplace(run);
-    start = run;
-  }
-  return Analysis(std::make_unique<Analysis::Impl>(Analysis::Impl{data,
-                                                                  data->profile.units,
-                                                                  candidate.schedule,
-                                                                  std::move(run),
-                                                                  *std::move(columns),
-                                                                  std::move(dynamics),
-                                                                  std::move(start),
-                                                                  0,
-                                                                  {},
-                                                                  {},
-                                                                  {},
-                                                                  true,
-                                                                  {},
-                                                                  {},
-                                                                  nullptr}));
+  return Analysis(make_impl(data, data->profile.units, candidate.schedule, std::move(run),
+                            *std::move(columns), setup.settings.forces));
 }
 
 // Runs the analysis through its rows.

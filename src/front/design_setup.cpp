@@ -160,8 +160,7 @@ Diagnostics idle_parts(const DesignSetup& setup) {
   const DesignProblem problem =
       problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup));
   const auto evaluator = problem.evaluator();
-  std::vector<double> x;
-  for (const DesignTask::Variable& variable : task.variables) x.push_back(variable.range.start);
+  const std::vector<double> x = start_values(task);
   const int branch = problem.start_branch;
   const DesignScore start = score_of(setup, x, branch);
   Diagnostics mistakes;

@@ -1,10 +1,8 @@
 #include "design_slope_run.hpp"
 
-#include "analysis_impl.hpp"
 #include "higherpair/analysis/displaced.hpp"
-#include "higherpair/dynamics/inverse_dynamics.hpp"
-#include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "path_columns.hpp"
 
 #include <utility>
 
@@ -65,14 +63,7 @@ std::vector<double> SlopeRun::table_slopes(Model::Data& like, std::size_t variab
   }
   const double time = schedule_->time(static_cast<std::int64_t>(next_ - 1));
   return derivative_along(run_, by_[variable], of_row, [&](const Run& run, double /*h*/) {
-    like.profile.mechanism = run.mechanism();
-    ColumnSet columns = columns_of(like, setup_->settings, like.profile.units).value();
-    std::optional<InverseDynamics> dynamics;
-    if (setup_->settings.forces) dynamics.emplace(run);
-    const Reactions* const reactions = dynamics ? &dynamics->solve(run) : nullptr;
-    std::vector<double> values;
-    columns.fill({run, drivers, time, reactions, false}, values);
-    return values;
+    return columns_of_run(like, setup_->settings, run, drivers, time);
   });
 }
 

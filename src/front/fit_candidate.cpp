@@ -67,10 +67,7 @@ std::optional<FitCandidate> fit_candidate(const FitData& data, std::shared_ptr<c
     candidate.times.push_back(data.in_time() ? data.where[0][k] - offsets[0] : 0);
   }
   for (const FitColumn& column : data.columns) {
-    const auto& all = candidate.columns.columns();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Column& own) { return own.name == column.name; });
-    candidate.slots.push_back(static_cast<std::size_t>(found - all.begin()));
+    candidate.slots.push_back(column_slot(candidate.columns.columns(), column.name));
   }
   return candidate;
 }

@@ -104,10 +104,7 @@ std::vector<double> FitProblem::unwrapped(std::size_t column, const Eigen::Vecto
 }
 
 Eigen::VectorXd FitProblem::start() const {
-  std::vector<double> variables;
-  for (const DesignTask::Variable& variable : data_.variables->variables) {
-    variables.push_back(variable.range.start);
-  }
+  const std::vector<double> variables = start_values(*data_.variables);
   if (auto x = start_from(variables)) return *std::move(x);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
   std::copy(variables.begin(), variables.end(), x.begin());

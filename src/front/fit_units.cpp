@@ -65,9 +65,7 @@ std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<
 Diagnostics unit_suspicions(const FitProblem& problem) {
   const FitData& data = problem.data();
   Diagnostics suspicions;
-  std::vector<double> variables;
-  for (const DesignTask::Variable& variable : data.variables->variables)
-    variables.push_back(variable.range.start);
+  const std::vector<double> variables = start_values(*data.variables);
   const auto table = problem.motion().table(variables, std::vector<double>(data.where.size(), 0.0));
   if (!table) return suspicions;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {

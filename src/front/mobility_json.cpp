@@ -7,6 +7,7 @@
 #include "mobility_gears.hpp"
 #include "mobility_loops.hpp"
 
+#include <array>
 #include <utility>
 
 namespace higherpair {
@@ -15,21 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* cause_of(const Redundancy& set) {
-  switch (set.cause) {
-    case RedundancyCause::kSamePin:
-      return "same_pin";
-    case RedundancyCause::kParallelCranks:
-      return "parallel_cranks";
-    case RedundancyCause::kRollingOnPivots:
-      return "rolling_on_pivots";
-    case RedundancyCause::kSlidingOnPivots:
-      return "sliding_on_pivots";
-    case RedundancyCause::kSlidesAlone:
-      return "slides_alone";
-    case RedundancyCause::kMember:
-      break;
-  }
-  return "member";
+  static constexpr std::array kNames = {"same_pin",          "parallel_cranks", "rolling_on_pivots",
+                                        "sliding_on_pivots", "slides_alone",    "member"};
+  static_assert(kNames.size() == static_cast<std::size_t>(RedundancyCause::kMember) + 1);
+  return kNames[static_cast<std::size_t>(set.cause)];
 }
 
 // Names and titles may quote a file that is not UTF-8.
@@ -37,20 +27,14 @@ std::string text_of_json(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-class MobilityJson {
+class MobilityJson : public MobilityParts {
 public:
-  explicit MobilityJson(const MobilityFindings& findings)
-      : findings_(findings),
-        mechanism_(findings.model.mechanism()),
-        length_(from_si(dimension::kLength, findings.model.units())),
-        angle_(from_si(dimension::kAngle, findings.model.units())) {}
-
   [[nodiscard]] Json all() const {
-    const Mobility& mobility = findings_.mobility;
+    const Mobility& mobility = findings.mobility;
     const bool known = mobility.assembled;
     Json json;
     json["format"] = 1;
-    json["title"] = mechanism_.title;
+    json["title"] = mechanism.title;
     json["mobility"] = known ? Json(mobility.freedom) : Json();
     json["useful"] = known ? Json(mobility.useful()) : Json();
     json["count"] = count();
@@ -60,22 +44,19 @@ public:
     const bool structure = known && mobility.freedom == 0;
     json["structure"] =
         structure ? Json(mobility.rank < mobility.conditions ? "indeterminate" : "determinate") : Json();
-    json["explanations"] = explanations(mechanism_, mobility);
+    json["explanations"] = explanations(mechanism, mobility);
     json["drivers"] = known ? drivers() : Json();
     json["plan"] = plan();
-    json["four_bars"] = four_bars_json(findings_);
-    json["slider_cranks"] = slider_cranks_json(findings_);
-    json["gears"] = gears_json(findings_);
+    json["four_bars"] = four_bars_json(findings);
+    json["slider_cranks"] = slider_cranks_json(findings);
+    json["gears"] = gears_json(findings);
     json["instant_centers"] = centers();
     return json;
   }
 
 private:
-  [[nodiscard]] const std::string& body(int index) const {
-    return mechanism_.bodies[static_cast<std::size_t>(index)].name;
-  }
   [[nodiscard]] const std::string& joint(int index) const {
-    return mechanism_.joints[static_cast<std::size_t>(index)].name;
+    return mechanism.joints[static_cast<std::size_t>(index)].name;
   }
   [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
     Json names = Json::array();
@@ -93,14 +74,14 @@ private:
   }
 
   [[nodiscard]] Json count() const {
-    const MobilityCount& count = findings_.mobility.count;
+    const MobilityCount& count = findings.mobility.count;
     Json json = {
         {"bodies", count.bodies},        {"joints", count.joints()},     {"revolute", count.revolutes},
         {"prismatic", count.prismatics}, {"slot", count.slots},          {"slipping", count.slipping},
         {"rolling", count.rolling},      {"gears", count.gears},         {"belts", count.belts},
         {"sum_f", count.freedoms()},     {"mobility", count.mobility()}, {"formula", formula_text(count)},
         {"multiple_pins", Json::array()}};
-    for (const Pin& pin : find_pins(mechanism_)) {
+    for (const Pin& pin : find_pins(mechanism)) {
       if (pin.ends.size() > 2) {
         Json names = Json::array();
         for (const BodyPoint& end : pin.ends) {
@@ -113,7 +94,7 @@ private:
   }
 
   [[nodiscard]] Json rank() const {
-    const Mobility& mobility = findings_.mobility;
+    const Mobility& mobility = findings.mobility;
     return {{"conditions", mobility.conditions},
             {"coordinates", 3 * (mobility.count.bodies - 1)},
             {"rank", mobility.rank},
@@ -126,12 +107,12 @@ private:
 
   [[nodiscard]] Json idle() const {
     Json json = Json::array();
-    const auto texts = idle_texts(mechanism_, findings_.mobility);
+    const auto texts = idle_texts(mechanism, findings.mobility);
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      const IdleFreedom& idle = findings_.mobility.idle[i];
+      const IdleFreedom& idle = findings.mobility.idle[i];
       json.push_back({{"body", body(idle.body)},
-                      {"x", length_.apply(idle.p_W.x())},
-                      {"y", length_.apply(idle.p_W.y())},
+                      {"x", length.apply(idle.p_W.x())},
+                      {"y", length.apply(idle.p_W.y())},
                       {"text", texts[i]}});
     }
     return json;
@@ -139,10 +120,10 @@ private:
 
   [[nodiscard]] Json redundant() const {
     Json json = Json::array();
-    for (const Redundancy& set : findings_.mobility.redundancies) {
+    for (const Redundancy& set : findings.mobility.redundancies) {
       Json contacts = Json::array();
       for (const int contact : set.contacts) {
-        contacts.push_back(mechanism_.contacts[static_cast<std::size_t>(contact)].name);
+        contacts.push_back(mechanism.contacts[static_cast<std::size_t>(contact)].name);
       }
       json.push_back({{"conditions", set.conditions},
                       {"cause", cause_of(set)},
@@ -154,13 +135,13 @@ private:
   }
 
   [[nodiscard]] Json drivers() const {
-    const Mobility& mobility = findings_.mobility;
+    const Mobility& mobility = findings.mobility;
     std::vector<int> useless;
     for (const int driver : mobility.useless_drivers) {
-      useless.push_back(mechanism_.drivers[static_cast<std::size_t>(driver)].joint);
+      useless.push_back(mechanism.drivers[static_cast<std::size_t>(driver)].joint);
     }
-    const auto objection = driver_objection(mechanism_, mobility);
-    return {{"given", mechanism_.drivers.size()},
+    const auto objection = driver_objection(mechanism, mobility);
+    return {{"given", mechanism.drivers.size()},
             {"needed", mobility.useful()},
             {"missing", mobility.missing_drivers},
             {"useless", joints(useless)},
@@ -171,7 +152,7 @@ private:
 
   [[nodiscard]] Json plan() const {
     Json json = Json::array();
-    for (const PlanStep& step : findings_.plan) {
+    for (const PlanStep& step : findings.plan) {
       json.push_back({{"bodies", bodies(step.bodies)}, {"text", step.text}});
     }
     return json;
@@ -179,7 +160,7 @@ private:
 
   [[nodiscard]] Json centers() const {
     Json json = Json::array();
-    for (const InstantCenter& center : instant_centers(findings_.mobility.moving, size_of(mechanism_))) {
+    for (const InstantCenter& center : instant_centers(findings.mobility.moving, size_of(mechanism))) {
       Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
       switch (center.kind) {
         case InstantCenterKind::kUndefined:
@@ -187,8 +168,8 @@ private:
           break;
         case InstantCenterKind::kPoint:
           one["kind"] = "point";
-          one["x"] = length_.apply(center.p_W.x());
-          one["y"] = length_.apply(center.p_W.y());
+          one["x"] = length.apply(center.p_W.x());
+          one["y"] = length.apply(center.p_W.y());
           break;
         case InstantCenterKind::kAtInfinity:
           one["kind"] = "at_infinity";
@@ -200,17 +181,12 @@ private:
     }
     return json;
   }
-
-  const MobilityFindings& findings_;
-  const Mechanism& mechanism_;
-  Scaling length_;
-  Scaling angle_;
 };
 
 }  // namespace
 
 nlohmann::ordered_json json_of(const MobilityFindings& findings) {
-  return MobilityJson(findings).all();
+  return MobilityJson{{findings}}.all();
 }
 
 std::string mobility_json(const MobilityFindings& findings) {

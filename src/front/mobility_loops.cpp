@@ -19,17 +19,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* inversion_of(const SliderCrankInMechanism& loop) {
-  switch (loop.inversion) {
-    case SliderCrankInversion::kGuide:
-      return "guide fixed";
-    case SliderCrankInversion::kCrank:
-      return "crank fixed (turning guide)";
-    case SliderCrankInversion::kCoupler:
-      return "coupler fixed (rocking guide)";
-    case SliderCrankInversion::kMoving:
-      break;
-  }
-  return "on moving bodies";
+  static constexpr std::array kNames = {"guide fixed", "crank fixed (turning guide)",
+                                        "coupler fixed (rocking guide)", "on moving bodies"};
+  static_assert(kNames.size() == static_cast<std::size_t>(SliderCrankInversion::kMoving) + 1);
+  return kNames[static_cast<std::size_t>(loop.inversion)];
 }
 
 bool are_joined(const Mechanism& mechanism, int a, int b) {
@@ -62,14 +55,8 @@ std::optional<int> ram_of(const Mechanism& mechanism, int lever, int crank) {
   return std::nullopt;
 }
 
-class LoopWriter {
+class LoopWriter : public MobilityParts {
 public:
-  explicit LoopWriter(const MobilityFindings& findings)
-      : findings_(findings),
-        mechanism_(findings.model.mechanism()),
-        length_(from_si(dimension::kLength, findings.model.units())),
-        angle_(from_si(dimension::kAngle, findings.model.units())) {}
-
   [[nodiscard]] Json four_bar(const FourBarInMechanism& loop) const {
     const FourBar& linkage = loop.linkage;
     Json json = {{"ground", body(loop.ground)},
@@ -77,10 +64,10 @@ public:
                  {"coupler", body(loop.coupler)},
                  {"rocker", body(loop.rocker)},
                  {"lengths",
-                  {length_.apply(linkage.r1), length_.apply(linkage.r2), length_.apply(linkage.r3),
-                   length_.apply(linkage.r4)}},
+                  {length.apply(linkage.r1), length.apply(linkage.r2), length.apply(linkage.r3),
+                   length.apply(linkage.r4)}},
                  {"grashof", name_of(classify_grashof(linkage))},
-                 {"margin", length_.apply(grashof_margin(linkage))}};
+                 {"margin", length.apply(grashof_margin(linkage))}};
     Json full_turn;
     Json positions;
     constexpr std::array<std::pair<const char*, FourBarLink>, 3> kLinks = {
@@ -95,10 +82,10 @@ public:
     json["limits"] = positions;
     json["transmission"] = Json();
     if (const auto range = transmission_range(linkage)) {
-      json["transmission"] = {{"smallest", angle_.apply(range->smallest)},
-                              {"at_smallest", angle_.apply(range->at_smallest)},
-                              {"largest", angle_.apply(range->largest)},
-                              {"at_largest", angle_.apply(range->at_largest)}};
+      json["transmission"] = {{"smallest", angle.apply(range->smallest)},
+                              {"at_smallest", angle.apply(range->at_smallest)},
+                              {"largest", angle.apply(range->largest)},
+                              {"at_largest", angle.apply(range->at_largest)}};
     }
     return json;
   }
@@ -109,20 +96,20 @@ public:
                  {"crank", body(loop.crank)},
                  {"coupler", body(loop.coupler)},
                  {"slider", loop.slider < 0 ? Json() : Json(body(loop.slider))},
-                 {"joint", mechanism_.joints[static_cast<std::size_t>(loop.joint)].name},
+                 {"joint", mechanism.joints[static_cast<std::size_t>(loop.joint)].name},
                  {"inversion", inversion_of(loop)},
-                 {"r2", length_.apply(linkage.r2)},
-                 {"r3", length_.apply(linkage.r3)},
-                 {"offset", length_.apply(linkage.r4)},
+                 {"r2", length.apply(linkage.r2)},
+                 {"r3", length.apply(linkage.r3)},
+                 {"offset", length.apply(linkage.r4)},
                  {"stroke", nullptr},
                  {"harmonic", nullptr},
                  {"quick_return", quick_return_of(loop)}};
     const auto mode =
-        findings_.mobility.assembled ? mode_of(loop, findings_.mobility.start) : AssemblyMode::kPlus;
+        findings.mobility.assembled ? mode_of(loop, findings.mobility.start) : AssemblyMode::kPlus;
     if (const auto stroke = slider_crank_stroke(linkage, mode)) {
-      json["stroke"] = {{"length", length_.apply(stroke->length)},
+      json["stroke"] = {{"length", length.apply(stroke->length)},
                         {"time_ratio", stroke->time_ratio},
-                        {"turn_in", angle_.apply(stroke->turn_in)},
+                        {"turn_in", angle.apply(stroke->turn_in)},
                         {"outer", dead_centre(stroke->outer)},
                         {"inner", dead_centre(stroke->inner)}};
     }
@@ -136,23 +123,19 @@ public:
   }
 
 private:
-  [[nodiscard]] const std::string& body(int index) const {
-    return mechanism_.bodies[static_cast<std::size_t>(index)].name;
-  }
-
   [[nodiscard]] Json limits(const FourBar& linkage, FourBarLink link) const {
     Json json = Json::array();
     for (const FourBarLimit& limit : four_bar_limits(linkage, link)) {
-      json.push_back({{"crank", angle_.apply(limit.theta2)},
-                      {"coupler", angle_.apply(limit.theta3)},
-                      {"rocker", angle_.apply(limit.theta4)},
+      json.push_back({{"crank", angle.apply(limit.theta2)},
+                      {"coupler", angle.apply(limit.theta3)},
+                      {"rocker", angle.apply(limit.theta4)},
                       {"change_point", limit.change_point}});
     }
     return json;
   }
 
   [[nodiscard]] Json dead_centre(const DeadCentre& at) const {
-    return {{"crank", angle_.apply(at.theta2)}, {"slider", length_.apply(at.r1)}};
+    return {{"crank", angle.apply(at.theta2)}, {"slider", length.apply(at.r1)}};
   }
 
   // A slider-crank whose guide moves as a quick-return mechanism, with the names its parts have there.
@@ -169,26 +152,21 @@ private:
                  {"crank", body(crank)},
                  {"lever", lever < 0 ? Json() : Json(body(lever))},
                  {"ram", nullptr},
-                 {"frame_length", length_.apply(r1)},
-                 {"crank_length", length_.apply(r2)},
+                 {"frame_length", length.apply(r1)},
+                 {"crank_length", length.apply(r2)},
                  {"lever_turns", nullptr},
                  {"swing", nullptr},
                  {"time_ratio", nullptr}};
-    if (const auto ram = ram_of(mechanism_, lever, crank)) {
+    if (const auto ram = ram_of(mechanism, lever, crank)) {
       json["ram"] = body(*ram);
     }
     if (const auto result = quick_return({r1, r2, loop.linkage.r4, 0})) {
       json["lever_turns"] = result->lever_turns;
-      json["swing"] = result->lever_turns ? Json() : Json(angle_.apply(result->swing));
+      json["swing"] = result->lever_turns ? Json() : Json(angle.apply(result->swing));
       json["time_ratio"] = result->time_ratio;
     }
     return json;
   }
-
-  const MobilityFindings& findings_;
-  const Mechanism& mechanism_;
-  Scaling length_;
-  Scaling angle_;
 };
 
 }  // namespace
@@ -196,7 +174,7 @@ private:
 Json four_bars_json(const MobilityFindings& findings) {
   Json json = Json::array();
   for (const FourBarInMechanism& loop : find_four_bars(findings.model.mechanism())) {
-    json.push_back(LoopWriter(findings).four_bar(loop));
+    json.push_back(LoopWriter{{findings}}.four_bar(loop));
   }
   return json;
 }
@@ -204,7 +182,7 @@ Json four_bars_json(const MobilityFindings& findings) {
 Json slider_cranks_json(const MobilityFindings& findings) {
   Json json = Json::array();
   for (const SliderCrankInMechanism& loop : find_slider_cranks(findings.model.mechanism())) {
-    json.push_back(LoopWriter(findings).slider_crank(loop));
+    json.push_back(LoopWriter{{findings}}.slider_crank(loop));
   }
   return json;
 }

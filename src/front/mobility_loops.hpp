@@ -6,6 +6,18 @@
 
 namespace higherpair {
 
+/// What every part of mobility_json() is written from.
+struct MobilityParts {
+  const MobilityFindings& findings;
+  const Mechanism& mechanism = findings.model.mechanism();
+  Scaling length = from_si(dimension::kLength, findings.model.units());
+  Scaling angle = from_si(dimension::kAngle, findings.model.units());
+
+  [[nodiscard]] const std::string& body(int index) const {
+    return mechanism.bodies[static_cast<std::size_t>(index)].name;
+  }
+};
+
 /// The keys `four_bars` and `slider_cranks` of mobility_json().
 [[nodiscard]] nlohmann::ordered_json four_bars_json(const MobilityFindings& findings);
 [[nodiscard]] nlohmann::ordered_json slider_cranks_json(const MobilityFindings& findings);

@@ -1,5 +1,6 @@
 #include "higherpair/front/motion.hpp"
 
+#include "column_set.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 
@@ -27,10 +28,8 @@ Motion::Motion(Analysis analysis) : columns_(analysis.columns()), values_(column
 }
 
 Result<ColumnValues> Motion::find_column(std::string_view name) const& {
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].name == name) {
-      return ColumnValues{columns_[i].name, columns_[i].unit, values_[i]};
-    }
+  if (const std::size_t i = column_slot(columns_, name); i < columns_.size()) {
+    return ColumnValues{columns_[i].name, columns_[i].unit, values_[i]};
   }
   std::vector<std::string> names;
   for (const Column& column : columns_) {

@@ -226,35 +226,11 @@ std::string_view name_of(RowStatus status) {
 }
 
 std::string_view name_of(EventType type) {
-  switch (type) {
-    case EventType::kLimitPosition:
-      break;
-    case EventType::kDeadPoint:
-      return "dead_point";
-    case EventType::kStrokeEnd:
-      return "stroke_end";
-    case EventType::kConforming:
-      return "conforming";
-    case EventType::kSecondContact:
-      return "second_contact";
-    case EventType::kOverlap:
-      return "overlap";
-    case EventType::kContactOpen:
-      return "contact_open";
-    case EventType::kCurvatureJump:
-      return "curvature_jump";
-    case EventType::kCorner:
-      return "corner";
-    case EventType::kEnd:
-      return "end";
-    case EventType::kEngage:
-      return "engage";
-    case EventType::kRelease:
-      return "release";
-    case EventType::kLawJump:
-      return "law_jump";
-  }
-  return "limit_position";
+  static constexpr std::array kNames = {
+      "limit_position", "dead_point", "stroke_end", "conforming", "second_contact", "overlap", "contact_open",
+      "curvature_jump", "corner",     "end",        "engage",     "release",        "law_jump"};
+  static_assert(kNames.size() == static_cast<std::size_t>(EventType::kLawJump) + 1);
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& units, bool in_time) {

@@ -1,11 +1,9 @@
-#include "column_set.hpp"
+#include "analysis_impl.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
-#include "model_data.hpp"
 #include "plot_marks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace higherpair {
@@ -31,16 +29,8 @@ Result<Analysis> started(const Model& model, const RunSettings& settings) {
   if (first || first.error().kind != ErrorKind::kInput) {
     return first;
   }
-  constexpr std::array<std::pair<bool, bool>, 3> kMore = {{{true, false}, {false, true}, {true, true}}};
-  for (const auto& [forces, jerk] : kMore) {
-    RunSettings more = settings;
-    more.forces = more.forces || forces;
-    more.jerk = more.jerk || jerk;
-    if (auto analysis = model.start(more); analysis || analysis.error().kind != ErrorKind::kInput) {
-      return analysis;
-    }
-  }
-  return first;
+  const auto more = settings_with_columns(model.data(), settings);
+  return more ? model.start(*more) : std::move(first);
 }
 
 Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) {

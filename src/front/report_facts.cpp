@@ -1,3 +1,4 @@
+#include "column_set.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "report_data.hpp"
@@ -27,12 +28,9 @@ struct Found {
 
 // A column that is there and has a value in some row.
 std::optional<Found> find(const ReportData& data, const std::string& name) {
-  for (std::size_t k = 0; k < data.columns.size(); ++k) {
-    if (data.columns[k].name == name && !std::isnan(data.extremes[k].low.value)) {
-      return Found{data.columns[k], data.extremes[k], kReportNoise * data.scales[k]};
-    }
-  }
-  return std::nullopt;
+  const std::size_t k = column_slot(data.columns, name);
+  if (k == data.columns.size() || std::isnan(data.extremes[k].low.value)) return std::nullopt;
+  return Found{data.columns[k], data.extremes[k], kReportNoise * data.scales[k]};
 }
 
 bool column_is_rate(const Column& column) {

@@ -1,3 +1,4 @@
+#include "column_set.hpp"
 #include "higherpair/drawing/picture.hpp"
 #include "higherpair/front/model.hpp"
 #include "higherpair/io/coordinate.hpp"
@@ -125,10 +126,8 @@ void write_events(JsonWriter& json, const Model& model, const ReportData& data) 
 }
 
 double largest_residual(const ReportData& data) {
-  for (std::size_t k = 0; k < data.columns.size(); ++k) {
-    if (data.columns[k].name == "residual") return data.extremes[k].high.value;
-  }
-  return 0;
+  const std::size_t k = column_slot(data.columns, "residual");
+  return k < data.columns.size() ? data.extremes[k].high.value : 0;
 }
 
 }  // namespace

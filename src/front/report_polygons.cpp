@@ -6,11 +6,14 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <string>
 #include <utility>
+
+#include <Eigen/Geometry>
 
 namespace higherpair {
 namespace {
@@ -144,40 +147,26 @@ double largest_shown(std::vector<double> sizes) {
 }
 
 void write_view(JsonWriter& json, const MovingPolygon& polygon, double limit) {
-  Vector2d low = Vector2d::Zero(), high = Vector2d::Zero();
+  Eigen::AlignedBox2d view(Vector2d::Zero(), Vector2d::Zero());
   for (const MovingPolygon::Part& part : polygon.parts) {
     for (const Track* track : {&part.from, &part.to}) {
       for (std::size_t i = 0; i < track->x.size(); ++i) {
         const Vector2d at(track->x[i], track->y[i]);
-        if (!(at.norm() <= limit)) continue;
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
+        if (at.norm() <= limit) view.extend(at);
       }
     }
   }
   json.key("view").open('[');
-  for (const double number : {low.x(), low.y(), high.x(), high.y()}) json.number(number, kVectorDigits);
+  for (const double number : {view.min().x(), view.min().y(), view.max().x(), view.max().y()})
+    json.number(number, kVectorDigits);
   json.close(']');
 }
 
 std::string_view name_of(PolygonArrow::Kind kind) {
-  switch (kind) {
-    case PolygonArrow::Kind::kAbsolute:
-      return "absolute";
-    case PolygonArrow::Kind::kRelative:
-      return "relative";
-    case PolygonArrow::Kind::kNormal:
-      return "normal";
-    case PolygonArrow::Kind::kTangential:
-      return "tangential";
-    case PolygonArrow::Kind::kSliding:
-      return "sliding";
-    case PolygonArrow::Kind::kCoriolis:
-      return "coriolis";
-    case PolygonArrow::Kind::kForce:
-      break;
-  }
-  return "force";
+  static constexpr std::array kNames = {"absolute", "relative", "normal", "tangential",
+                                        "sliding",  "coriolis", "force"};
+  static_assert(kNames.size() == static_cast<std::size_t>(PolygonArrow::Kind::kForce) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {

@@ -7,6 +7,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,17 +23,9 @@ void write(JsonWriter& json, std::span<const double> numbers) {
 }
 
 std::string_view name_of(Shape::Kind kind) {
-  switch (kind) {
-    case Shape::Kind::kPath:
-      return "path";
-    case Shape::Kind::kCircle:
-      return "circle";
-    case Shape::Kind::kArrow:
-      return "arrow";
-    case Shape::Kind::kText:
-      break;
-  }
-  return "text";
+  static constexpr std::array kNames = {"path", "circle", "arrow", "text"};
+  static_assert(kNames.size() == static_cast<std::size_t>(Shape::Kind::kText) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, bool numbers) {

@@ -19,20 +19,15 @@
 namespace higherpair {
 namespace {
 
-// Columns of forces and jerk are computed only where a glob matches nothing else.
 Result<RunSettings> settings_for_columns(const Model& model, RunSettings settings) {
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
-  std::optional<Error> last;
-  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
-    settings.forces = forces;
-    settings.jerk = jerk;
-    const auto set = columns_of(model.data(), settings, model.units());
-    if (set) return settings;
-    last = set.error();
+  if (auto made = settings_with_columns(model.data(), settings)) {
+    return *std::move(made);
   }
-  return tl::unexpected(*std::move(last));
+  settings.forces = settings.jerk = true;
+  return tl::unexpected(columns_of(model.data(), settings, model.units()).error());
 }
 
 // The same run with one number changed by some steps to either side, row by row.

@@ -17,25 +17,16 @@ Column number(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
 }
 
-// Columns of forces and jerk are computed only where a glob matches nothing else.
 Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task, RunSettings settings) {
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
   settings.columns = task.rows;
-  std::optional<Error> first;
-  for (const auto& [forces, jerk] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
-    settings.forces = forces;
-    settings.jerk = jerk;
-    auto set = columns_of(model.data(), settings, model.units());
-    if (set) {
-      return settings;
-    }
-    if (!first) first = std::move(set.error());
+  if (auto made = settings_with_columns(model.data(), settings)) {
+    return *std::move(made);
   }
-  const std::string& message = first->diagnostics.front().message;
-  return wrong(task.place,
-               fmt::format("sweep.rows: {} ({})", message, first->diagnostics.front().place.source));
+  const Diagnostic wanted = columns_of(model.data(), settings, model.units()).error().diagnostics.front();
+  return wrong(task.place, fmt::format("sweep.rows: {} ({})", wanted.message, wanted.place.source));
 }
 
 void add_results(Sweep::Data& data) {

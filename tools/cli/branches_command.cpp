@@ -1,10 +1,11 @@
-#include "branches_command.hpp"
-
 #include "branches_report.hpp"
+#include "commands.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -12,9 +13,17 @@
 namespace higherpair::cli {
 namespace {
 
+struct BranchesOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::vector<std::string> overrides;
+  BranchesSettings settings;
+  bool quiet = false;
+};
+
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
-  const Forms forms = {[&] { return branches_csv(report); },
-                       [&] { return branches_json(report); },
+  const Forms forms = {[&] { return branches_csv(report); }, [&] { return branches_json(report); },
                        [&] { return branches_text(report); }};
   if (!write_forms(options.csv, options.json, forms)) {
     return exit_unwritten();
@@ -32,24 +41,9 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
   return kExitOk;
 }
 
-}  // namespace
-
-CLI::App* add_branches_command(CLI::App& app, BranchesOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "branches", "every contact of the two curves at the first driver position, free or not");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the list", options.csv}, {"the list", options.json});
-  add_unused_samples(*command, "the first driver position counts");
-  add_set_option(*command, options.overrides);
-  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
-      ->check(positive_number());
-  command->add_flag("--quiet", options.quiet, "no notes and remarks on standard error");
-  command->add_flag("--certify", options.certify, "decide every contact in exact arithmetic");
-  return command;
-}
-
+// Lists every contact at the first driver position; returns the exit code.
 int branches_command(const BranchesOptions& options) {
-  if (options.certify && !can_certify()) {
+  if (options.settings.certify && !can_certify()) {
     fmt::print(stderr,
                "higherpair: --certify: this build has no exact arithmetic; configure it with "
                "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
@@ -57,10 +51,26 @@ int branches_command(const BranchesOptions& options) {
   }
   const auto report = open_model(options.profile, options.overrides, options.quiet,
                                  given({{"--csv", options.csv}, {"--json", options.json}}))
-                          .and_then([&](const Model& model) {
-                            return branches_of(model, {options.certify, options.tolerance});
-                          });
+                          .and_then([&](const Model& model) { return branches_of(model, options.settings); });
   return report ? write_all(options, *report) : report_error(report.error());
+}
+
+}  // namespace
+
+Command add_branches(CLI::App& app) {
+  const auto options = std::make_shared<BranchesOptions>();
+  CLI::App* command = app.add_subcommand(
+      "branches", "every contact of the two curves at the first driver position, free or not");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the list", options->csv}, {"the list", options->json});
+  add_unused_samples(*command, "the first driver position counts");
+  add_set_option(*command, options->overrides);
+  command
+      ->add_option("--tolerance", options->settings.tolerance, "largest closure error, relative to the size")
+      ->check(positive_number());
+  command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");
+  command->add_flag("--certify", options->settings.certify, "decide every contact in exact arithmetic");
+  return {command, [options] { return branches_command(*options); }};
 }
 
 }  // namespace higherpair::cli

@@ -1,15 +1,25 @@
-#include "check_command.hpp"
-
 #include "check_report.hpp"
+#include "commands.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
+
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct CheckOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::vector<std::string> overrides;
+  CheckSettings settings;
+  bool quiet = false;
+};
 
 // Events for which a path is not good.
 bool is_bad(EventType type) {
@@ -37,23 +47,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   return report.good ? kExitOk : kExitRows;
 }
 
-}  // namespace
-
-CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "check",
-      "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the figures, one to a row,", options.csv},
-                     {"the figures", options.json});
-  add_set_option(*command, options.overrides);
-  add_tolerance_option(*command, options.tolerance);
-  add_unused_samples(*command, "the whole path counts");
-  command->add_flag("--time", options.timed, "the motion in time, as step has it");
-  command->add_flag("--quiet", options.quiet, "no events and notes on standard error");
-  return command;
-}
-
+// Runs `check`; returns the exit code: 4 if a limit is exceeded or the path is not good.
 int check_command(const CheckOptions& options) {
   const auto model = open_model(options.profile, options.overrides, options.quiet,
                                 given({{"--csv", options.csv}, {"--json", options.json}}));
@@ -61,12 +55,27 @@ int check_command(const CheckOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  CheckSettings settings;
-  settings.in_time = options.timed;
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
-  const auto report = check(*model, settings);
+  const auto report = check(*model, options.settings);
   return report ? write(options, *model, *report) : exit_failed(report.error());
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the figures, one to a row,", options->csv},
+                     {"the figures", options->json});
+  add_set_option(*command, options->overrides);
+  add_tolerance_option(*command, options->settings.tolerance);
+  add_unused_samples(*command, "the whole path counts");
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
+  command->add_flag("--quiet", options->quiet, "no events and notes on standard error");
+  return {command, [options] { return check_command(*options); }};
 }
 
 }  // namespace higherpair::cli

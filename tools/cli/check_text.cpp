@@ -1,5 +1,6 @@
 #include "check_report.hpp"
 #include "json_text.hpp"
+#include "paragraph.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,8 +9,6 @@
 
 namespace higherpair::cli {
 namespace {
-
-constexpr std::size_t kWidth = 80;
 
 // "pressure angle" for "pressure_angle".
 std::string words(std::string name) {
@@ -32,22 +31,6 @@ std::string line_of(const CheckFigure& figure) {
   return line + "\n";
 }
 
-// The remark below a figure, wrapped at spaces.
-std::string remark_of(const CheckFigure& figure) {
-  std::string text, line = "     ";
-  std::string rest = figure.remark;
-  while (!rest.empty()) {
-    const std::size_t space = rest.find(' ');
-    const std::string word = rest.substr(0, space);
-    rest = space == std::string::npos ? "" : rest.substr(space + 1);
-    if (line.size() + 1 + word.size() > kWidth) {
-      text += std::exchange(line, "     ") + "\n";
-    }
-    line += " " + word;
-  }
-  return figure.remark.empty() ? "" : text + line + "\n";
-}
-
 }  // namespace
 
 std::string check_text(const CheckReport& report) {
@@ -64,7 +47,8 @@ std::string check_text(const CheckReport& report) {
     }
     item = figure.item;
     of = figure.of;
-    text += line_of(figure) + remark_of(figure);
+    text += line_of(figure);
+    if (!figure.remark.empty()) text += paragraph(figure.remark, 6);
   }
   const auto exceeded =
       std::count_if(report.figures.begin(), report.figures.end(),

@@ -1,5 +1,5 @@
-#include "design_command.hpp"
-
+#include "commands.hpp"
+#include "design_report.hpp"
 #include "journal.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -9,12 +9,23 @@
 #include "status_line.hpp"
 
 #include <filesystem>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct DesignCommandOptions {
+  std::string profile;
+  std::string output;  ///< the new profile
+  std::optional<std::string> json;
+  std::optional<std::string> page;  ///< --report
+  bool resume = false;
+  DesignSettings settings;
+  bool quiet = false;
+};
 
 std::string best_so_far(const DesignProgress& progress) {
   return fmt::format("{} searches, best {:.9g}{}", progress.starts, progress.objective,
@@ -41,14 +52,14 @@ std::vector<FileText> profiles_of(const DesignReport& report, const DesignComman
 std::vector<NamedFile> outputs_of(const DesignCommandOptions& options) {
   std::vector<NamedFile> outputs =
       given({{"--output", options.output}, {"--json", options.json}, {"--report", options.page}});
-  for (int k = 2; k <= options.best; ++k) {
+  for (int k = 2; k <= options.settings.best; ++k) {
     outputs.push_back({fmt::format("--best {}", k), numbered(options.output, k)});
   }
   return outputs;
 }
 
 void check_options(const DesignCommandOptions& options) {
-  if (options.output == "-" && options.best > 1) {
+  if (options.output == "-" && options.settings.best > 1) {
     throw CLI::ValidationError("--best", "several profiles need a file name: --output BETTER.toml");
   }
   if (options.resume && is_direct(options.output)) {
@@ -62,19 +73,12 @@ void check_options(const DesignCommandOptions& options) {
 // Everything that the result of a single search depends on; their number is not part of it.
 RunIdentity identity_of(const DesignCommandOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
-  identity["--seed"] = options.seed ? fmt::format("{}", *options.seed) : "-";
+  identity["--seed"] = options.settings.seed ? fmt::format("{}", *options.settings.seed) : "-";
   return identity;
 }
 
 DesignSettings settings_of(const DesignCommandOptions& options, StatusLine& line) {
-  DesignSettings settings;
-  settings.seed = options.seed;
-  settings.starts = options.starts;
-  settings.evaluations = options.evaluations;
-  settings.seconds = options.seconds.value_or(0);
-  settings.threads = options.threads;
-  settings.best = options.best;
-  settings.stop = &interruption();
+  DesignSettings settings = options.settings;
   settings.progress = [&line](const DesignProgress& progress) { line.show(best_so_far(progress)); };
   return settings;
 }
@@ -128,39 +132,10 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
   return report.holds ? kExitOk : kExitRows;
 }
 
-}  // namespace
-
-CLI::App* add_design_command(CLI::App& app, DesignCommandOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "design", "the numbers that serve the profile's objectives best, written as a new profile");
-  command->add_option("FILE", options.profile, "profile of the mechanism with [design] (TOML)")->required();
-  command->add_option("-o,--output", options.output, "the new profile; -: standard output")->required();
-  command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
-  command->add_option("--report", options.page, "a page with what was found, drawn before and after (HTML)");
-  command
-      ->add_option("--best", options.best,
-                   "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
-      ->check(CLI::Range(1, 10));
-  command->add_option("--seed", options.seed,
-                      "of the random starts (default 1): the same seed, the same result");
-  command->add_option("--time", options.seconds, "seconds after which no further search begins")
-      ->check(positive_number());
-  command
-      ->add_option("--evaluations", options.evaluations,
-                   "candidates after which no further search begins (default 2000000)")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
-  command->add_option("--starts", options.starts, "searches (default 200)")
-      ->check(CLI::Range(1, 100'000'000));
-  command
-      ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
-      ->check(CLI::Range(1, 100'000));
-  command->add_flag("--resume", options.resume,
-                    "go on where an interrupted run of the same search has ended");
-  command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
-  command->final_callback([&options] { check_options(options); });
-  return command;
-}
-
+// Searches for the design that the profile asks for and writes it as a profile; returns the exit code: 4 if
+// the best design found violates a constraint, 130 if the search was interrupted; the best so far is written
+// all the same. If the output is a regular file, finished searches are kept in OUTPUT.searches until it is
+// written.
 int design_command(const DesignCommandOptions& options) {
   const auto model = open_model(options.profile, {}, options.quiet, outputs_of(options));
   if (!model) {
@@ -182,6 +157,42 @@ int design_command(const DesignCommandOptions& options) {
   const int code = report ? write_report(*model, options, *report) : report_error(report.error());
   end_journal(journal, code == kExitInterrupted || code == kExitMachine);
   return code;
+}
+
+}  // namespace
+
+Command add_design(CLI::App& app) {
+  const auto options = std::make_shared<DesignCommandOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "design", "the numbers that serve the profile's objectives best, written as a new profile");
+  command->add_option("FILE", options->profile, "profile of the mechanism with [design] (TOML)")->required();
+  command->add_option("-o,--output", options->output, "the new profile; -: standard output")->required();
+  command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--report", options->page, "a page with what was found, drawn before and after (HTML)");
+  command
+      ->add_option("--best", options->settings.best,
+                   "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
+      ->check(CLI::Range(1, 10));
+  command->add_option("--seed", options->settings.seed,
+                      "of the random starts (default 1): the same seed, the same result");
+  command->add_option("--time", options->settings.seconds, "seconds after which no further search begins")
+      ->check(positive_number());
+  command
+      ->add_option("--evaluations", options->settings.evaluations,
+                   "candidates after which no further search begins (default 2000000)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
+  command->add_option("--starts", options->settings.starts, "searches (default 200)")
+      ->check(CLI::Range(1, 100'000'000));
+  command
+      ->add_option("--threads", options->settings.threads,
+                   "threads (default: all); make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--resume", options->resume,
+                    "go on where an interrupted run of the same search has ended");
+  command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
+  command->final_callback([options] { check_options(*options); });
+  return {command, [options] { return design_command(*options); }};
 }
 
 }  // namespace higherpair::cli

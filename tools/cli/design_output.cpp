@@ -1,9 +1,10 @@
 // The results of a design command, for people and for programs.
-#include "design_command.hpp"
+#include "design_report.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -15,19 +16,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view end_text(DesignEnd end) {
-  switch (end) {
-    case DesignEnd::kEvaluations:
-      return "evaluations";
-    case DesignEnd::kTime:
-      return "time";
-    case DesignEnd::kTarget:
-      return "target";
-    case DesignEnd::kStopped:
-      return "stopped";
-    case DesignEnd::kStarts:
-      break;
-  }
-  return "starts";
+  static constexpr std::array kNames = {"starts", "evaluations", "time", "target", "stopped"};
+  static_assert(kNames.size() == static_cast<std::size_t>(DesignEnd::kStopped) + 1);
+  return kNames[static_cast<std::size_t>(end)];
 }
 
 template <class Lines>

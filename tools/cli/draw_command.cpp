@@ -1,8 +1,6 @@
-#include "draw_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/diagnostic.hpp"
-#include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
@@ -11,12 +9,25 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct DrawOptions {
+  std::string profile;
+  std::string output;
+  std::vector<std::string> overrides;
+  bool strip = false;
+  std::vector<std::string> layers;
+  bool linkage = false;
+  std::optional<double> width;
+  SceneSettings settings;
+  bool quiet = false;
+};
 
 // Layers of the equivalent linkage alone, with the parts that it is attached to.
 const std::vector<Role> kLinkageAlone{Role::kFixed, Role::kLinkage, Role::kContact, Role::kLabel};
@@ -43,7 +54,7 @@ Result<std::vector<Role>> layers_of(const DrawOptions& options) {
 int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) {
   if (scenes.limit) {
     fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
-               *options.at, *scenes.limit, scenes.cause);
+               *options.settings.at, *scenes.limit, scenes.cause);
     return kExitRows;
   }
   if (!scenes.left_out.empty()) {
@@ -54,42 +65,7 @@ int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) 
   return scenes.left_out.empty() && scenes.passed.empty() ? kExitOk : kExitRows;
 }
 
-}  // namespace
-
-CLI::App* add_draw_command(CLI::App& app, DrawOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_picture_option(*command, options.output);
-  add_set_option(*command, options.overrides);
-  auto* at = command->add_option("--at", options.at, "position of the driver; otherwise the first")
-                 ->check(finite_number());
-  auto* every =
-      command->add_option("--every", options.every, "draw every so much of the driver, all in one picture")
-          ->excludes(at);
-  command->add_flag("--strip", options.strip, "with --every: side by side")->needs(every);
-  command
-      ->add_option(
-          "--layers", options.layers,
-          "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
-          "curvature, linkage, center, trace, velocity, acceleration, force, label")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--trace", options.traces, "BODY.POINT: draw the path of this point; repeatable")
-      ->allow_extra_args(false);
-  command->add_flag("--linkage", options.linkage, "the equivalent linkage alone");
-  command
-      ->add_option("--width", options.width, "width in px; otherwise 900, or less where the picture is high")
-      ->check(CLI::Range(50.0, 10'000.0));
-  add_tolerance_option(*command, options.tolerance);
-  command->add_flag("--quiet", options.quiet, "no notes on standard error");
-  command->final_callback([&options] {
-    refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
-    check_picture(options.output);
-  });
-  return command;
-}
-
+// Draws the mechanism; returns the exit code: 4 if it is drawn at a limit before the position asked for.
 int draw_command(const DrawOptions& options) {
   const auto layers = layers_of(options);
   if (!layers) {
@@ -101,13 +77,8 @@ int draw_command(const DrawOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  SceneSettings settings;
-  settings.at = options.at;
-  settings.every = options.every;
-  settings.traces = options.traces;
+  SceneSettings settings = options.settings;
   settings.forces = std::find(layers->begin(), layers->end(), Role::kForce) != layers->end();
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
   const auto scenes = scenes_of(*model, settings);
   if (!scenes) {
     return exit_failed(scenes.error());
@@ -120,11 +91,46 @@ int draw_command(const DrawOptions& options) {
   }
   draw.strip = options.strip;
   draw.title = model->mechanism().title;
-  if (!write_files({{options.output, picture_for(options.output, draw_svg(scenes->scenes, draw))}},
-                   &interruption())) {
+  if (!write_picture(options.output, draw_svg(scenes->scenes, draw))) {
     return exit_unwritten();
   }
   return judge(options, *model, *scenes);
+}
+
+}  // namespace
+
+Command add_draw(CLI::App& app) {
+  const auto options = std::make_shared<DrawOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_picture_option(*command, options->profile, options->output);
+  add_set_option(*command, options->overrides);
+  auto* at = command->add_option("--at", options->settings.at, "position of the driver; otherwise the first")
+                 ->check(finite_number());
+  auto* every = command
+                    ->add_option("--every", options->settings.every,
+                                 "draw every so much of the driver, all in one picture")
+                    ->excludes(at);
+  command->add_flag("--strip", options->strip, "with --every: side by side")->needs(every);
+  command
+      ->add_option(
+          "--layers", options->layers,
+          "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
+          "curvature, linkage, center, trace, velocity, acceleration, force, label")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--trace", options->settings.traces, "BODY.POINT: draw the path of this point; repeatable")
+      ->allow_extra_args(false);
+  command->add_flag("--linkage", options->linkage, "the equivalent linkage alone");
+  command
+      ->add_option("--width", options->width, "width in px; otherwise 900, or less where the picture is high")
+      ->check(CLI::Range(50.0, 10'000.0));
+  add_tolerance_option(*command, options->settings.tolerance);
+  command->add_flag("--quiet", options->quiet, "no notes on standard error");
+  return {command, [options] { return draw_command(*options); }};
 }
 
 }  // namespace higherpair::cli

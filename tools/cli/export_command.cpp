@@ -1,5 +1,4 @@
-#include "export_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/front/export.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "output_file.hpp"
@@ -8,12 +7,29 @@
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct ExportOptions {
+  std::string profile;
+  std::string output;
+  std::vector<std::string> overrides;
+  std::vector<std::string> curves;
+  std::string body;
+  bool pitch = false;
+  /// Lengths as given: numbers in the profile's unit, or with a unit of their own.
+  std::optional<std::string> cutter;
+  std::optional<std::string> reach;
+  std::optional<std::string> tolerance;
+  std::optional<int> points;
+  std::optional<std::string> units;
+  bool quiet = false;
+};
 
 namespace fs = std::filesystem;
 
@@ -132,39 +148,7 @@ Result<std::string> flank_text(const Model& model, const std::vector<ExportedCur
   return curve_csv(model, curves.front(), settings.accuracy, settings.units);
 }
 
-}  // namespace
-
-CLI::App* add_export_command(CLI::App& app, ExportOptions& options) {
-  CLI::App* command =
-      app.add_subcommand("export", "curves of a profile, or paths of cutters along them, as CSV, DXF or SVG");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command
-      ->add_option("-o,--output", options.output,
-                   "a file that ends in .csv, .dxf or .svg (-: CSV on standard output)")
-      ->required();
-  command->add_option("--curve", options.curves, "BODY.CURVE: this curve; repeatable but for CSV")
-      ->allow_extra_args(false);
-  command->add_option("--body", options.body, "all curves of this body");
-  auto* pitch = command->add_flag("--pitch", options.pitch,
-                                  "instead the path of the centre of the roller that touches it");
-  command
-      ->add_option("--cutter", options.cutter,
-                   "instead the path of the centre of a round cutter of this radius")
-      ->excludes(pitch);
-  command->add_option(
-      "--tolerance", options.tolerance,
-      "largest distance of arcs and lines from the curve, as 0.01 or '5 um' (default: 1e-5 of "
-      "its size)");
-  command->add_option("--points", options.points, "of CSV: so many points at equal distances along the curve")
-      ->check(CLI::Range(2, 10'000'000));
-  command->add_option("--reach", options.reach, "how far curves without ends are followed from their vertex");
-  command->add_option("--units", options.units, "unit of length of the file (default: the profile's)");
-  add_set_option(*command, options.overrides);
-  command->add_flag("--quiet", options.quiet, "no notes on standard error");
-  command->final_callback([&options] { check_options(options); });
-  return command;
-}
-
+// Writes curves of a profile as CSV, DXF or SVG; returns the exit code.
 int export_command(const ExportOptions& options) {
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
@@ -182,6 +166,42 @@ int export_command(const ExportOptions& options) {
     return report_error(text.error());
   }
   return write_files({{options.output, *text}}, &interruption()) ? kExitOk : exit_unwritten();
+}
+
+}  // namespace
+
+Command add_export(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "curves of a profile, or paths of cutters along them, as CSV, DXF or SVG");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "a file that ends in .csv, .dxf or .svg (-: CSV on standard output)")
+      ->required();
+  command->add_option("--curve", options->curves, "BODY.CURVE: this curve; repeatable but for CSV")
+      ->allow_extra_args(false);
+  command->add_option("--body", options->body, "all curves of this body");
+  auto* pitch = command->add_flag("--pitch", options->pitch,
+                                  "instead the path of the centre of the roller that touches it");
+  command
+      ->add_option("--cutter", options->cutter,
+                   "instead the path of the centre of a round cutter of this radius")
+      ->excludes(pitch);
+  command->add_option(
+      "--tolerance", options->tolerance,
+      "largest distance of arcs and lines from the curve, as 0.01 or '5 um' (default: 1e-5 of "
+      "its size)");
+  command
+      ->add_option("--points", options->points, "of CSV: so many points at equal distances along the curve")
+      ->check(CLI::Range(2, 10'000'000));
+  command->add_option("--reach", options->reach,
+                      "how far curves without ends are followed from their vertex");
+  command->add_option("--units", options->units, "unit of length of the file (default: the profile's)");
+  add_set_option(*command, options->overrides);
+  command->add_flag("--quiet", options->quiet, "no notes on standard error");
+  command->final_callback([options] { check_options(*options); });
+  return {command, [options] { return export_command(*options); }};
 }
 
 }  // namespace higherpair::cli

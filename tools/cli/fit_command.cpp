@@ -1,17 +1,30 @@
-#include "fit_command.hpp"
-
+#include "commands.hpp"
+#include "fit_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
 #include "status_line.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct FitCommandOptions {
+  std::string input;     ///< the profile; with `curve` the points
+  std::string measured;  ///< empty: none
+  std::optional<std::string> output;
+  std::optional<std::string> json;
+  std::optional<std::string> csv;    ///< residuals
+  std::optional<std::string> curve;  ///< type of curve that is fitted to points
+  std::optional<std::string> loss;
+  FitSettings settings;
+  bool quiet = false;
+};
 
 // The objection to a text that is not a fraction between 0 and 1.
 std::string share_objection(const std::string& text) {
@@ -49,10 +62,10 @@ void refuse_with_curve(const FitCommandOptions& options) {
     if (given) throw CLI::ValidationError(name, "means nothing with --curve");
   };
   refuse(options.loss.has_value(), "--loss");
-  refuse(!options.columns.empty(), "--columns");
-  refuse(!options.offsets.empty(), "--offset");
-  refuse(options.starts.has_value(), "--starts");
-  refuse(options.seed.has_value(), "--seed");
+  refuse(!options.settings.columns.empty(), "--columns");
+  refuse(!options.settings.offsets.empty(), "--offset");
+  refuse(options.settings.starts.has_value(), "--starts");
+  refuse(options.settings.seed.has_value(), "--seed");
 }
 
 template <class Names>
@@ -81,7 +94,7 @@ int fit_points(const FitCommandOptions& options) {
   }
   const auto report =
       fit_curve(*points, static_cast<FittedCurve>(index_of(fitted_curve_names(), *options.curve)),
-                options.confidence.value_or(0.95));
+                options.settings.confidence.value_or(0.95));
   if (!report) {
     return report_error(report.error());
   }
@@ -95,64 +108,14 @@ std::string how_far(const FitProgress& progress) {
 }
 
 FitSettings settings_of(const FitCommandOptions& options, StatusLine& line) {
-  FitSettings settings;
+  FitSettings settings = options.settings;
   if (options.loss) settings.loss = static_cast<FitLoss>(index_of(fit_loss_names(), *options.loss));
-  settings.confidence = options.confidence;
-  settings.columns = options.columns;
-  settings.offsets = options.offsets;
-  settings.starts = options.starts;
-  settings.seed = options.seed;
-  settings.threads = options.threads;
-  settings.stop = &interruption();
   settings.progress = [&line](const FitProgress& progress) { line.show(how_far(progress)); };
   return settings;
 }
 
-}  // namespace
-
-CLI::App* add_fit_command(CLI::App& app, FitCommandOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "fit", "numbers of the profile from its measured motion; curves from measured points");
-  command
-      ->add_option("FILE", options.input,
-                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
-      ->required();
-  command->add_option("MEASURED", options.measured,
-                      "what was measured (CSV): driver or time, and columns of the profile's tables");
-  command->add_option("-o,--output", options.output, "the fitted profile, or curve; -: standard output");
-  command->add_option("--json", options.json, "what was found as JSON, to this file; -: standard output");
-  command->add_option("--csv", options.csv, "residuals as CSV, to this file; -: standard output");
-  command->add_option("--curve", options.curve, "fit this curve to points")
-      ->check(CLI::IsMember(fitted_curve_names()));
-  command->add_option("--loss", options.loss, "how residuals count: by squares (default), huber or tukey")
-      ->check(CLI::IsMember(fit_loss_names()));
-  command->add_option("--confidence", options.confidence, "of the intervals (default 0.95)")
-      ->check(CLI::Validator(share_objection, "SHARE"));
-  command->add_option("--columns", options.columns, "GLOB[,GLOB]: only these measured columns; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--offset", options.offsets,
-                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--starts", options.starts,
-                   "searches (default 12 where all variables have bounds, else 1)")
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options.seed,
-                      "of the random starts (default 1): the same seed, the same result");
-  command
-      ->add_option("--threads", options.threads, "threads (default: all); make no difference to the result")
-      ->check(CLI::Range(1, 100'000));
-  command->add_flag("--quiet", options.quiet, "no notes and progress on standard error");
-  command->final_callback([&options] {
-    refuse_with_curve(options);
-    check_files(options);
-  });
-  return command;
-}
-
+// Fits the profile's variables to measured motion, or a curve to measured points; returns the exit code: 4
+// if the fit is not good (FitReport::good), 130 if it was interrupted; the results are written all the same.
 int fit_command(const FitCommandOptions& options) {
   if (options.curve) {
     return fit_points(options);
@@ -180,6 +143,56 @@ int fit_command(const FitCommandOptions& options) {
     return kExitInterrupted;
   }
   return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_fit(CLI::App& app) {
+  const auto options = std::make_shared<FitCommandOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "fit", "numbers of the profile from its measured motion; curves from measured points");
+  command
+      ->add_option("FILE", options->input,
+                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
+      ->required();
+  command->add_option("MEASURED", options->measured,
+                      "what was measured (CSV): driver or time, and columns of the profile's tables");
+  command->add_option("-o,--output", options->output, "the fitted profile, or curve; -: standard output");
+  command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
+  command->add_option("--csv", options->csv, "residuals as CSV, to this file; -: standard output");
+  command->add_option("--curve", options->curve, "fit this curve to points")
+      ->check(CLI::IsMember(fitted_curve_names()));
+  command->add_option("--loss", options->loss, "how residuals count: by squares (default), huber or tukey")
+      ->check(CLI::IsMember(fit_loss_names()));
+  command->add_option("--confidence", options->settings.confidence, "of the intervals (default 0.95)")
+      ->check(CLI::Validator(share_objection, "SHARE"));
+  command
+      ->add_option("--columns", options->settings.columns,
+                   "GLOB[,GLOB]: only these measured columns; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--offset", options->settings.offsets,
+                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--starts", options->settings.starts,
+                   "searches (default 12 where all variables have bounds, else 1)")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--seed", options->settings.seed,
+                      "of the random starts (default 1): the same seed, the same result");
+  command
+      ->add_option("--threads", options->settings.threads,
+                   "threads (default: all); make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
+  command->final_callback([options] {
+    refuse_with_curve(*options);
+    check_files(*options);
+  });
+  return {command, [options] { return fit_command(*options); }};
 }
 
 }  // namespace higherpair::cli

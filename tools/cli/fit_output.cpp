@@ -1,9 +1,10 @@
 // The results of a fit, for people and for programs.
-#include "fit_command.hpp"
+#include "fit_report.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -76,15 +77,9 @@ std::string outliers_text(const FitReport& report) {
 }
 
 std::string_view end_text(FitEnd end) {
-  switch (end) {
-    case FitEnd::kConverged:
-      return "converged";
-    case FitEnd::kStopped:
-      return "stopped";
-    case FitEnd::kNotConverged:
-      break;
-  }
-  return "not converged";
+  static constexpr std::array kNames = {"converged", "not converged", "stopped"};
+  static_assert(kNames.size() == static_cast<std::size_t>(FitEnd::kStopped) + 1);
+  return kNames[static_cast<std::size_t>(end)];
 }
 
 std::string judgement(const FitReport& report) {

@@ -1,5 +1,4 @@
-#include "map_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "map_report.hpp"
 #include "output_file.hpp"
@@ -9,12 +8,23 @@
 #include "run_command.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct MapOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::optional<std::string> output;  ///< path of the picture
+  std::vector<std::string> overrides;
+  MapSettings settings;
+  bool quiet = false;
+};
 
 bool write_all(const MapOptions& options, const MapReport& report) {
   std::vector<FileText> pictures;
@@ -46,28 +56,8 @@ void print_remarks(const MapOptions& options, const MapReport& report) {
   }
 }
 
-}  // namespace
-
-CLI::App* add_map_command(CLI::App& app, MapOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "map",
-      "every contact of the two curves over the driver's turn: branches, and where they begin and end");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the branches", options.csv}, {"the map", options.json},
-                     &options.output);
-  command->add_option("-o,--output", options.output,
-                      "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows over the range, both ends included")
-      ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
-  command
-      ->add_option("--tolerance", options.tolerance,
-                   "largest overlap of a contact that counts as free, relative to the size")
-      ->check(positive_number());
-  command->add_flag("--quiet", options.quiet, "no notes and remarks on standard error");
-  return command;
-}
-
+// Maps all contacts of every pair over its driver's turn; returns the exit code: 3 if no contact has a map,
+// 4 if one is incomplete.
 int map_command(const MapOptions& options) {
   const auto model =
       open_model(options.profile, options.overrides, options.quiet,
@@ -76,7 +66,7 @@ int map_command(const MapOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  const auto report = map_of(*model, {options.samples, options.tolerance, &interruption()});
+  const auto report = map_of(*model, options.settings);
   if (!report) {
     return report_error(report.error());
   }
@@ -90,6 +80,32 @@ int map_command(const MapOptions& options) {
   const bool complete = std::all_of(report->contacts.begin(), report->contacts.end(),
                                     [](const ContactMapReport& contact) { return contact.complete; });
   return complete ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_map(CLI::App& app) {
+  const auto options = std::make_shared<MapOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "map",
+      "every contact of the two curves over the driver's turn: branches, and where they begin and end");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the branches", options->csv}, {"the map", options->json},
+                     &options->output);
+  command->add_option("-o,--output", options->output,
+                      "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
+  add_set_option(*command, options->overrides);
+  command
+      ->add_option("--samples", options->settings.samples,
+                   "number of rows over the range, both ends included")
+      ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
+  command
+      ->add_option("--tolerance", options->settings.tolerance,
+                   "largest overlap of a contact that counts as free, relative to the size")
+      ->check(positive_number());
+  command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");
+  return {command, [options] { return map_command(*options); }};
 }
 
 }  // namespace higherpair::cli

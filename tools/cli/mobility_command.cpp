@@ -1,10 +1,11 @@
-#include "mobility_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/front/mobility.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -12,29 +13,23 @@
 namespace higherpair::cli {
 namespace {
 
+struct MobilityOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::vector<std::string> overrides;
+  double tolerance = 1e-9;
+  bool quiet = false;
+};
+
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
   const Forms forms = {[&] { return mobility_csv(findings); }, [&] { return mobility_json(findings) + "\n"; },
                        [&] { return mobility_text(findings); }};
   return write_forms(options.csv, options.json, forms) ? kExitOk : exit_unwritten();
 }
 
-}  // namespace
-
-CLI::App* add_mobility_command(CLI::App& app, MobilityOptions& options) {
-  CLI::App* command = app.add_subcommand("mobility",
-                                         "degree of freedom by count and by rank, idle freedoms, order of "
-                                         "solution, Grashof class of every four-bar");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the findings, one to a row,", options.csv},
-                     {"the findings", options.json});
-  add_set_option(*command, options.overrides);
-  command->add_option("--tolerance", options.tolerance, "largest closure error, relative to the size")
-      ->check(positive_number());
-  add_unused_samples(*command, "the first driver position counts");
-  command->add_flag("--quiet", options.quiet, "no notes and no messages about drivers on standard error");
-  return command;
-}
-
+// Runs `mobility`; returns the exit code: 3 if the drivers do not fit the mechanism or it cannot be started;
+// the findings obtained are printed all the same.
 int mobility_command(const MobilityOptions& options) {
   const auto findings =
       open_model(options.profile, options.overrides, options.quiet,
@@ -50,6 +45,24 @@ int mobility_command(const MobilityOptions& options) {
     fmt::print(stderr, "{}: {}\n", options.profile, *findings->objection);
   }
   return findings->objection ? kExitMechanism : kExitOk;
+}
+
+}  // namespace
+
+Command add_mobility(CLI::App& app) {
+  const auto options = std::make_shared<MobilityOptions>();
+  CLI::App* command = app.add_subcommand("mobility",
+                                         "degree of freedom by count and by rank, idle freedoms, order of "
+                                         "solution, Grashof class of every four-bar");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the findings, one to a row,", options->csv},
+                     {"the findings", options->json});
+  add_set_option(*command, options->overrides);
+  command->add_option("--tolerance", options->tolerance, "largest closure error, relative to the size")
+      ->check(positive_number());
+  add_unused_samples(*command, "the first driver position counts");
+  command->add_flag("--quiet", options->quiet, "no notes and no messages about drivers on standard error");
+  return {command, [options] { return mobility_command(*options); }};
 }
 
 }  // namespace higherpair::cli

@@ -1,6 +1,8 @@
 #include "picture.hpp"
 
+#include "output_file.hpp"
 #include "output_options.hpp"
+#include "run_command.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -36,16 +38,24 @@ void check_picture(const std::string& path) {
   refuse_missing_folder({"--output", path});
 }
 
-CLI::Option* add_picture_option(CLI::App& command, std::string& path) {
-  return command
+void add_picture_option(CLI::App& command, const std::string& profile, std::string& path) {
+  command
       .add_option("-o,--output", path,
                   "the picture: a file that ends in .svg, .pdf or .png (-: SVG on standard output)")
       ->required();
+  command.final_callback([&profile, &path] {
+    refuse_shared_files({{"FILE", profile}}, {{"--output", path}});
+    check_picture(path);
+  });
 }
 
 std::string picture_for(const std::string& path, std::string svg) {
   const std::string ending = ending_of(path);
   return ending == ".pdf" ? pdf_of(svg) : ending == ".png" ? png_of(svg) : std::move(svg);
+}
+
+bool write_picture(const std::string& path, std::string svg) {
+  return write_files({{path, picture_for(path, std::move(svg))}}, &interruption());
 }
 
 }  // namespace higherpair::cli

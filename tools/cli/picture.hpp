@@ -5,13 +5,13 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace higherpair::cli {
 
-/// Adds -o to a command that draws. The ending of the path determines the format.
-CLI::Option* add_picture_option(CLI::App& command, std::string& path);
+/// Adds -o to a command that draws `profile`. The ending of the path determines the format; see
+/// check_picture(). Overwriting the profile is refused.
+void add_picture_option(CLI::App& command, const std::string& profile, std::string& path);
 
 /// Throws CLI::ValidationError if no picture can be written to `path`: its ending is not .svg, .pdf or .png
 /// or is not supported by this build, or its folder does not exist. "-" is SVG on standard output.
@@ -19,6 +19,9 @@ void check_picture(const std::string& path);
 
 /// Converts an SVG picture to the format given by the ending of `path`; throws std::runtime_error on failure.
 [[nodiscard]] std::string picture_for(const std::string& path, std::string svg);
+
+/// Writes it; false on failure, or if interruption() occurs.
+[[nodiscard]] bool write_picture(const std::string& path, std::string svg);
 
 /// Whether this build writes PDF and PNG.
 [[nodiscard]] bool can_convert();

@@ -1,38 +1,29 @@
-#include "polygon_command.hpp"
-
+#include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
-#include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
 
+#include <memory>
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
+namespace {
 
-CLI::App* add_polygon_command(CLI::App& app, PolygonOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_picture_option(*command, options.output);
-  command->add_option("--at", options.at, "position of the driver, in the profile's unit")
-      ->required()
-      ->check(finite_number());
-  command->add_flag("--forces", options.forces, "also the force polygon of every body");
-  add_set_option(*command, options.overrides);
-  add_tolerance_option(*command, options.tolerance);
-  command->add_option("--width", options.width, "width of the picture in px (default: 860)")
-      ->check(CLI::Range(500.0, 10'000.0));
-  command->add_flag("--quiet", options.quiet, "no notes on standard error");
-  command->final_callback([&options] {
-    refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
-    check_picture(options.output);
-  });
-  return command;
-}
+struct PolygonOptions {
+  std::string profile;
+  std::string output;
+  std::vector<std::string> overrides;
+  double width = 860;
+  PolygonSettings settings;
+  bool quiet = false;
+};
 
+// Draws the polygons of one position; returns the exit code: 4 if that cannot be reached and they are drawn
+// at the limit before it.
 int polygon_command(const PolygonOptions& options) {
   const auto model =
       open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
@@ -40,31 +31,45 @@ int polygon_command(const PolygonOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  PolygonSettings settings;
-  settings.at = options.at;
-  settings.forces = options.forces;
-  settings.tolerance = options.tolerance;
-  settings.stop = &interruption();
-  const auto found = polygons_of(*model, settings);
+  const auto found = polygons_of(*model, options.settings);
   if (!found) {
     return exit_failed(found.error());
   }
   const std::string& name = model->mechanism().title;
   const std::string title = fmt::format("{}{}driver = {:.6g} {}", name, name.empty() ? "" : ", ",
                                         found->driver, found->driver_unit);
-  if (!write_files({{options.output,
-                     picture_for(options.output, polygons_svg(found->polygons, title, options.width))}},
-                   &interruption())) {
+  if (!write_picture(options.output, polygons_svg(found->polygons, title, options.width))) {
     return exit_unwritten();
   }
   if (found->limit) {
     fmt::print(stderr,
                "{}: driver = {} cannot be reached: drawn at the limit position {:.9g} before it: {}\n",
-               options.profile, options.at, found->driver, *found->limit);
+               options.profile, options.settings.at, found->driver, *found->limit);
     return kExitRows;
   }
   print_passed(found->passed, *model);
   return found->passed.empty() ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_polygon(CLI::App& app) {
+  const auto options = std::make_shared<PolygonOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_picture_option(*command, options->profile, options->output);
+  command->add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
+      ->required()
+      ->check(finite_number());
+  command->add_flag("--forces", options->settings.forces, "also the force polygon of every body");
+  add_set_option(*command, options->overrides);
+  add_tolerance_option(*command, options->settings.tolerance);
+  command->add_option("--width", options->width, "width of the picture in px (default: 860)")
+      ->check(CLI::Range(500.0, 10'000.0));
+  command->add_flag("--quiet", options->quiet, "no notes on standard error");
+  return {command, [options] { return polygon_command(*options); }};
 }
 
 }  // namespace higherpair::cli

@@ -1,27 +1,12 @@
 #include "program.hpp"
 
 #include "argument_error.hpp"
-#include "branches_command.hpp"
-#include "check_command.hpp"
-#include "design_command.hpp"
-#include "draw_command.hpp"
-#include "export_command.hpp"
-#include "fit_command.hpp"
+#include "commands.hpp"
 #include "higherpair/front/model.hpp"
-#include "map_command.hpp"
-#include "mobility_command.hpp"
-#include "plot_command.hpp"
-#include "polygon_command.hpp"
-#include "report_command.hpp"
 #include "run_command.hpp"
-#include "sensitivity_command.hpp"
-#include "sweep_command.hpp"
 #include "unknown_argument.hpp"
-#include "verify_command.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,38 +16,12 @@
 namespace higherpair::cli {
 namespace {
 
-struct Command {
-  CLI::App* arguments = nullptr;
-  std::function<int()> run;
-};
-
-template <class Options>
-Command command(CLI::App& app, CLI::App* (*add)(CLI::App&, Options&), int (*run)(const Options&)) {
-  const auto options = std::make_shared<Options>();
-  return {add(app, *options), [options, run] { return run(*options); }};
-}
-
 // In the order shown by `higherpair --help`.
 std::vector<Command> commands_of(CLI::App& app) {
-  return {
-      command(app, add_analyze_command, run_command),
-      command(app, add_step_command, run_command),
-      command(app, add_forces_command, run_command),
-      command(app, add_branches_command, branches_command),
-      command(app, add_mobility_command, mobility_command),
-      command(app, add_map_command, map_command),
-      command(app, add_draw_command, draw_command),
-      command(app, add_export_command, export_command),
-      command(app, add_plot_command, plot_command),
-      command(app, add_polygon_command, polygon_command),
-      command(app, add_report_command, report_command),
-      command(app, add_check_command, check_command),
-      command<SweepOptions>(app, add_sweep_command, sweep_command),
-      command(app, add_sensitivity_command, sensitivity_command),
-      command(app, add_design_command, design_command),
-      command(app, add_fit_command, fit_command),
-      command(app, add_verify_command, verify_command),
-  };
+  return {add_analyze(app), add_step(app),  add_forces(app), add_branches(app),    add_mobility(app),
+          add_map(app),     add_draw(app),  add_export(app), add_plot(app),        add_polygon(app),
+          add_report(app),  add_check(app), add_sweep(app),  add_sensitivity(app), add_design(app),
+          add_fit(app),     add_verify(app)};
 }
 
 // An empty value often comes from an unset shell variable. If a value is left out, the parser takes the next

@@ -1,5 +1,5 @@
-#include "report_command.hpp"
-
+#include "commands.hpp"
+#include "file_text.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
@@ -7,8 +7,7 @@
 #include "run_command.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -16,14 +15,15 @@
 namespace higherpair::cli {
 namespace {
 
-namespace fs = std::filesystem;
+struct ReportOptions {
+  std::string profile;
+  std::string output;
+  std::vector<std::string> overrides;
+  ReportSettings settings;
+  bool quiet = false;
+};
 
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+namespace fs = std::filesystem;
 
 // The input of the analysis: the profile's text, preceded by the changes made on the command line.
 std::string source_of(const ReportOptions& options) {
@@ -31,7 +31,7 @@ std::string source_of(const ReportOptions& options) {
   for (const std::string& override : options.overrides) {
     source += "# --set " + override + "\n";
   }
-  return source + read_text(options.profile);
+  return source + file_text(options.profile).value_or("");
 }
 
 void check_output(const ReportOptions& options) {
@@ -45,32 +45,13 @@ void check_output(const ReportOptions& options) {
 }
 
 ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
-  ReportSettings settings;
-  settings.in_time = options.timed;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
+  ReportSettings settings = options.settings;
   settings.source = source_of(options);
-  settings.stop = &interruption();
   settings.progress = [&progress](std::int64_t row, std::int64_t size) { progress.at(row, size); };
   return settings;
 }
 
-}  // namespace
-
-CLI::App* add_report_command(CLI::App& app, ReportOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  command->add_option("-o,--output", options.output, "the page to be written, F.html")->required();
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows");
-  add_tolerance_option(*command, options.tolerance);
-  command->add_flag("--time", options.timed, "the motion in time, as `step` has it");
-  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
-  command->final_callback([&options] { check_output(options); });
-  return command;
-}
-
+// Runs `report`; returns the exit code.
 int report_command(const ReportOptions& options) {
   const auto model = open_model(options.profile, options.overrides, options.quiet, {{"-o", options.output}});
   if (!model) {
@@ -99,6 +80,24 @@ int report_command(const ReportOptions& options) {
     }
   }
   return report->good ? kExitOk : kExitRows;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
+  add_set_option(*command, options->overrides);
+  command->add_option("--samples", options->settings.samples, "number of rows");
+  add_tolerance_option(*command, options->settings.tolerance);
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
+  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
+  command->final_callback([options] { check_output(*options); });
+  return {command, [options] { return report_command(*options); }};
 }
 
 }  // namespace higherpair::cli

@@ -193,19 +193,6 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
   return analysis.good() ? kExitOk : kExitRows;
 }
 
-RunSettings settings_of(const RunOptions& options) {
-  RunSettings settings;
-  settings.in_time = options.timed;
-  settings.samples = options.samples;
-  settings.forces = options.forces;
-  settings.jerk = options.jerk;
-  settings.derivatives = options.derivatives;
-  settings.columns = options.columns;
-  settings.tolerance = options.tolerance;
-  settings.stop = &signalled;
-  return settings;
-}
-
 }  // namespace
 
 void end_on_signals() {
@@ -288,7 +275,7 @@ int run_command(const RunOptions& options) {
     return report_error(model.error());
   }
   listen_to_signals();
-  auto analysis = model->start(settings_of(options));
+  auto analysis = model->start(options.settings);
   if (!analysis) {
     return exit_failed(analysis.error());
   }

@@ -9,10 +9,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace higherpair::cli {
 
 inline constexpr int kExitOk = 0;
@@ -24,21 +20,15 @@ inline constexpr int kExitInterrupted = 130;
 
 struct RunOptions {
   std::string profile;
-  bool timed = false;   ///< step instead of analyze
-  bool forces = false;  ///< forces instead of analyze
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::optional<std::string> hdf5;
   std::optional<std::string> events;  ///< file of the events, as CSV
   std::vector<std::string> overrides;
-  std::optional<std::int64_t> samples;
-  double tolerance = 1e-9;
+  RunSettings settings;
   int threads = 0;  ///< 0: as many as there are cores
   bool quiet = false;
   bool summary = false;
-  std::vector<std::string> columns;  ///< names or globs; empty: all
-  bool jerk = false;                 ///< adds columns of jerk
-  std::optional<int> derivatives;    ///< adds columns of the derivatives from the third to this one
 };
 
 /// Prints what is wrong on standard error; returns the exit code.
@@ -72,13 +62,6 @@ void listen_to_signals();
 
 /// The exit code after a failed run; prints the error, unless interruption() is the cause.
 [[nodiscard]] int exit_failed(const Error& error);
-
-/// \name Add a command and its options.
-/// @{
-CLI::App* add_analyze_command(CLI::App& app, RunOptions& options);
-CLI::App* add_step_command(CLI::App& app, RunOptions& options);
-CLI::App* add_forces_command(CLI::App& app, RunOptions& options);
-/// @}
 
 /// Runs `analyze`, `step` or `forces`; returns the exit code.
 [[nodiscard]] int run_command(const RunOptions& options);

@@ -1,32 +1,20 @@
 #include "run_identity.hpp"
 
 #include "checksum.hpp"
+#include "file_text.hpp"
 #include "higherpair/front/model.hpp"
-
-#include <fstream>
-#include <sstream>
 
 #include <fmt/core.h>
 
 namespace higherpair::cli {
-namespace {
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-}  // namespace
 
 RunIdentity model_identity(const std::string& profile, const Model& model) {
   std::vector<std::string> files;
   for (const std::string& path : model.profile().files) {
-    files.push_back(content_of(path));
+    files.push_back(file_text(path).value_or(""));
   }
   return {{"version", std::string(version())},
-          {"profile", sum_of({content_of(profile)})},
+          {"profile", sum_of({file_text(profile).value_or("")})},
           {"files", sum_of(files)}};
 }
 

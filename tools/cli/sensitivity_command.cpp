@@ -1,5 +1,4 @@
-#include "sensitivity_command.hpp"
-
+#include "commands.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -8,12 +7,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+struct SensitivityOptions {
+  std::string profile;
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::optional<std::string> rows;  ///< file for the derivatives of columns, row by row
+  std::vector<std::string> overrides;
+  std::vector<std::string> results;  ///< COLUMN:OF
+  std::vector<std::string> columns;  ///< of `rows`; empty: those of the results
+  std::optional<std::int64_t> variants;
+  std::optional<std::uint64_t> seed;
+  std::size_t top = 10;
+  SensitivitySettings settings;
+  bool quiet = false;
+};
 
 constexpr std::int64_t kMostVariants = 100'000'000;
 
@@ -98,9 +113,9 @@ Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const 
   ToleranceVariantSettings settings;
   settings.count = *options.variants;
   settings.seed = options.seed.value_or(1);
-  settings.threads = options.threads;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
+  settings.threads = options.settings.threads;
+  settings.samples = options.settings.samples;
+  settings.tolerance = options.settings.tolerance;
   settings.stop = &interruption();
   settings.progress = [&](std::int64_t done) { progress.at(done); };
   return tolerance_variants(model, report, settings);
@@ -144,60 +159,13 @@ std::optional<int> refuse_variants(const SensitivityOptions& options, const Mode
   if (!model.profile().tolerances) {
     return refuse("--variants: there is no [tolerances] in the profile: it says how numbers scatter");
   }
-  if (!options.by.empty()) {
+  if (!options.settings.by.empty()) {
     return refuse("--variants: the numbers that scatter are those of [tolerances]; leave --by out");
   }
   return std::nullopt;
 }
 
-}  // namespace
-
-CLI::App* add_sensitivity_command(CLI::App& app, SensitivityOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "sensitivity",
-      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
-      "tolerance to tighten");
-  command->add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
-  add_output_options(*command, options.profile, {"the derivatives", options.csv},
-                     {"the derivatives and bands", options.json});
-  command
-      ->add_option("--results", options.results,
-                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
-                   "slider.x:at=30; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option(
-          "--by", options.by,
-          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("--rows", options.rows,
-                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
-                      "output)");
-  command
-      ->add_option("--columns", options.columns,
-                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--variants", options.variants,
-                   "check the bands of [tolerances] by so many random variants, such as 100000")
-      ->check(CLI::Range(kFewestVariants, kMostVariants));
-  command->add_option("--seed", options.seed, "other random variants (default 1)");
-  command->add_option("--top", options.top, "so many dimensions of each result are printed (default 10)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  add_set_option(*command, options.overrides);
-  command->add_option("--samples", options.samples, "number of rows");
-  add_tolerance_option(*command, options.tolerance);
-  command->add_option("--threads", options.threads, "so many at a time; otherwise as many as there are cores")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--time", options.timed, "the motion in time, as step has it");
-  command->add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
-  command->final_callback([&options] { check_outputs(options); });
-  return command;
-}
-
+// Runs `sensitivity`; returns the exit code: 4 if the path is not good, or a band is wider than wanted.
 int sensitivity_command(const SensitivityOptions& options) {
   const auto model = open_model(options.profile, options.overrides, options.quiet, outputs_of(options));
   if (!model) {
@@ -207,13 +175,7 @@ int sensitivity_command(const SensitivityOptions& options) {
     return *code;
   }
   listen_to_signals();
-  SensitivitySettings settings;
-  settings.in_time = options.timed;
-  settings.samples = options.samples;
-  settings.tolerance = options.tolerance;
-  settings.by = options.by;
-  settings.threads = options.threads;
-  settings.stop = &interruption();
+  SensitivitySettings settings = options.settings;
   for (const std::string& text : options.results) {
     auto measure = measure_from(text);
     if (!measure) {
@@ -231,7 +193,7 @@ int sensitivity_command(const SensitivityOptions& options) {
   SensitivityFindings findings;
   findings.report = *std::move(report);
   findings.top = options.top;
-  if (model->profile().tolerances && options.by.empty()) {
+  if (model->profile().tolerances && options.settings.by.empty()) {
     findings.task = model->profile().tolerances.get();
     findings.bands = tolerance_bands(*findings.task, findings.report);
   }
@@ -251,6 +213,58 @@ int sensitivity_command(const SensitivityOptions& options) {
     }
   }
   return write(options, *model, findings);
+}
+
+}  // namespace
+
+Command add_sensitivity(CLI::App& app) {
+  const auto options = std::make_shared<SensitivityOptions>();
+  options->settings.stop = &interruption();
+  CLI::App* command = app.add_subcommand(
+      "sensitivity",
+      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
+      "tolerance to tighten");
+  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_output_options(*command, options->profile, {"the derivatives", options->csv},
+                     {"the derivatives and bands", options->json});
+  command
+      ->add_option("--results", options->results,
+                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
+                   "slider.x:at=30; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--by", options->settings.by,
+          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--rows", options->rows,
+                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
+                      "output)");
+  command
+      ->add_option("--columns", options->columns,
+                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--variants", options->variants,
+                   "check the bands of [tolerances] by so many random variants, such as 100000")
+      ->check(CLI::Range(kFewestVariants, kMostVariants));
+  command->add_option("--seed", options->seed, "other random variants (default 1)");
+  command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  add_set_option(*command, options->overrides);
+  command->add_option("--samples", options->settings.samples, "number of rows");
+  add_tolerance_option(*command, options->settings.tolerance);
+  command
+      ->add_option("--threads", options->settings.threads,
+                   "so many at a time; otherwise as many as there are cores")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
+  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
+  command->final_callback([options] { check_outputs(*options); });
+  return {command, [options] { return sensitivity_command(*options); }};
 }
 
 }  // namespace higherpair::cli

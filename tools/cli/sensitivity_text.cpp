@@ -1,3 +1,4 @@
+#include "paragraph.hpp"
 #include "sensitivity_report.hpp"
 
 #include <algorithm>
@@ -9,29 +10,10 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr std::size_t kPageWidth = 80;
 constexpr std::size_t kNameWidth = 40;
 
 std::string figure(double value, int digits = 6) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
-}
-
-// A sentence wrapped at spaces, every line indented by `indent` spaces.
-std::string paragraph(const std::string& sentence, std::size_t indent) {
-  std::string text, line(indent, ' ');
-  const std::string start = line;
-  std::string rest = sentence;
-  while (!rest.empty()) {
-    const std::size_t space = rest.find(' ');
-    const std::string word = rest.substr(0, space);
-    rest = space == std::string::npos ? "" : rest.substr(space + 1);
-    if (line.size() > start.size() && line.size() + 1 + word.size() > kPageWidth) {
-      text += line + "\n";
-      line = start;
-    }
-    line += (line.size() > start.size() ? " " : "") + word;
-  }
-  return text + line + "\n";
 }
 
 std::string trimmed(std::string line) {

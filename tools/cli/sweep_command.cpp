@@ -1,5 +1,6 @@
 #include "sweep_command.hpp"
 
+#include "commands.hpp"
 #include "hdf5_file.hpp"
 #include "higherpair/higherpair.hpp"
 #include "journal.hpp"
@@ -14,6 +15,7 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -172,13 +174,6 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.final_callback([&options] { check_output(options); });
 }
 
-CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "sweep", "many variants of the mechanism, as [sweep] of the profile says, on all cores");
-  add_sweep_options(*command, options);
-  return command;
-}
-
 Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const std::atomic<bool>& stop) {
   auto model = open_model(options.profile, options.overrides, quiet, {{"--output", options.output}});
   if (!model) {
@@ -192,12 +187,6 @@ Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const st
   }
   RunIdentity identity = identity_of(options, *model);
   return OpenedSweep{*std::move(model), *std::move(sweep), std::move(identity)};
-}
-
-int sweep_command(const SweepOptions& options) {
-  return sweep_command(options, [&](const OpenedSweep& opened, std::int64_t first, const auto& take) {
-    run_sweep(opened.sweep, first, options.threads, take);
-  });
 }
 
 int sweep_command(const SweepOptions& options, const SweepRunner& run) {
@@ -222,6 +211,19 @@ int sweep_command(const SweepOptions& options, const SweepRunner& run) {
     return *code;
   }
   return finish(options, opened->model, sweep, journal, summary);
+}
+
+Command add_sweep(CLI::App& app) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = app.add_subcommand(
+      "sweep", "many variants of the mechanism, as [sweep] of the profile says, on all cores");
+  add_sweep_options(*command, *options);
+  return {command, [options] {
+            return sweep_command(*options,
+                                 [&](const OpenedSweep& opened, std::int64_t first, const auto& take) {
+                                   run_sweep(opened.sweep, first, options->threads, take);
+                                 });
+          }};
 }
 
 }  // namespace higherpair::cli

@@ -27,9 +27,6 @@ struct SweepOptions {
   bool quiet = false;
 };
 
-/// Adds `sweep` to the program.
-[[nodiscard]] CLI::App* add_sweep_command(CLI::App& app, SweepOptions& options);
-
 /// Adds the arguments of `sweep` to a command or to a program of its own.
 void add_sweep_options(CLI::App& command, SweepOptions& options);
 
@@ -49,8 +46,6 @@ using SweepRunner = std::function<void(const OpenedSweep& sweep, std::int64_t fi
                                        const std::function<bool(const SweepBlock&)>& take)>;
 
 /// Runs the sweep; returns the exit code.
-/// \param run  computes the blocks; without it the threads of this program do
-[[nodiscard]] int sweep_command(const SweepOptions& options);
 [[nodiscard]] int sweep_command(const SweepOptions& options, const SweepRunner& run);
 
 }  // namespace higherpair::cli

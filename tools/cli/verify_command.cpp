@@ -1,5 +1,5 @@
-#include "verify_command.hpp"
-
+#include "commands.hpp"
+#include "file_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "positive_number.hpp"
@@ -8,9 +8,7 @@
 #include "verify/verdicts_json.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -18,13 +16,19 @@
 namespace higherpair::cli {
 namespace {
 
+struct VerifyOptions {
+  std::optional<std::string>
+      profile;  ///< with `table`: checks this pair of files instead of the shipped ones
+  std::optional<std::string> table;
+  std::optional<std::string> json;
+  double bound = 1e-11;  ///< largest error of a column, relative to its largest value
+  bool quiet = false;
+};
+
 std::optional<std::string> text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open() || std::filesystem::is_directory(path)) {
-    fmt::print(stderr, "{}: cannot be read\n", path);
-    return std::nullopt;
-  }
-  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  auto text = file_text(path);
+  if (!text) fmt::print(stderr, "{}: cannot be read\n", path);
+  return text;
 }
 
 void print(const Verdict& verdict, double bound) {
@@ -63,27 +67,7 @@ int report(const std::vector<Verdict>& verdicts, const VerifyOptions& options) {
   return failed == 0 ? kExitOk : kExitRows;
 }
 
-}  // namespace
-
-CLI::App* add_verify_command(CLI::App& app, VerifyOptions& options) {
-  CLI::App* command = app.add_subcommand(
-      "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
-  command->add_option("PROFILE", options.profile, "check this profile instead of the shipped references");
-  command->add_option("TABLE", options.table,
-                      "CSV of what is right for it: the rows of analyze or step, all columns or some");
-  command->add_option("--json", options.json, "write values, errors and times as JSON to this file");
-  command->add_option("--bound", options.bound, "largest error, relative to a column's largest value")
-      ->check(positive_number());
-  command->add_flag("--quiet", options.quiet, "print only what fails");
-  command->final_callback([&options] {
-    std::vector<NamedFile> inputs;
-    if (options.profile) inputs.push_back({"PROFILE", *options.profile});
-    if (options.table) inputs.push_back({"TABLE", *options.table});
-    if (options.json) refuse_shared_files(inputs, {{"--json", *options.json}});
-  });
-  return command;
-}
-
+// Runs `verify`; returns the exit code: 4 if a reference does not hold.
 int verify_command(const VerifyOptions& options) {
   std::vector<Verdict> verdicts;
   if (!options.profile) {
@@ -113,6 +97,28 @@ int verify_command(const VerifyOptions& options) {
   }
   verdicts.push_back(verify({*options.profile, *profile, *table}));
   return report(verdicts, options);
+}
+
+}  // namespace
+
+Command add_verify(CLI::App& app) {
+  const auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
+  command->add_option("PROFILE", options->profile, "check this profile instead of the shipped references");
+  command->add_option("TABLE", options->table,
+                      "CSV of what is right for it: the rows of analyze or step, all columns or some");
+  command->add_option("--json", options->json, "write values, errors and times as JSON to this file");
+  command->add_option("--bound", options->bound, "largest error, relative to a column's largest value")
+      ->check(positive_number());
+  command->add_flag("--quiet", options->quiet, "print only what fails");
+  command->final_callback([options] {
+    std::vector<NamedFile> inputs;
+    if (options->profile) inputs.push_back({"PROFILE", *options->profile});
+    if (options->table) inputs.push_back({"TABLE", *options->table});
+    if (options->json) refuse_shared_files(inputs, {{"--json", *options->json}});
+  });
+  return {command, [options] { return verify_command(*options); }};
 }
 
 }  // namespace higherpair::cli

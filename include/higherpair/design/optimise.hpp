@@ -104,18 +104,10 @@ struct DesignSearchEnd {
   std::int64_t evaluations = 0;
 };
 
-struct DesignOptions {
-  DesignMethod method = DesignMethod::kAuto;
-  std::uint64_t seed = 1;
-  int starts = 200;  ///< local searches, >= 1; the first one from the start of the variables
-  /// No further start once this many are used; an exact gradient counts as one, one by differences as two or
-  /// three for each variable.
-  std::int64_t evaluations = 1'000'000;
+/// How a search is run.
+struct DesignRun {
   double seconds = 0;  ///< > 0: no further start after this time; the result then depends on the machine
-  /// The search ends once the objective is this small and all constraints hold.
-  std::optional<double> target;
-  int threads = 0;       ///< 0: all; makes no difference to the result
-  int alternatives = 1;  ///< number of optima returned rounded to steps, in DesignOutcome::made
+  int threads = 0;     ///< 0: all; makes no difference to the result
   const std::atomic<bool>* stop = nullptr;  ///< once true, the best so far is returned
   /// Called from the caller's thread, from time to time.
   std::function<void(const DesignProgress&)> progress;
@@ -124,6 +116,18 @@ struct DesignOptions {
   std::vector<DesignSearchEnd> known;
   /// Receives the result of every other search, from one thread at a time; not of a search that was stopped.
   std::function<void(const DesignSearchEnd&)> ended;
+};
+
+struct DesignOptions : DesignRun {
+  DesignMethod method = DesignMethod::kAuto;
+  std::uint64_t seed = 1;
+  int starts = 200;  ///< local searches, >= 1; the first one from the start of the variables
+  /// No further start once this many are used; an exact gradient counts as one, one by differences as two or
+  /// three for each variable.
+  std::int64_t evaluations = 1'000'000;
+  /// The search ends once the objective is this small and all constraints hold.
+  std::optional<double> target;
+  int alternatives = 1;  ///< number of optima returned rounded to steps, in DesignOutcome::made
 };
 
 enum class DesignEnd { kStarts, kEvaluations, kTime, kTarget, kStopped };

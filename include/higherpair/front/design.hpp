@@ -10,20 +10,12 @@
 
 namespace higherpair {
 
-/// Each member that is set overrides [design] of the profile.
-struct DesignSettings {
+/// `seed`, `starts` and `evaluations`, where set, override [design] of the profile.
+struct DesignSettings : DesignRun {
   std::optional<std::uint64_t> seed;
   std::optional<int> starts;
   std::optional<std::int64_t> evaluations;
-  double seconds = 0;  ///< > 0: no further search is started after this time
-  int threads = 0;     ///< 0: all cores; does not affect the result
-  int best = 1;        ///< number of different optima for which the text is made as well, if there are as
-                       ///< many
-  const std::atomic<bool>* stop = nullptr;
-  std::function<void(const DesignProgress&)> progress;
-  /// As in DesignOptions: they resume a search that was interrupted. \pre made with the same profile and seed
-  std::vector<DesignSearchEnd> known;
-  std::function<void(const DesignSearchEnd&)> ended;
+  int best = 1;  ///< number of different optima for which the text is made as well, if there are as many
 };
 
 /// A design that was found, and its profile. All numbers in the units of tables or of the profile; NaN where
