@@ -1,0 +1,135 @@
+// Events of bodies that touch at corners, at several places or along flat parts do not depend on which rows
+// are asked for.
+#include "analysis/run_testing.hpp"
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+using namespace higherpair::testing;
+
+using Places = std::vector<std::pair<std::string, double>>;
+
+constexpr double kTurn = 180 / kPi;
+
+std::string polygon(const std::vector<Vector2d>& corners) {
+  std::string spans;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d& from = corners[i];
+    const Vector2d& to = corners[(i + 1) % corners.size()];
+    spans += fmt::format(R"({{ type = "segment", from = [{}, {}], to = [{}, {}] }}, )", from.x(), from.y(),
+                         to.x(), to.y());
+  }
+  return fmt::format(R"({{ type = "chain", spans = [{}] }})", spans);
+}
+
+// A cam with corners that turns about the origin, and a follower above it that slides along y.
+std::string sliding(const std::vector<Vector2d>& cam, double offset, const std::string& follower) {
+  return fmt::format(R"(
+    [bodies.ground]
+    points.O = [0, 0]
+    points.G = [{0}, 0]
+    [bodies.cam]
+    points.O = [0, 0]
+    curves.c = {1}
+    [bodies.follower]
+    pose = {{ x = {0}, y = 70 }}
+    points.P = [0, 0]
+    curves.r = {2}
+    [joints.a]
+    type = "revolute"
+    between = ["ground.O", "cam.O"]
+    [joints.b]
+    type = "prismatic"
+    between = ["ground.G", "follower.P"]
+    direction = [0, 1]
+    [contacts.k]
+    between = ["cam.c", "follower.r"]
+    approach = "-"
+    [driver]
+    joint = "a"
+    end = 360
+  )",
+                     offset, polygon(cam), follower);
+}
+
+RunTable run_with(const Profile& profile, std::int64_t rows, std::vector<double> positions = {}) {
+  RunSettings settings;
+  if (positions.empty()) {
+    settings.samples = rows;
+  }
+  settings.positions = std::move(positions);
+  return {profile, settings};
+}
+
+// Types and positions [deg] of the events other than the ends of strokes.
+Places events_of(const RunTable& motion) {
+  Places events;
+  for (const RunEvent& event : motion.events()) {
+    if (event.type != EventType::kStrokeEnd) {
+      events.emplace_back(name_of(event.type), kTurn * event.driver);
+    }
+  }
+  return events;
+}
+
+std::size_t count_of(const RunTable& motion, EventType type) {
+  return static_cast<std::size_t>(std::count_if(motion.events().begin(), motion.events().end(),
+                                                [&](const RunEvent& event) { return event.type == type; }));
+}
+
+void expect_same(const Places& events, const Places& wanted, const std::string& what) {
+  ASSERT_EQ(events.size(), wanted.size()) << what;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_EQ(events[i].first, wanted[i].first) << what;
+    EXPECT_NEAR(events[i].second, wanted[i].second, 1e-8) << what;
+  }
+}
+
+// In both senses and driven back.
+void expect_same_for_all_rows(const std::string& text, const std::vector<EventType>& without,
+                              const Settings& settings = {}) {
+  for (Settings way :
+       {Settings{}, Settings{"driver.end=-360"}, Settings{"driver.start=360", "driver.end=0"}}) {
+    way.insert(way.end(), settings.begin(), settings.end());
+    const Profile profile = profile_of(text, way);
+    const Places wanted = events_of(run_with(profile, 37));
+    for (const std::int64_t rows : {2, 3, 13, 181, 361, 1081}) {
+      const RunTable motion = run_with(profile, rows);
+      const std::string what = fmt::format("{} rows, {}", rows, way.empty() ? "" : way.front());
+      expect_all_ok(motion);
+      expect_same(events_of(motion), wanted, what);
+      for (const EventType type : without) {
+        EXPECT_EQ(count_of(motion, type), 0U) << what << ", " << name_of(type);
+      }
+    }
+  }
+}
+
+// Behind a sharp corner the knife edge is behind the face that it has left, but not within the body.
+TEST(EventsByRows, AKnifeEdgeGoesOverSharpCornersWithoutAnOverlap) {
+  expect_same_for_all_rows(sliding({{17.512, -3.449},
+                                    {7.375, 25.184},
+                                    {-6.827, 10.775},
+                                    {-26.247, -2.487},
+                                    {-8.37, -20.995},
+                                    {5.976, -10.676}},
+                                   -7, R"({ type = "point", at = [0, 0] })"),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
+TEST(EventsByRows, SharpCornersGoOverCornersWithoutAnOverlap) {
+  expect_same_for_all_rows(sliding({{22.711, -2.847},
+                                    {13.621, 12.043},
+                                    {-1.951, 15.069},
+                                    {-15.816, 7.689},
+                                    {-21.829, -17.333},
+                                    {-8.367, -19.006},
+                                    {9.57, -9.058}},
+                                   0, polygon({{7.329, -0.525}, {-1.36, 6.44}, {-3.461, -10.894}})),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
+}  // namespace
+}  // namespace higherpair
