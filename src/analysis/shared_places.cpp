@@ -70,10 +70,14 @@ std::vector<NearPlace> shared_places(const Run& run, std::size_t i, const State&
   return places;
 }
 
-// Whether the bodies touch at the same place in another state, too.
-bool is_shared_too(const Bodies& bodies, const NearPlace& place, double depth) {
-  const auto moved = moved_place(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, place);
-  return moved && std::abs(moved->at.gap()) <= depth;
+// The one of the places of touch in another state that is the same place; else null.
+const NearPlace* same_among(const std::vector<NearPlace>& places, const Bodies& there,
+                            const NearPlace& place) {
+  const auto moved = moved_place(there.boundary1, there.X_W1, there.boundary2, there.X_W2, place);
+  const auto found = std::find_if(places.begin(), places.end(), [&](const NearPlace& other) {
+    return moved && is_place_of(other.at, *moved, there.size());
+  });
+  return found == places.end() ? nullptr : &*found;
 }
 
 // Those ends of the two spans of a place at which the boundary does not continue smoothly.
@@ -99,6 +103,21 @@ struct Change {
   bool begins = false;
 };
 
+// Where one curve passes an end of the other. Rounding may have put a row that
+// is at the end itself on either side of it.
+std::optional<double> end_passing(Run& run, const Path& path, double s, double h, const Passing& passing,
+                                  const BoundaryPlace& near) {
+  const auto passing_in = [&](const State& state) { return passing_at(run, passing, state, near); };
+  const auto is_in = [&](const State& state) {
+    const auto there = passing_in(state);
+    return there && std::abs(there->beyond) <= kJustLeft * boundary_of(run.mechanism(), passing.own).size();
+  };
+  if (const auto x = passing_within(run, path, s, h, passing, near)) {
+    return x;
+  }
+  return is_in(run.at.state) ? std::optional(0.0) : is_in(run.work.trial) ? std::optional(h) : std::nullopt;
+}
+
 // Where the contact, coming into the two spans of a place of run.work.trial, passes the last of their ends,
 // or, leaving those of a place of run.at.state, the first.
 std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, double s, double h,
@@ -108,12 +127,20 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   for (const Passing& passing : ends_around(run, contact, place)) {
     const bool own_is_first =
         passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
-    const auto x = passing_within(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
+    const auto x = end_passing(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
     if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
       change = Change{*x, begins};
     }
   }
   return change;
+}
+
+// Whether a place is at an end of its spans, which it may reach just at the end of a step.
+bool is_at_an_end(const Bodies& bodies, const NearPlace& place) {
+  const auto is_at = [&](const Boundary& boundary, const BoundaryPlace& at) {
+    return is_at_end(boundary, at, true, kJustLeft) || is_at_end(boundary, at, false, kJustLeft);
+  };
+  return is_at(bodies.boundary1, place.place1) || is_at(bodies.boundary2, place.place2);
 }
 
 // The body that a group's contact places, where that contact may go on at another place of its curves; else
@@ -140,25 +167,29 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
   const std::size_t contact = touch.contact;
   keep_those_that_push(run, contact, run.at.state, touch.before);
   keep_those_that_push(run, contact, run.work.trial, touch.after);
-  const double depth = kOverlapDepth * run.plan().size;
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
   const Bodies after = bodies_in(run, contact, after_state);
+  const double just_left = kJustLeft * unit_of(run, path);
   std::vector<Change> changes;
   std::size_t places = 1;  // before the first change
   for (const NearPlace& place : touch.before) {
-    const auto change =
-        is_shared_too(after, place, depth) ? std::nullopt : change_of(run, path, contact, s, h, place, false);
-    if (change && std::abs(change->x) <= kJustLeft * unit_of(run, path)) {
+    const NearPlace* later = same_among(touch.after, after, place);
+    if (later != nullptr && !is_at_an_end(after, *later)) {
+      ++places;
       continue;
     }
-    ++places;
-    if (change) {
-      changes.push_back(*change);
+    const auto change = change_of(run, path, contact, s, h, place, false);
+    const bool leaves = change && (later == nullptr || std::abs(h - change->x) <= just_left);
+    if (leaves ? std::abs(change->x) > just_left : later != nullptr) {
+      ++places;
+      if (leaves) {
+        changes.push_back(*change);
+      }
     }
   }
   for (const NearPlace& place : touch.after) {
-    if (!is_shared_too(before, place, depth)) {
+    if (same_among(touch.before, before, place) == nullptr) {
       if (const auto change = change_of(run, path, contact, s, h, place, true)) {
         changes.push_back(*change);
       }
