@@ -103,23 +103,32 @@ struct Change {
   bool begins = false;
 };
 
-// Where one curve passes an end of the other. Rounding may have put a row that
+// Where one curve passes an end of the other while the bodies touch there. Rounding may have put a row that
 // is at the end itself on either side of it.
-std::optional<double> end_passing(Run& run, const Path& path, double s, double h, const Passing& passing,
-                                  const BoundaryPlace& near) {
+std::optional<double> touching_passing(Run& run, const Path& path, double s, double h, const Passing& passing,
+                                       const BoundaryPlace& near) {
   const auto passing_in = [&](const State& state) { return passing_at(run, passing, state, near); };
   const auto is_in = [&](const State& state) {
     const auto there = passing_in(state);
     return there && std::abs(there->beyond) <= kJustLeft * boundary_of(run.mechanism(), passing.own).size();
   };
+  const auto touches = [&](const State& state) {
+    const auto there = passing_in(state);
+    return there && std::abs(there->beside) <= kOverlapDepth * run.plan().size;
+  };
   if (const auto x = passing_within(run, path, s, h, passing, near)) {
-    return x;
+    const StateAside aside(run.work.trial);
+    return solve_at(run, path, s, *x) && touches(run.work.trial) ? x : std::nullopt;
   }
-  return is_in(run.at.state) ? std::optional(0.0) : is_in(run.work.trial) ? std::optional(h) : std::nullopt;
+  if (is_in(run.at.state)) {
+    return touches(run.at.state) ? std::optional(0.0) : std::nullopt;
+  }
+  return is_in(run.work.trial) && touches(run.work.trial) ? std::optional(h) : std::nullopt;
 }
 
 // Where the contact, coming into the two spans of a place of run.work.trial, passes the last of their ends,
-// or, leaving those of a place of run.at.state, the first.
+// or, leaving those of a place of run.at.state, the first. None where the bodies do not touch there: the gap
+// then opens or closes at another position, where the contact itself changes.
 std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, double s, double h,
                                 const NearPlace& place, bool begins) {
   const Contact& contact = run.mechanism().contacts[i];
@@ -127,7 +136,7 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
   for (const Passing& passing : ends_around(run, contact, place)) {
     const bool own_is_first =
         passing.own.body == contact.first.body && passing.own.curve == contact.first.curve;
-    const auto x = end_passing(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
+    const auto x = touching_passing(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
     if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
       change = Change{*x, begins};
     }

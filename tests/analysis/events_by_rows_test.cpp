@@ -131,5 +131,18 @@ TEST(EventsByRows, SharpCornersGoOverCornersWithoutAnOverlap) {
                            {EventType::kOverlap, EventType::kRelease});
 }
 
+// With the second contact the gap at the first one opens at once, not where it would pass an end.
+TEST(EventsByRows, ARollerBridgesANotchWithoutARelease) {
+  expect_same_for_all_rows(sliding({{20.548, -0.931},
+                                    {11.056, 21.531},
+                                    {-3.064, 22.587},
+                                    {-13.237, 8.919},
+                                    {-16.12, -11.637},
+                                    {-5.082, -13.676},
+                                    {18.204, -19.544}},
+                                   0, R"({ type = "circle", center = [0, 0], radius = 6 })"),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
 }  // namespace
 }  // namespace higherpair
