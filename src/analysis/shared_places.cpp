@@ -219,6 +219,59 @@ void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, dou
   note_shared_places(run, path, touch, s, h);
 }
 
+void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
+  RunEvent event =
+      event_at(EventType::kRelease, path, s,
+               "the contact goes on at another place where the two bodies touch, and they part at "
+               "the one before, without a jump of velocity");
+  event.contact = static_cast<int>(contact);
+  if (!run.events.empty() && run.events.back().type == EventType::kCorner &&
+      run.events.back().contact == event.contact &&
+      std::abs(run.events.back().driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
+    event.driver = run.events.back().driver;
+    event.share = run.events.back().share;
+    run.events.pop_back();
+  }
+  run.at.watches[contact].overlaps = false;
+  run.at.watches[contact].interrupted = true;
+  run.events.push_back(std::move(event));
+}
+
+bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) {
+  const TouchingBody* touching = free_to_go_on(run, g);
+  if (touching == nullptr || !run.at.watches[static_cast<std::size_t>(touching->contact)].needed) {
+    return false;
+  }
+  const auto i = static_cast<std::size_t>(touching->contact);
+  const auto places = shared_places(run, i, run.at.state, kOverlapDepth * run.plan().size);
+  // Per unit of the driver, of the follower's unit.
+  const double unit = unit_of(run, path);
+  const double scale = unit * unit / (touching->follower.freedom.turns ? 1 : run.plan().size);
+  const auto acceleration = [&] { return scale * follower_acceleration(run.at.state, *touching); };
+  const int mode = run.at.state.groups[g].mode;
+  bool yields = false;
+  double kept = acceleration();
+  for (const NearPlace& place : places) {
+    StateAside aside(run.at.state);
+    const auto change = go_on_at(run, path, g, s, place);
+    if (!change || jump_size(run, *touching, *change) > kSameRates) {
+      continue;
+    }
+    // This times |gap per q| is the acceleration of the gap at the place if the contact stays where it is.
+    const double there = acceleration();
+    const double opens = mode * (kept - there);
+    if (opens < -kSameAcceleration * (1 + std::max(std::abs(kept), std::abs(there)))) {
+      aside.commit();
+      kept = there;
+      yields = true;
+    }
+  }
+  if (yields) {
+    report_change_of_place(run, path, s, i);
+  }
+  return yields;
+}
+
 std::size_t touching_places(const Run& run, std::size_t contact) {
   if (!run.at.state.contacts[contact].touches) {
     return 0;

@@ -107,6 +107,37 @@ void expect_same_for_all_rows(const std::string& text, const std::vector<EventTy
   }
 }
 
+// A row beyond the end of a flank by so little that the gap, which grows with the square of the way, is still
+// within rounding.
+TEST(EventsByRows, PairsOfTeethTouchAndPartWhereverRowsAre) {
+  const Profile profile = shipped("gear_teeth");
+  const Places wanted = events_of(run_with(profile, 2));
+  ASSERT_EQ(wanted.size(), 10U);
+  for (const std::int64_t rows : {37, 1081, 2001}) {
+    const RunTable motion = run_with(profile, rows);
+    expect_same(events_of(motion), wanted, fmt::format("{} rows", rows));
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_NEAR(motion.value(k, "wheel.omega"), -1800, 1e-9) << k;
+      ASSERT_NEAR(motion.value(k, "wheel.alpha"), 0, 1e-6) << k;
+    }
+  }
+}
+
+TEST(EventsByRows, ARowMayBeNextToWhereAPairOfTeethTouchesOrParts) {
+  const Profile profile = shipped("gear_teeth");
+  const Places wanted = events_of(run_with(profile, 2));
+  for (const double beside : {-1e-4, -1e-10, 0.0, 1e-10, 1e-4, 2e-3}) {
+    std::vector<double> positions = {0};
+    for (const auto& [type, driver] : wanted) {
+      positions.push_back(driver + beside);
+    }
+    positions.push_back(90);
+    expect_same(events_of(run_with(profile, 0, positions)), wanted, fmt::format("{}", beside));
+    std::reverse(positions.begin(), positions.end());
+    EXPECT_EQ(events_of(run_with(profile, 0, positions)).size(), wanted.size()) << beside;
+  }
+}
+
 // Behind a sharp corner the knife edge is behind the face that it has left, but not within the body.
 TEST(EventsByRows, AKnifeEdgeGoesOverSharpCornersWithoutAnOverlap) {
   expect_same_for_all_rows(sliding({{17.512, -3.449},
