@@ -175,5 +175,44 @@ TEST(EventsByRows, ARollerBridgesANotchWithoutARelease) {
                            {EventType::kOverlap, EventType::kRelease});
 }
 
+// The contact jumps from a corner of one body along a flat to a corner of the other: both sides change their
+// spans in the same step.
+TEST(EventsByRows, AFlatOfALeverComesToLieOnAFlatOfACam) {
+  const std::string text = fmt::format(
+      R"(
+    [bodies.ground]
+    points.O = [0, 0]
+    points.G = [80, 0]
+    [bodies.cam]
+    points.O = [0, 0]
+    curves.c = {}
+    [bodies.lever]
+    pose = {{ x = 80, y = 0, angle = -60 }}
+    points.P = [0, 0]
+    curves.r = {}
+    [joints.a]
+    type = "revolute"
+    between = ["ground.O", "cam.O"]
+    [joints.b]
+    type = "revolute"
+    between = ["ground.G", "lever.P"]
+    [contacts.k]
+    between = ["cam.c", "lever.r"]
+    approach = "+"
+    [driver]
+    joint = "a"
+    end = 360
+  )",
+      polygon({{22.682, 1.933},
+               {7.196, 10.5},
+               {-6.336, 15.31},
+               {-14.198, -0.702},
+               {-7.785, -9.142},
+               {8.579, -14.276}}),
+      polygon(
+          {{-66.624, -0.985}, {-77.177, 5.609}, {-92.648, 5.317}, {-87.015, -6.105}, {-78.659, -13.565}}));
+  expect_same_for_all_rows(text, {EventType::kOverlap, EventType::kRelease});
+}
+
 }  // namespace
 }  // namespace higherpair
