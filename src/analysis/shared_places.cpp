@@ -6,6 +6,7 @@
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
+#include "span_ends.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
@@ -308,6 +309,7 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   }
   const auto i = static_cast<std::size_t>(touching->contact);
   const auto passage = vertex_passage(run, i);
+  const auto before = run.at.state.contacts[i].place;
   std::optional<RateJump> change;
   // By rounding the contact may still be just before the part beyond.
   for (std::size_t k = 0; passage && !change && k < kBeyondVertex.size(); ++k) {
@@ -317,10 +319,19 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   if (!change) {
     return false;
   }
-  report(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
-         fmt::format("the contact {} of {}{}",
-                     passage->notch ? "goes on beyond a concave corner" : "goes over a corner",
-                     body_of_side(run, i, passage->side), rate_jump_text(run, *touching, *change)));
+  const std::string& body = body_of_side(run, i, passage->side);
+  const std::string jump = rate_jump_text(run, *touching, *change);
+  const auto& place = run.at.state.contacts[i].place[passage->side];
+  if (is_on_edge(run, i, passage->side, place) && !is_on_edge(run, i, passage->side, before[passage->side])) {
+    report(run, EventType::kEnd, path, s, i,
+           fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there{}", body,
+                       jump));
+  } else {
+    report(
+        run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
+        fmt::format("the contact {} of {}{}",
+                    passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body, jump));
+  }
   return true;
 }
 

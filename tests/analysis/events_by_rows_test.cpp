@@ -175,6 +175,18 @@ TEST(EventsByRows, ARollerBridgesANotchWithoutARelease) {
                            {EventType::kOverlap, EventType::kRelease});
 }
 
+// The contact leaves the face by one end, goes on at the edge there and comes to the other end where the two
+// flats lie on each other.
+TEST(EventsByRows, AFaceTiltsOverTheCornersOfACam) {
+  const std::string text =
+      sliding({{15.488, -4.999}, {1.754, 12.677}, {-18.923, 10.332}, {-16.559, -15.222}, {9.288, -25.737}}, 4,
+              R"({ type = "segment", from = [-12, 0], to = [9, 0] })");
+  for (const char* between : {R"(["cam.c", "follower.r"])", R"(["follower.r", "cam.c"])"}) {
+    expect_same_for_all_rows(text, {EventType::kOverlap, EventType::kRelease, EventType::kLimitPosition},
+                             {fmt::format("contacts.k.between={}", between)});
+  }
+}
+
 // The contact jumps from a corner of one body along a flat to a corner of the other: both sides change their
 // spans in the same step.
 TEST(EventsByRows, AFlatOfALeverComesToLieOnAFlatOfACam) {
