@@ -31,7 +31,9 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   }
   if (!lies_flat_behind(at.run, passage)) {
     go_over_joint(at.run, at.path, at.s, passage);
-    return {JointOutcome::kPassed};
+    const bool yields =
+        joint_of(at.run, passage) != SpanJoint::kSmooth && yield_to_shared_place(at.run, at.path, at.s, g);
+    return {yields ? JointOutcome::kDiverted : JointOutcome::kPassed};
   }
   const auto rests = go_over_flat(at.run, at.path, at.s, passage);
   if (!rests) {

@@ -115,5 +115,9 @@ inline void move_contact(const TouchingBody& touching, const BoundaryContact& fo
   const BodyMotion& body = body_in(state, touching.follower.body);
   return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
 }
+[[nodiscard]] inline double follower_acceleration(const State& state, const TouchingBody& touching) {
+  const BodyMotion& body = body_in(state, touching.follower.body);
+  return touching.follower.freedom.turns ? body.alpha : body.a_WB.dot(touching.follower.freedom.direction_W);
+}
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);
 }  // namespace higherpair

@@ -27,9 +27,7 @@ double acceleration_of(const Run& run, int joint) {
 std::optional<EventType> type_of(const Run& run, const JointPassage& passage) {
   const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
   const bool onto_corner = boundary.is_corner(passage.after);
-  const int span = passage.before.t == range_of(boundary, passage.before.span).high ? passage.before.span
-                                                                                    : passage.after.span;
-  if (!onto_corner && boundary.joint_after(span) == SpanJoint::kSmooth) {
+  if (!onto_corner && joint_of(run, passage) == SpanJoint::kSmooth) {
     return std::nullopt;
   }
   const bool over_end = is_on_edge(run, passage.contact, passage.side, passage.before) ||
@@ -55,6 +53,12 @@ std::string cause_of(const Run& run, const JointPassage& passage, EventType type
 }
 
 }  // namespace
+
+SpanJoint joint_of(const Run& run, const JointPassage& passage) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const bool forward = passage.before.t == range_of(boundary, passage.before.span).high;
+  return boundary.joint_after(forward ? passage.before.span : passage.after.span);
+}
 
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
   ContactMotion& motion = state.contacts[passage.contact];

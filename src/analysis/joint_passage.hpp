@@ -17,6 +17,9 @@ struct JointPassage {
   bool solved = false;          ///< run.work.trial is at the joint
 };
 
+/// How the two spans join there.
+[[nodiscard]] SpanJoint joint_of(const Run& run, const JointPassage& passage);
+
 /// Sets the contact of a passage to a place of its boundary exactly, whatever rounding has left.
 void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state);
 

@@ -1,12 +1,14 @@
 #include "meetings.hpp"
 
 #include "group_kinds.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -49,6 +51,35 @@ double least_of_cubic(const Seen& a, const Seen& b, double h) {
   return least;
 }
 
+bool is_beside(const Boundary& boundary, int corner, int span) {
+  return span == corner || span == boundary.next_span(corner, true) ||
+         span == boundary.next_span(corner, false);
+}
+
+// The corners of both boundaries, if the contact is where they meet.
+std::optional<std::array<int, 2>> meeting_corners(const Boundary& boundary1, const Boundary& boundary2,
+                                                  const std::array<BoundaryPlace, 2>& place) {
+  const auto corner_at = [](const Boundary& boundary, const BoundaryPlace& at) -> std::optional<int> {
+    if (boundary.is_corner(at)) {
+      return at.span;
+    }
+    for (const bool high : {false, true}) {
+      const int next = boundary.next_span(at.span, high);
+      if (is_at_end(boundary, at, high, kAtSpanEnd) &&
+          boundary.joint_after(high ? at.span : next) != SpanJoint::kEnd &&
+          boundary.spans()[static_cast<std::size_t>(next)]->is_corner()) {
+        return next;
+      }
+    }
+    return std::nullopt;
+  };
+  if (!boundary1.is_corner(place[0]) && !boundary2.is_corner(place[1])) {
+    return std::nullopt;
+  }
+  const auto corner1 = corner_at(boundary1, place[0]), corner2 = corner_at(boundary2, place[1]);
+  return corner1 && corner2 ? std::optional(std::array{*corner1, *corner2}) : std::nullopt;
+}
+
 class Search {
 public:
   Search(Run& run, const Path& path, std::size_t contact, double s)
@@ -59,7 +90,11 @@ public:
         index_(contact),
         boundary1_(boundary_of(run.mechanism(), contact_.first)),
         boundary2_(boundary_of(run.mechanism(), contact_.second)),
-        depth_(kOverlapDepth * run.plan().size) {}
+        depth_(kOverlapDepth * run.plan().size) {
+    if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches) {
+      corners_ = meeting_corners(boundary1_, boundary2_, own.place);
+    }
+  }
 
   [[nodiscard]] ContactMeeting all(double h) {
     found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
@@ -102,6 +137,18 @@ private:
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
     return at.own && is_place_of(*at.own, place, boundary1_.size() + boundary2_.size());
+  }
+
+  // Whether a corner of one boundary is beside a face of the other at the corners from which the contact
+  // starts. The contact's own tangent separates the bodies there. A corner that has gone over a sharp one is
+  // behind the face that it has left, but not within the body.
+  [[nodiscard]] bool leaves_corners(const NearPlace& place) const {
+    if (!corners_ || place.end != 0) {
+      return false;
+    }
+    const auto [corner1, corner2] = *corners_;
+    return (place.place1.span == corner1 && is_beside(boundary2_, corner2, place.place2.span)) ||
+           (place.place2.span == corner2 && is_beside(boundary1_, corner1, place.place1.span));
   }
 
   [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
@@ -188,7 +235,7 @@ private:
   [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
     std::vector<Seen> found;
     for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
-      if (!is_own(at, place)) {
+      if (!is_own(at, place) && !leaves_corners(place)) {
         found.push_back(seen(at, place));
       }
     }
@@ -260,7 +307,8 @@ private:
   std::size_t index_;
   const Boundary& boundary1_;
   const Boundary& boundary2_;
-  double depth_;  // a smaller depth is a touch
+  double depth_;                               // a smaller depth is a touch
+  std::optional<std::array<int, 2>> corners_;  // where the contact is at the begin, if it is at two
   ContactMeeting found_;
   std::optional<StateAside> aside_;  // set once run.work.trial is used for other positions
 };

@@ -152,26 +152,6 @@ void report(Run& run, std::size_t contact, const Path& path, double s,
                   from_to_text(change->before, change->after)));
 }
 
-// Both places touch there, with the same velocities: the motion goes on with the one that keeps the bodies
-// apart. If the contact has only just gone onto a corner at the other place, that event is removed.
-void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
-  RunEvent event =
-      event_at(EventType::kRelease, path, s,
-               "the contact goes on at another place where the two bodies touch, and they part at "
-               "the one before, without a jump of velocity");
-  event.contact = static_cast<int>(contact);
-  if (!run.events.empty() && run.events.back().type == EventType::kCorner &&
-      run.events.back().contact == event.contact &&
-      std::abs(run.events.back().driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
-    event.driver = run.events.back().driver;
-    event.share = run.events.back().share;
-    run.events.pop_back();
-  }
-  run.at.watches[contact].overlaps = false;
-  run.at.watches[contact].interrupted = true;
-  run.events.push_back(std::move(event));
-}
-
 }  // namespace
 
 std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism) {

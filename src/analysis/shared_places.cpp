@@ -6,6 +6,7 @@
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
+#include "span_ends.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
@@ -70,10 +71,14 @@ std::vector<NearPlace> shared_places(const Run& run, std::size_t i, const State&
   return places;
 }
 
-// Whether the bodies touch at the same place in another state, too.
-bool is_shared_too(const Bodies& bodies, const NearPlace& place, double depth) {
-  const auto moved = moved_place(bodies.boundary1, bodies.X_W1, bodies.boundary2, bodies.X_W2, place);
-  return moved && std::abs(moved->at.gap()) <= depth;
+// The one of the places of touch in another state that is the same place; else null.
+const NearPlace* same_among(const std::vector<NearPlace>& places, const Bodies& there,
+                            const NearPlace& place) {
+  const auto moved = moved_place(there.boundary1, there.X_W1, there.boundary2, there.X_W2, place);
+  const auto found = std::find_if(places.begin(), places.end(), [&](const NearPlace& other) {
+    return moved && is_place_of(other.at, *moved, there.size());
+  });
+  return found == places.end() ? nullptr : &*found;
 }
 
 // Those ends of the two spans of a place at which the boundary does not continue smoothly.
@@ -99,20 +104,52 @@ struct Change {
   bool begins = false;
 };
 
+// Where one curve passes an end of the other while the bodies touch there. Rounding may have put a row that
+// is at the end itself on either side of it.
+std::optional<double> touching_passing(Run& run, const Path& path, double s, double h, const Passing& passing,
+                                       const BoundaryPlace& near) {
+  const auto passing_in = [&](const State& state) { return passing_at(run, passing, state, near); };
+  const auto is_in = [&](const State& state) {
+    const auto there = passing_in(state);
+    return there && std::abs(there->beyond) <= kJustLeft * boundary_of(run.mechanism(), passing.own).size();
+  };
+  const auto touches = [&](const State& state) {
+    const auto there = passing_in(state);
+    return there && std::abs(there->beside) <= kOverlapDepth * run.plan().size;
+  };
+  if (const auto x = passing_within(run, path, s, h, passing, near)) {
+    const StateAside aside(run.work.trial);
+    return solve_at(run, path, s, *x) && touches(run.work.trial) ? x : std::nullopt;
+  }
+  if (is_in(run.at.state)) {
+    return touches(run.at.state) ? std::optional(0.0) : std::nullopt;
+  }
+  return is_in(run.work.trial) && touches(run.work.trial) ? std::optional(h) : std::nullopt;
+}
+
 // Where the contact, coming into the two spans of a place of run.work.trial, passes the last of their ends,
-// or, leaving those of a place of run.at.state, the first.
+// or, leaving those of a place of run.at.state, the first. None where the bodies do not touch there: the gap
+// then opens or closes at another position, where the contact itself changes.
 std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, double s, double h,
                                 const NearPlace& place, bool begins) {
   const Contact& contact = run.mechanism().contacts[i];
   std::optional<Change> change;
   for (const Passing& passing : ends_around(run, contact, place)) {
     const bool own_is_first = passing.own == contact.first;
-    const auto x = passing_within(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
+    const auto x = touching_passing(run, path, s, h, passing, own_is_first ? place.place2 : place.place1);
     if (x && (!change || (std::abs(*x) > std::abs(change->x)) == begins)) {
       change = Change{*x, begins};
     }
   }
   return change;
+}
+
+// Whether a place is at an end of its spans, which it may reach just at the end of a step.
+bool is_at_an_end(const Bodies& bodies, const NearPlace& place) {
+  const auto is_at = [&](const Boundary& boundary, const BoundaryPlace& at) {
+    return is_at_end(boundary, at, true, kJustLeft) || is_at_end(boundary, at, false, kJustLeft);
+  };
+  return is_at(bodies.boundary1, place.place1) || is_at(bodies.boundary2, place.place2);
 }
 
 // The body that a group's contact places, where that contact may go on at another place of its curves; else
@@ -132,25 +169,29 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
   const std::size_t contact = touch.contact;
   keep_those_that_push(run, contact, run.at.state, touch.before);
   keep_those_that_push(run, contact, run.work.trial, touch.after);
-  const double depth = kOverlapDepth * run.plan().size;
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
   const Bodies after = bodies_in(run, contact, after_state);
+  const double just_left = kJustLeft * unit_of(run, path);
   std::vector<Change> changes;
   std::size_t places = 1;  // before the first change
   for (const NearPlace& place : touch.before) {
-    const auto change =
-        is_shared_too(after, place, depth) ? std::nullopt : change_of(run, path, contact, s, h, place, false);
-    if (change && std::abs(change->x) <= kJustLeft * unit_of(run, path)) {
+    const NearPlace* later = same_among(touch.after, after, place);
+    if (later != nullptr && !is_at_an_end(after, *later)) {
+      ++places;
       continue;
     }
-    ++places;
-    if (change) {
-      changes.push_back(*change);
+    const auto change = change_of(run, path, contact, s, h, place, false);
+    const bool leaves = change && (later == nullptr || std::abs(h - change->x) <= just_left);
+    if (leaves ? std::abs(change->x) > just_left : later != nullptr) {
+      ++places;
+      if (leaves) {
+        changes.push_back(*change);
+      }
     }
   }
   for (const NearPlace& place : touch.after) {
-    if (!is_shared_too(before, place, depth)) {
+    if (same_among(touch.before, before, place) == nullptr) {
       if (const auto change = change_of(run, path, contact, s, h, place, true)) {
         changes.push_back(*change);
       }
@@ -170,6 +211,59 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
 void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h) {
   touch.after = shared_places(run, touch.contact, run.work.trial, kOverlapDepth * run.plan().size);
   note_shared_places(run, path, touch, s, h);
+}
+
+void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
+  RunEvent event =
+      event_at(EventType::kRelease, path, s,
+               "the contact goes on at another place where the two bodies touch, and they part at "
+               "the one before, without a jump of velocity");
+  event.contact = static_cast<int>(contact);
+  if (!run.events.empty() && run.events.back().type == EventType::kCorner &&
+      run.events.back().contact == event.contact &&
+      std::abs(run.events.back().driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
+    event.driver = run.events.back().driver;
+    event.share = run.events.back().share;
+    run.events.pop_back();
+  }
+  run.at.watches[contact].overlaps = false;
+  run.at.watches[contact].interrupted = true;
+  run.events.push_back(std::move(event));
+}
+
+bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) {
+  const TouchingBody* touching = free_to_go_on(run, g);
+  if (touching == nullptr || !run.at.watches[static_cast<std::size_t>(touching->contact)].needed) {
+    return false;
+  }
+  const auto i = static_cast<std::size_t>(touching->contact);
+  const auto places = shared_places(run, i, run.at.state, kOverlapDepth * run.plan().size);
+  // Per unit of the driver, of the follower's unit.
+  const double unit = unit_of(run, path);
+  const double scale = unit * unit / (touching->follower.freedom.turns ? 1 : run.plan().size);
+  const auto acceleration = [&] { return scale * follower_acceleration(run.at.state, *touching); };
+  const int mode = run.at.state.groups[g].mode;
+  bool yields = false;
+  double kept = acceleration();
+  for (const NearPlace& place : places) {
+    StateAside aside(run.at.state);
+    const auto change = go_on_at(run, path, g, s, place);
+    if (!change || jump_size(run, *touching, *change) > kSameRates) {
+      continue;
+    }
+    // This times |gap per q| is the acceleration of the gap at the place if the contact stays where it is.
+    const double there = acceleration();
+    const double opens = mode * (kept - there);
+    if (opens < -kSameAcceleration * (1 + std::max(std::abs(kept), std::abs(there)))) {
+      aside.commit();
+      kept = there;
+      yields = true;
+    }
+  }
+  if (yields) {
+    report_change_of_place(run, path, s, i);
+  }
+  return yields;
 }
 
 std::size_t touching_places(const Run& run, std::size_t contact) {
@@ -209,6 +303,7 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   }
   const auto i = static_cast<std::size_t>(touching->contact);
   const auto passage = vertex_passage(run, i);
+  const auto before = run.at.state.contacts[i].place;
   std::optional<RateJump> change;
   // By rounding the contact may still be just before the part beyond.
   for (std::size_t k = 0; passage && !change && k < kBeyondVertex.size(); ++k) {
@@ -218,10 +313,20 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   if (!change) {
     return false;
   }
-  report_contact(run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
-                 fmt::format("the contact {} of {}{}",
-                             passage->notch ? "goes on beyond a concave corner" : "goes over a corner",
-                             body_of_side(run, i, passage->side), rate_jump_text(run, *touching, *change)));
+  const std::string& body = body_of_side(run, i, passage->side);
+  const std::string jump = rate_jump_text(run, *touching, *change);
+  const auto& place = run.at.state.contacts[i].place[passage->side];
+  if (is_on_edge(run, i, passage->side, place) && !is_on_edge(run, i, passage->side, before[passage->side])) {
+    report_contact(
+        run, EventType::kEnd, path, s, i,
+        fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there{}", body,
+                    jump));
+  } else {
+    report_contact(
+        run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
+        fmt::format("the contact {} of {}{}",
+                    passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body, jump));
+  }
   return true;
 }
 

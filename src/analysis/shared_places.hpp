@@ -25,6 +25,16 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
 /// The same for a shorter step, up to `h`, whose end is in run.work.trial.
 void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, double s, double h);
 
+/// Adds the event that a contact has gone on, at s, at another place where the two bodies touch, with the
+/// same velocities. If it has only just gone onto a corner at the place before, that event is removed.
+void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact);
+
+/// If the contact of group g, in run.at.state at s, has just gone over a joint of spans behind which the
+/// bodies would come to overlap at another place where they touch: goes on with that place, and adds an
+/// event. Otherwise returns false and changes nothing. Gaps that begin to grow or fall there do so with the
+/// square of the way, so that for long it could not be seen from them which place holds.
+[[nodiscard]] bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g);
+
 /// If the contact of group g has come to the end of a curve in run.at.state, at s: goes on with another place
 /// at which the two bodies touch, and adds an event. If there is none, returns false and changes nothing.
 [[nodiscard]] bool take_over(Run& run, const Path& path, double s, std::size_t g);

@@ -129,8 +129,10 @@ bool runs_forward(const Run& run, const SideOfContact& at, double h) {
   const Boundary& boundary = boundary_of_side(run, at);
   const int from = place_in(run.at.state, at).span;
   const int to = place_in(run.work.trial, at).span;
-  const bool is_next = to == boundary.next_span(from, true);
-  const bool is_previous = to == boundary.next_span(from, false);
+  // An open boundary's last span is not next to its first.
+  const int next = boundary.next_span(from, true), previous = boundary.next_span(from, false);
+  const bool is_next = to == next && boundary.joint_after(from) != SpanJoint::kEnd;
+  const bool is_previous = to == previous && boundary.joint_after(previous) != SpanJoint::kEnd;
   if (is_next != is_previous) {
     return is_next;
   }
@@ -192,29 +194,53 @@ std::optional<JointAt> joint_between(Run& run, const Path& path, const Exit& exi
   return JointAt{from + *left, solved == from + *left};
 }
 
+// By which joint a contact leaves its span, and where.
+struct Leaving {
+  Exit exit;
+  JointAt joint;
+};
+
+// The joint by which the contact leaves its span on one side up to run.work.trial, which is `length` beyond
+// run.at.state. Leaves run.work.trial anywhere between.
+std::optional<Leaving> leaving(Run& run, const Path& path, const std::vector<Turn>& turned, double s,
+                               double h, double length, const SideOfContact& at) {
+  const Exit exit = exit_of(run, at, h);
+  // If it turns back on its span, it leaves the span after that turn, though it may have begun at the joint.
+  const auto turn = std::find_if(turned.begin(), turned.end(), [&](const Turn& candidate) {
+    return candidate.at.contact == at.contact && candidate.at.side == at.side &&
+           std::abs(candidate.x) < std::abs(length);
+  });
+  const auto joint = joint_between(run, path, exit, s, turn == turned.end() ? 0 : turn->x, length);
+  return joint ? std::optional(Leaving{exit, *joint}) : std::nullopt;
+}
+
 // The first joint between run.at.state and run.work.trial, h beyond it.
 std::optional<JointPassage> first_passage(Run& run, const Path& path, const std::vector<Turn>& turned,
                                           double s, double h) {
   std::optional<JointPassage> first;
   // A joint passed before the one that was found shows as a changed span there.
   while (const auto changed = changed_place(run)) {
-    const Exit exit = exit_of(run, *changed, h);
     const double length = first ? first->x : h;
-    // If it turns back on its span, it leaves the span after that turn, though it may have begun at the
-    // joint.
-    const auto turn = std::find_if(turned.begin(), turned.end(), [&](const Turn& candidate) {
-      return candidate.at.contact == changed->contact && candidate.at.side == changed->side &&
-             std::abs(candidate.x) < std::abs(length);
-    });
-    const auto joint = joint_between(run, path, exit, s, turn == turned.end() ? 0 : turn->x, length);
-    if (!joint || (first && std::abs(joint->x) >= std::abs(first->x))) {
+    const SideOfContact opposite{changed->contact, 1 - changed->side};
+    // A contact that jumps along a flat from a corner of one body to one of the other passes a joint of the
+    // body whose corner it leaves only.
+    const bool may_jump = is_on_other_span(run, opposite) &&
+                          boundary_of_side(run, opposite).is_corner(place_in(run.at.state, opposite));
+    const auto tried = may_jump ? std::optional(run.work.trial) : std::nullopt;
+    auto found = leaving(run, path, turned, s, h, length, *changed);
+    if (!found && tried) {
+      run.work.trial = *tried;
+      found = leaving(run, path, turned, s, h, length, opposite);
+    }
+    if (!found || (first && std::abs(found->joint.x) >= std::abs(first->x))) {
       return first;
     }
-    first = JointPassage{changed->contact, changed->side, exit.before, exit.after, joint->x};
-    if (!joint->solved && !solve_from_spans(run, path, s, joint->x)) {
+    const auto& [exit, joint] = *found;
+    first = JointPassage{exit.at.contact, exit.at.side, exit.before, exit.after, joint.x};
+    if (!joint.solved && !solve_from_spans(run, path, s, joint.x)) {
       return first;
     }
-    run.work.trial.contacts[changed->contact].place[changed->side] = place_in(run.at.state, *changed);
+    run.work.trial.contacts[exit.at.contact].place[exit.at.side] = place_in(run.at.state, exit.at);
   }
   if (first) {
     first->solved = true;

@@ -221,7 +221,7 @@ inline constexpr double kBehindSecondContact = 1e-6;
 /// Largest distance that a contact runs in a step, relative to what its speeds at both ends suggest.
 inline constexpr double kFartherAlong = 2;
 /// A place at which bodies cease to touch nearer to the begin of the step than this fraction of the drivers'
-/// unit ended there.
+/// unit ended there. A place this near to the end of a span, as a fraction of the boundary's size, is at it.
 inline constexpr double kJustLeft = 1e-9;
 /// Distances beyond a vertex, as fractions of the drivers' unit, at which the motion is tried to go on.
 inline constexpr std::array kBeyondVertex = {0.0, 1e-14, 1e-13, 1e-12, 1e-11};

@@ -51,14 +51,17 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
   const int last = sides.on_face.span;
   const bool notch = joint_at(last) == SpanJoint::kNotch;
   const int corner = on_corner ? last : faced.next_span(last, high);
-  if (!notch && (joint_at(last) == SpanJoint::kEnd || joint_at(corner) == SpanJoint::kEnd ||
-                 !faced.spans()[static_cast<std::size_t>(corner)]->is_corner())) {
+  if (!notch &&
+      (joint_at(last) == SpanJoint::kEnd || !faced.spans()[static_cast<std::size_t>(corner)]->is_corner())) {
     return std::nullopt;
   }
-  const BoundaryPlace beyond = end_of(faced, notch ? corner : faced.next_span(corner, high), !high);
-  const Vector2d n_W = sides.X_WF.R_WB * faced.at(beyond).n_B;
-  if (const auto point = on_same_corner(sides.pointed, sides.X_WP, sides.on_point, -n_W)) {
-    return VertexPassage{touch_of(sides, beyond, *point), 0, notch};
+  // Behind an edge at the end of the boundary there is no face.
+  if (notch || joint_at(corner) != SpanJoint::kEnd) {
+    const BoundaryPlace beyond = end_of(faced, notch ? corner : faced.next_span(corner, high), !high);
+    const Vector2d n_W = sides.X_WF.R_WB * faced.at(beyond).n_B;
+    if (const auto point = on_same_corner(sides.pointed, sides.X_WP, sides.on_point, -n_W)) {
+      return VertexPassage{touch_of(sides, beyond, *point), 0, notch};
+    }
   }
   const int beside = sides.pointed.next_span(sides.on_point.span, high);
   if (notch || sides.pointed.joint_after(high ? sides.on_point.span : beside) == SpanJoint::kEnd) {

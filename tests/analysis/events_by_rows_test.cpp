@@ -1,0 +1,230 @@
+// Events of bodies that touch at corners, at several places or along flat parts do not depend on which rows
+// are asked for.
+#include "analysis/run_testing.hpp"
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+using namespace higherpair::testing;
+
+using Places = std::vector<std::pair<std::string, double>>;
+
+constexpr double kTurn = 180 / kPi;
+
+std::string polygon(const std::vector<Vector2d>& corners) {
+  std::string spans;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d& from = corners[i];
+    const Vector2d& to = corners[(i + 1) % corners.size()];
+    spans += fmt::format(R"({{ type = "segment", from = [{}, {}], to = [{}, {}] }}, )", from.x(), from.y(),
+                         to.x(), to.y());
+  }
+  return fmt::format(R"({{ type = "chain", spans = [{}] }})", spans);
+}
+
+// A cam with corners that turns about the origin, and a follower above it that slides along y.
+std::string sliding(const std::vector<Vector2d>& cam, double offset, const std::string& follower) {
+  return fmt::format(R"(
+    [bodies.ground]
+    points.O = [0, 0]
+    points.G = [{0}, 0]
+    [bodies.cam]
+    points.O = [0, 0]
+    curves.c = {1}
+    [bodies.follower]
+    pose = {{ x = {0}, y = 70 }}
+    points.P = [0, 0]
+    curves.r = {2}
+    [joints.a]
+    type = "revolute"
+    between = ["ground.O", "cam.O"]
+    [joints.b]
+    type = "prismatic"
+    between = ["ground.G", "follower.P"]
+    direction = [0, 1]
+    [contacts.k]
+    between = ["cam.c", "follower.r"]
+    approach = "-"
+    [driver]
+    joint = "a"
+    end = 360
+  )",
+                     offset, polygon(cam), follower);
+}
+
+RunTable run_with(const Profile& profile, std::int64_t rows, std::vector<double> positions = {}) {
+  RunSettings settings;
+  if (positions.empty()) {
+    settings.samples = rows;
+  }
+  settings.positions = std::move(positions);
+  return {profile, settings};
+}
+
+// Types and positions [deg] of the events other than the ends of strokes.
+Places events_of(const RunTable& motion) {
+  Places events;
+  for (const RunEvent& event : motion.events()) {
+    if (event.type != EventType::kStrokeEnd) {
+      events.emplace_back(name_of(event.type), kTurn * event.driver);
+    }
+  }
+  return events;
+}
+
+std::size_t count_of(const RunTable& motion, EventType type) {
+  return static_cast<std::size_t>(std::count_if(motion.events().begin(), motion.events().end(),
+                                                [&](const RunEvent& event) { return event.type == type; }));
+}
+
+void expect_same(const Places& events, const Places& wanted, const std::string& what) {
+  ASSERT_EQ(events.size(), wanted.size()) << what;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_EQ(events[i].first, wanted[i].first) << what;
+    EXPECT_NEAR(events[i].second, wanted[i].second, 1e-8) << what;
+  }
+}
+
+// In both senses and driven back.
+void expect_same_for_all_rows(const std::string& text, const std::vector<EventType>& without,
+                              const Settings& settings = {}) {
+  for (Settings way :
+       {Settings{}, Settings{"driver.end=-360"}, Settings{"driver.start=360", "driver.end=0"}}) {
+    way.insert(way.end(), settings.begin(), settings.end());
+    const Profile profile = profile_of(text, way);
+    const Places wanted = events_of(run_with(profile, 37));
+    for (const std::int64_t rows : {2, 3, 13, 181, 361, 1081}) {
+      const RunTable motion = run_with(profile, rows);
+      const std::string what = fmt::format("{} rows, {}", rows, way.empty() ? "" : way.front());
+      expect_all_ok(motion);
+      expect_same(events_of(motion), wanted, what);
+      for (const EventType type : without) {
+        EXPECT_EQ(count_of(motion, type), 0U) << what << ", " << name_of(type);
+      }
+    }
+  }
+}
+
+// A row beyond the end of a flank by so little that the gap, which grows with the square of the way, is still
+// within rounding.
+TEST(EventsByRows, PairsOfTeethTouchAndPartWhereverRowsAre) {
+  const Profile profile = shipped("gear_teeth");
+  const Places wanted = events_of(run_with(profile, 2));
+  ASSERT_EQ(wanted.size(), 10U);
+  for (const std::int64_t rows : {37, 1081, 2001}) {
+    const RunTable motion = run_with(profile, rows);
+    expect_same(events_of(motion), wanted, fmt::format("{} rows", rows));
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_NEAR(motion.value(k, "wheel.omega"), -1800, 1e-9) << k;
+      ASSERT_NEAR(motion.value(k, "wheel.alpha"), 0, 1e-6) << k;
+    }
+  }
+}
+
+TEST(EventsByRows, ARowMayBeNextToWhereAPairOfTeethTouchesOrParts) {
+  const Profile profile = shipped("gear_teeth");
+  const Places wanted = events_of(run_with(profile, 2));
+  for (const double beside : {-1e-4, -1e-10, 0.0, 1e-10, 1e-4, 2e-3}) {
+    std::vector<double> positions = {0};
+    for (const auto& [type, driver] : wanted) {
+      positions.push_back(driver + beside);
+    }
+    positions.push_back(90);
+    expect_same(events_of(run_with(profile, 0, positions)), wanted, fmt::format("{}", beside));
+    std::reverse(positions.begin(), positions.end());
+    EXPECT_EQ(events_of(run_with(profile, 0, positions)).size(), wanted.size()) << beside;
+  }
+}
+
+// Behind a sharp corner the knife edge is behind the face that it has left, but not within the body.
+TEST(EventsByRows, AKnifeEdgeGoesOverSharpCornersWithoutAnOverlap) {
+  expect_same_for_all_rows(sliding({{17.512, -3.449},
+                                    {7.375, 25.184},
+                                    {-6.827, 10.775},
+                                    {-26.247, -2.487},
+                                    {-8.37, -20.995},
+                                    {5.976, -10.676}},
+                                   -7, R"({ type = "point", at = [0, 0] })"),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
+TEST(EventsByRows, SharpCornersGoOverCornersWithoutAnOverlap) {
+  expect_same_for_all_rows(sliding({{22.711, -2.847},
+                                    {13.621, 12.043},
+                                    {-1.951, 15.069},
+                                    {-15.816, 7.689},
+                                    {-21.829, -17.333},
+                                    {-8.367, -19.006},
+                                    {9.57, -9.058}},
+                                   0, polygon({{7.329, -0.525}, {-1.36, 6.44}, {-3.461, -10.894}})),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
+// With the second contact the gap at the first one opens at once, not where it would pass an end.
+TEST(EventsByRows, ARollerBridgesANotchWithoutARelease) {
+  expect_same_for_all_rows(sliding({{20.548, -0.931},
+                                    {11.056, 21.531},
+                                    {-3.064, 22.587},
+                                    {-13.237, 8.919},
+                                    {-16.12, -11.637},
+                                    {-5.082, -13.676},
+                                    {18.204, -19.544}},
+                                   0, R"({ type = "circle", center = [0, 0], radius = 6 })"),
+                           {EventType::kOverlap, EventType::kRelease});
+}
+
+// The contact leaves the face by one end, goes on at the edge there and comes to the other end where the two
+// flats lie on each other.
+TEST(EventsByRows, AFaceTiltsOverTheCornersOfACam) {
+  const std::string text =
+      sliding({{15.488, -4.999}, {1.754, 12.677}, {-18.923, 10.332}, {-16.559, -15.222}, {9.288, -25.737}}, 4,
+              R"({ type = "segment", from = [-12, 0], to = [9, 0] })");
+  for (const char* between : {R"(["cam.c", "follower.r"])", R"(["follower.r", "cam.c"])"}) {
+    expect_same_for_all_rows(text, {EventType::kOverlap, EventType::kRelease, EventType::kLimitPosition},
+                             {fmt::format("contacts.k.between={}", between)});
+  }
+}
+
+// The contact jumps from a corner of one body along a flat to a corner of the other: both sides change their
+// spans in the same step.
+TEST(EventsByRows, AFlatOfALeverComesToLieOnAFlatOfACam) {
+  const std::string text = fmt::format(
+      R"(
+    [bodies.ground]
+    points.O = [0, 0]
+    points.G = [80, 0]
+    [bodies.cam]
+    points.O = [0, 0]
+    curves.c = {}
+    [bodies.lever]
+    pose = {{ x = 80, y = 0, angle = -60 }}
+    points.P = [0, 0]
+    curves.r = {}
+    [joints.a]
+    type = "revolute"
+    between = ["ground.O", "cam.O"]
+    [joints.b]
+    type = "revolute"
+    between = ["ground.G", "lever.P"]
+    [contacts.k]
+    between = ["cam.c", "lever.r"]
+    approach = "+"
+    [driver]
+    joint = "a"
+    end = 360
+  )",
+      polygon({{22.682, 1.933},
+               {7.196, 10.5},
+               {-6.336, 15.31},
+               {-14.198, -0.702},
+               {-7.785, -9.142},
+               {8.579, -14.276}}),
+      polygon(
+          {{-66.624, -0.985}, {-77.177, 5.609}, {-92.648, 5.317}, {-87.015, -6.105}, {-78.659, -13.565}}));
+  expect_same_for_all_rows(text, {EventType::kOverlap, EventType::kRelease});
+}
+
+}  // namespace
+}  // namespace higherpair
