@@ -4,7 +4,6 @@
 #include "other_place.hpp"
 #include "step.hpp"
 
-
 #include <fmt/core.h>
 
 namespace higherpair {
