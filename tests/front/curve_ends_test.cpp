@@ -232,8 +232,9 @@ TEST(EndsOfFaces, AreGoneOntoWhereAFlankComesToLieOnTheFace) {
   }
 }
 
-TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
-  // The corner (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle.
+TEST(EndsOfFaces, AreGoneOntoWhereTheCornerOfTheOtherBodyReachesThem) {
+  // The corner (20, 0) of a triangle lifts the face by 20 sin θ, until it is 6 beside the middle. From there
+  // on the end of the face slides down the side from the corner to (-10, -2).
   const Model model = model_of(profile_of(
       {R"(curves.tip = { type = "chain", spans = [{ type = "segment", from = [20, 0], to = [-10, 2] }, { type = "segment", from = [-10, 2], to = [-10, -2] }, { type = "segment", from = [-10, -2], to = [20, 0] }] })",
        "pose = { y = 20 }\ncurves.face = { type = \"segment\", from = [-6, 0], to = [6, 0] }",
@@ -243,7 +244,17 @@ TEST(EndsOfFaces, EndAContactThatTheCornerOfTheOtherBodyReachesThem) {
     const auto ends = events_of(motion, EventType::kEnd);
     ASSERT_EQ(ends.size(), 1U);
     EXPECT_NEAR(ends[0].driver, 90 + std::asin(0.3) / kDegree, 1e-9);
-    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower here and is lost"));
+    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower and goes on at the edge"));
+    const auto driver = motion.column("driver");
+    const auto y = motion.column("follower.y");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      ASSERT_EQ(motion.statuses()[k], RowStatus::kOk) << driver[k];
+      const auto turn = Rotation<double>::from_angle(driver[k] * kDegree);
+      const Vector2d corner = turn * Vector2d(20, 0);
+      const Vector2d side = turn * Vector2d(-30, -2);
+      const double down = driver[k] < ends[0].driver ? 0 : (-6 - corner.x()) / side.x() * side.y();
+      EXPECT_NEAR(y[k], corner.y() + down, 1e-9) << driver[k];
+    }
   }
 }
 
