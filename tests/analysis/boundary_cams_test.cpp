@@ -317,5 +317,28 @@ TEST(BoundaryCams, ASideThatLiesFlatOnATappetIsGoneOverWhateverTheRows) {
   }
 }
 
+// A square of 40 about the cam's axis and a roller of 5 on the x axis. From 30 the roller is moved in to 25;
+// from within the square there is no first touch.
+TEST(BoundaryCams, AreNotReachedFromAPoseThatOverlaps) {
+  const Boundary square =
+      *Boundary::make({face_span({0.02, -0.02}, {0.02, 0.02}), face_span({0.02, 0.02}, {-0.02, 0.02}),
+                       face_span({-0.02, 0.02}, {-0.02, -0.02}), face_span({-0.02, -0.02}, {0.02, -0.02})},
+                      true, 1e-12);
+  const auto started_from = [&](double at, Approach approach) {
+    CamMechanism made = radial(square, *make_circle(Vector2d::Zero(), 5 * kMillimetre), at);
+    made.mechanism.contacts.front().approach = approach;
+    return start_run(made.mechanism, {0});
+  };
+  const auto apart = started_from(0.03, Approach::kNegative);
+  ASSERT_TRUE(apart) << apart.error().reason;
+  EXPECT_NEAR(apart->at.state.bodies.back().X_WB.p_WB.x(), 0.025, 1e-15);
+  for (const Approach approach : {Approach::kNegative, Approach::kPositive}) {
+    const auto within = started_from(0.021, approach);
+    ASSERT_FALSE(within);
+    EXPECT_THAT(within.error().reason, ::testing::HasSubstr("overlap at the first driver position"));
+  }
+  EXPECT_TRUE(started_from(0.021, Approach::kNearest));
+}
+
 }  // namespace
 }  // namespace higherpair
