@@ -114,7 +114,7 @@ PlaceDerivative BoundaryDerivatives::at(std::size_t contact, std::size_t side,
   return {slopes.head<2>(), slopes.segment<2>(2), slopes(4), slopes(5)};
 }
 
-Curve of_local_curve(const SpanPoint& at, bool corner, const PlaceDerivative& by_p) {
+Curve local_curve_derivative(const SpanPoint& at, bool corner, const PlaceDerivative& by_p) {
   const Curve like = local_curve(at, corner);
   Curve by;
   by.kind = like.kind;

@@ -3,6 +3,7 @@
 #include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
+#include "span_ends.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -23,7 +24,7 @@ bool add_beyond_local_curves(const Run& run, Dimensions<double>& dimensions) {
       const CurveRef& ref = ref_of(contact, side);
       const Boundary& boundary = boundary_of(run.mechanism(), ref);
       const BoundaryPlace& place = motion.place[side];
-      const auto rates = boundary.spans()[static_cast<std::size_t>(place.span)]->curvature_rates(place.t);
+      const auto rates = boundary.curvature_rates(place);
       if (!rates) {
         return false;
       }
@@ -55,7 +56,7 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
     }
   }
   Dimensions<double> dimensions = dimensions_of(run.mechanism());
-  if (!add_beyond_local_curves(run, dimensions) && order > 3) {
+  if (order > 3 && !add_beyond_local_curves(run, dimensions)) {
     return std::nullopt;
   }
   const auto held = plan_with_held_joints(run, dimensions, at);

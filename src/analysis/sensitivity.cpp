@@ -161,9 +161,8 @@ Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size
   if (derivative_.boundaries) {
     by = derivative_.boundaries->at(contact, side, place);
   }
-  const auto rates = moved != nullptr && !corner && point.kappa != 0
-                         ? boundary.spans()[static_cast<std::size_t>(place.span)]->curvature_rates(place.t)
-                         : std::nullopt;
+  const auto rates =
+      moved != nullptr && !corner && point.kappa != 0 ? boundary.curvature_rates(place) : std::nullopt;
   if (rates) {
     // The contact moves by ds along the tangent, until its normal is that of the contact.
     const Vector2d t_B = perp(point.n_B);
@@ -174,7 +173,7 @@ Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size
     by.kappa += ds * point.slope;
     by.slope += ds * (*rates)[0];
   }
-  return higherpair::of_local_curve(point, corner, by);
+  return local_curve_derivative(point, corner, by);
 }
 
 Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved) const {

@@ -214,21 +214,21 @@ void note_shared_places_until(Run& run, const Path& path, SharedTouch touch, dou
 }
 
 void report_change_of_place(Run& run, const Path& path, double s, std::size_t contact) {
-  RunEvent event =
-      event_at(EventType::kRelease, path, s,
-               "the contact goes on at another place where the two bodies touch, and they part at "
-               "the one before, without a jump of velocity");
-  event.contact = static_cast<int>(contact);
-  if (!run.events.empty() && run.events.back().type == EventType::kCorner &&
-      run.events.back().contact == event.contact &&
-      std::abs(run.events.back().driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
-    event.driver = run.events.back().driver;
-    event.share = run.events.back().share;
-    run.events.pop_back();
+  RunEvent& event =
+      report_contact(run, EventType::kRelease, path, s, contact,
+                     "the contact goes on at another place where the two bodies touch, and they "
+                     "part at the one before, without a jump of velocity");
+  if (run.events.size() > 1) {
+    const auto last = run.events.end() - 2;
+    if (last->type == EventType::kCorner && last->contact == event.contact &&
+        std::abs(last->driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
+      event.driver = last->driver;
+      event.share = last->share;
+      run.events.erase(last);
+    }
   }
   run.at.watches[contact].overlaps = false;
   run.at.watches[contact].interrupted = true;
-  run.events.push_back(std::move(event));
 }
 
 bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) {

@@ -51,8 +51,7 @@ template <class C, int N>
   const Pose<Longer> cam = pose_of(motion.cam, motion.cam_sign * joint);
   const Longer q = motion.follower_sign * (motion.follower_rest + s);
   const Pose<Longer> follower = pose_of(motion.follower, q);
-  const Rotation<Longer> R = cam.R_WB.inverse() * follower.R_WB;
-  const Vector2<Longer> p = cam.inverse_times(follower.p_WB);
+  const auto [R, p] = cam.inverse_times(follower);
   RelativeMotion<C, N> relative;
   relative.R = {shortened(R.cos), shortened(R.sin)};
   relative.p = {shortened(p.x()), shortened(p.y())};

@@ -98,8 +98,8 @@ std::vector<BoundaryContact> contacts_at_crossings(const BoundaryPair& pair, dou
   // The first coordinate is an angle: the second curve repeats itself at every turn.
   const double turn = 2 * kPi * scale;
   const PartBox &box1 = curve1.node(0).box, &box2 = curve2.node(0).box;
-  const double last = std::floor((box1.high.x() - box2.low.x()) / turn);
-  for (double k = std::ceil((box1.low.x() - box2.high.x()) / turn); k <= last; ++k) {
+  const double last = std::floor((box1.max().x() - box2.min().x()) / turn);
+  for (double k = std::ceil((box1.min().x() - box2.max().x()) / turn); k <= last; ++k) {
     look({{}, Vector2d(k * turn, 0)});
   }
   return contacts;

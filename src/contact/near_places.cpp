@@ -129,9 +129,8 @@ public:
 
 private:
   [[nodiscard]] bool nodes_may_face(std::size_t first, std::size_t second) const {
-    PartBox box = two_.polyline().node(second).box.moved(X_12_);
-    box.widen(reach_);
-    return one_.polyline().node(first).box.meets(box) &&
+    const PartBox box = widened(moved(two_.polyline().node(second).box, X_12_), reach_);
+    return one_.polyline().node(first).box.intersects(box) &&
            may_be_opposed(one_.normals_of_node(first), two_.normals_of_node(second), X_12_.R_WB);
   }
 
@@ -166,7 +165,7 @@ private:
 
 std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                    const Boundary& boundary2, const Pose<double>& X_W2, double reach) {
-  const Pose<double> X_12{X_W1.R_WB.inverse() * X_W2.R_WB, X_W1.inverse_times(X_W2.p_WB)};
+  const Pose<double> X_12 = X_W1.inverse_times(X_W2);
   const double same = kSameNearPlace * (boundary1.size() + boundary2.size());
   std::vector<NearPlace> places;
   const FacingParts facing(boundary1.outline(), boundary2.outline(), X_12, reach);

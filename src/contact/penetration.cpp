@@ -63,8 +63,8 @@ Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
 
 // Where the outlines of two bodies cross.
 std::vector<PolylineCrossing> crossings_of(const PlacedBoundary& one, const PlacedBoundary& two) {
-  const Pose<double> X_12{one.X_WB.R_WB.inverse() * two.X_WB.R_WB, one.X_WB.inverse_times(two.X_WB.p_WB)};
-  return polyline_crossings(one.boundary.outline().polyline(), two.boundary.outline().polyline(), X_12);
+  return polyline_crossings(one.boundary.outline().polyline(), two.boundary.outline().polyline(),
+                            one.X_WB.inverse_times(two.X_WB));
 }
 
 // One point of each part into which the other body's outline cuts the first or second boundary between two of

@@ -1,6 +1,7 @@
 #include "higherpair/geometry/polyline.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -48,12 +49,12 @@ Feature Polyline::nearest(const Vector2d& p) const {
 
 void Polyline::look_at(std::size_t index, const Vector2d& p, Nearest& nearest) const {
   const Node& here = nodes_[index];
-  if (here.box.squared_distance_to(p) > nearest.distance2) {
+  if (here.box.squaredExteriorDistance(p) > nearest.distance2) {
     return;
   }
   if (here.second != 0) {
-    const bool first_is_nearer =
-        nodes_[index + 1].box.squared_distance_to(p) <= nodes_[here.second].box.squared_distance_to(p);
+    const bool first_is_nearer = nodes_[index + 1].box.squaredExteriorDistance(p) <=
+                                 nodes_[here.second].box.squaredExteriorDistance(p);
     look_at(first_is_nearer ? index + 1 : here.second, p, nearest);
     look_at(first_is_nearer ? here.second : index + 1, p, nearest);
     return;
@@ -84,7 +85,7 @@ std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const
                                                       const Pose<double>& X_12) {
   std::vector<std::array<std::size_t, 2>> pairs;
   const auto may_meet = [&](std::size_t first, std::size_t second) {
-    return one.node(first).box.meets(two.node(second).box.moved(X_12));
+    return one.node(first).box.intersects(moved(two.node(second).box, X_12));
   };
   for_each_pair_of_leaves(one, two, may_meet, [&](const Polyline::Node& a, const Polyline::Node& b) {
     std::array<PartBox, Polyline::kPartsOfLeaf> boxes;
@@ -92,9 +93,9 @@ std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const
       boxes[i - a.begin] = one.box_of(i);
     }
     for (std::size_t k = b.begin; k < b.end; ++k) {
-      const PartBox box(X_12 * two.from(k).at, X_12 * two.to(k).at);
+      const PartBox box = box_of_part(X_12 * two.from(k).at, X_12 * two.to(k).at);
       for (std::size_t i = a.begin; i < a.end; ++i) {
-        if (boxes[i - a.begin].meets(box)) {
+        if (boxes[i - a.begin].intersects(box)) {
           pairs.push_back({i, k});
         }
       }

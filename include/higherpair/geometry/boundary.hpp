@@ -128,6 +128,10 @@ public:
   [[nodiscard]] SpanPoint at(const BoundaryPlace& place) const {
     return spans_[static_cast<std::size_t>(place.span)]->at(place.t);
   }
+  /// See Span::curvature_rates.
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(const BoundaryPlace& place) const {
+    return spans_[static_cast<std::size_t>(place.span)]->curvature_rates(place.t);
+  }
   [[nodiscard]] bool is_corner(const BoundaryPlace& place) const {
     return spans_[static_cast<std::size_t>(place.span)]->is_corner();
   }

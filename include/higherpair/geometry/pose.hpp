@@ -107,6 +107,10 @@ struct Pose {
   [[nodiscard]] Vector2<T> inverse_times(const Vector2<T>& p_W) const {
     return R_WB.inverse() * Vector2<T>(p_W - p_WB);
   }
+  /// The pose of another body relative to this one.
+  [[nodiscard]] Pose inverse_times(const Pose& X_WC) const {
+    return {R_WB.inverse() * X_WC.R_WB, inverse_times(X_WC.p_WB)};
+  }
 };
 
 /// Motion of a point, expressed in ground W.

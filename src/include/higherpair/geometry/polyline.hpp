@@ -5,8 +5,9 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 // Plane curves given by points along them, with a tree of boxes for searches.
 
@@ -24,43 +25,28 @@ using Features = std::vector<Feature>;
   return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
 }
 
-/// Box around the part from a to b, widened by its slack, or around several parts.
-struct PartBox {
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Vector2d high = -low;
+/// A box with sides along the axes.
+using PartBox = Eigen::AlignedBox2d;
 
-  PartBox() = default;
-  PartBox(const Vector2d& a, const Vector2d& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {
-    widen(kSlackOfPart * (b - a).norm());
-  }
-  void extend(const PartBox& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
-  void widen(double by) {
-    low.array() -= by;
-    high.array() += by;
-  }
-  [[nodiscard]] bool meets(const PartBox& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-  /// Box around this one in another frame.
-  [[nodiscard]] PartBox moved(const Pose<double>& X) const {
-    const Vector2d middle = X * Vector2d((low + high) / 2);
-    const Vector2d half = (high - low) / 2;
-    const Vector2d x = X.R_WB * Vector2d(half.x(), 0);
-    const Vector2d y = X.R_WB * Vector2d(0, half.y());
-    const Vector2d reach = x.cwiseAbs() + y.cwiseAbs();
-    PartBox box;
-    box.low = middle - reach;
-    box.high = middle + reach;
-    return box;
-  }
-  [[nodiscard]] double squared_distance_to(const Vector2d& p) const {
-    return (low - p).cwiseMax(p - high).cwiseMax(0).squaredNorm();
-  }
-  [[nodiscard]] double extent() const { return (high - low).sum(); }
-};
+/// Widened by a length on every side.
+[[nodiscard]] inline PartBox widened(const PartBox& box, double by) {
+  return {box.min() - Vector2d::Constant(by), box.max() + Vector2d::Constant(by)};
+}
+
+/// Around a box in another frame.
+[[nodiscard]] inline PartBox moved(const PartBox& box, const Pose<double>& X) {
+  const Vector2d middle = X * box.center();
+  const Vector2d half = box.sizes() / 2;
+  const Vector2d x = X.R_WB * Vector2d(half.x(), 0);
+  const Vector2d y = X.R_WB * Vector2d(0, half.y());
+  const Vector2d reach = x.cwiseAbs() + y.cwiseAbs();
+  return {middle - reach, middle + reach};
+}
+
+/// Around the part of a curve between two neighbouring points a and b of it, with its slack.
+[[nodiscard]] inline PartBox box_of_part(const Vector2d& a, const Vector2d& b) {
+  return widened({a.cwiseMin(b), a.cwiseMax(b)}, kSlackOfPart * (b - a).norm());
+}
 
 /// A polyline with a binary tree of boxes around its parts, each between two neighbouring features of one
 /// span.
@@ -81,7 +67,7 @@ public:
   [[nodiscard]] const Node& node(std::size_t i) const { return nodes_[i]; }
   [[nodiscard]] const Feature& from(std::size_t part) const { return features_[begins_[part]]; }
   [[nodiscard]] const Feature& to(std::size_t part) const { return features_[begins_[part] + 1]; }
-  [[nodiscard]] PartBox box_of(std::size_t part) const { return {from(part).at, to(part).at}; }
+  [[nodiscard]] PartBox box_of(std::size_t part) const { return box_of_part(from(part).at, to(part).at); }
 
   /// The place nearest to a point on all parts; of equally near ones, that on the first part.
   [[nodiscard]] Feature nearest(const Vector2d& p) const;
@@ -111,7 +97,7 @@ void for_each_pair_of_leaves(const Polyline& one, const Polyline& two, const May
   const auto go_on = [&](std::size_t i, std::size_t k) { for_each_pair_of_leaves(one, two, may, f, i, k); };
   if (a.second == 0 && b.second == 0) {
     f(a, b);
-  } else if (b.second == 0 || (a.second != 0 && a.box.extent() >= b.box.extent())) {
+  } else if (b.second == 0 || (a.second != 0 && a.box.sizes().sum() >= b.box.sizes().sum())) {
     go_on(first + 1, second);
     go_on(a.second, second);
   } else {

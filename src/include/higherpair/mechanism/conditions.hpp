@@ -190,12 +190,11 @@ template <class T, class D>
   }
   at.p1_W = first.vertex_W;
   at.p2_W = second.vertex_W;
-  const auto set_point = [&](const CurveDimensions<D>& own, const PlacedCurve<T, D>& curve,
-                             const BodyAt<T>& body, const Vector2<T>& n_W, Vector2<T>& p_W, T& rho) {
+  const auto set_point = [&](const CurveDimensions<D>& own, const PlacedCurve<T, D>& curve, const T& theta,
+                             const Vector2<T>& n_W, const T& angle_of_n, Vector2<T>& p_W, T& rho) {
     SupportPoint<T> support = support_point(curve, n_W);
     if (own.beyond != std::array<double, 3>{}) {
-      const double reversed = &own == &curve2 ? kPi : 0;
-      add_beyond(own, T(at.phi + (reversed - own.normal_angle) - body.theta), n_W, support);
+      add_beyond(own, T(angle_of_n - theta - own.normal_angle), n_W, support);
     }
     p_W = support.p_W;
     rho = support.rho;
@@ -203,10 +202,10 @@ template <class T, class D>
     at.exist = at.exist && (curve.q > D(0) || (near_half && value_of(support.w2) > 0));
   };
   if (!flat1) {
-    set_point(curve1, first, body1, at.n_W, at.p1_W, at.rho1);
+    set_point(curve1, first, body1.theta, at.n_W, at.phi, at.p1_W, at.rho1);
   }
   if (!flat2) {
-    set_point(curve2, second, body2, -at.n_W, at.p2_W, at.rho2);
+    set_point(curve2, second, body2.theta, -at.n_W, T(at.phi + kPi), at.p2_W, at.rho2);
   }
   return at;
 }
