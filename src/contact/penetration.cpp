@@ -49,16 +49,28 @@ struct PlacedBoundary {
   const Pose<double>& X_WB;
 };
 
-Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
-  const Boundary& boundary = body.boundary;
-  const Vector2d p_B = body.X_WB.inverse_times(p_W);
-  const auto foot = foot_near(
-      boundary, p_B, first_guess(boundary, boundary.outline().polyline().nearest(p_B), p_B), kNearFoot);
+// To the part of the boundary near a feature.
+Depth depth_near(const Feature& nearest, const Boundary& boundary, const Vector2d& p_B) {
+  const auto foot = foot_near(boundary, p_B, first_guess(boundary, nearest, p_B), kNearFoot);
   if (!foot) {
     return {};
   }
   const SpanPoint point = boundary.at(*foot);
   return {(point.p_B - p_B).dot(point.n_B), *foot};
+}
+
+// Where parts of the body overlap, the depth in the part in which the point is deepest.
+Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
+  const Outline& outline = body.boundary.outline();
+  const Vector2d p_B = body.X_WB.inverse_times(p_W);
+  Depth deepest = depth_near(outline.polyline().nearest(p_B), body.boundary, p_B);
+  for (const Polyline& solid : outline.solids()) {
+    if (solid.node(0).box.contains(p_B)) {
+      const Depth depth = depth_near(solid.nearest(p_B), body.boundary, p_B);
+      deepest = depth.depth > deepest.depth ? depth : deepest;
+    }
+  }
+  return deepest;
 }
 
 // Where the outlines of two bodies cross.

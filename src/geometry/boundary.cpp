@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -109,7 +110,7 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
       return tl::unexpected(BoundaryFault{Kind::kCusp, sample.place.span, 0});
     }
   }
-  boundary.set_outline();
+  boundary.set_outline({});
   const std::size_t count = boundary.spans_.size();
   for (std::size_t i = 0; i < count; ++i) {
     boundary.next_.push_back(static_cast<int>((i + 1) % count));
@@ -125,16 +126,39 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
 }
 
 // From the samples.
-void Boundary::set_outline() {
+void Boundary::set_outline(std::vector<Polyline> solids) {
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
   Vector2d high = -low;
   for (const Sample& sample : samples_) {
     low = low.cwiseMin(sample.point.p_B);
     high = high.cwiseMax(sample.point.p_B);
   }
-  outline_ = std::make_shared<const Outline>(samples_);
+  outline_ = std::make_shared<const Outline>(samples_, std::move(solids));
   size_ = (high - low).norm() / 2;
   middle_B_ = (low + high) / 2;
+}
+
+// Its chains, where there are several and all of them are closed with the material inside.
+std::vector<Polyline> Boundary::solids() const {
+  std::vector<Polyline> solids;
+  for (std::size_t begin = 0, end = 0; begin < samples_.size(); begin = end) {
+    const int last = next_span(samples_[begin].place.span, false);
+    Features chain;
+    double area = 0;
+    Vector2d last_arm = Vector2d::Zero();
+    for (; end < samples_.size() && samples_[end].place.span <= last; ++end) {
+      const auto& [place, point] = samples_[end];
+      chain.push_back({point.p_B, place});
+      const Vector2d arm = point.p_B - chain.front().at;
+      area += cross(last_arm, arm);
+      last_arm = arm;
+    }
+    if (joint_after(last) == SpanJoint::kEnd || !(area > 0)) {
+      return {};
+    }
+    solids.emplace_back(std::move(chain));
+  }
+  return solids.size() > 1 ? solids : std::vector<Polyline>{};
 }
 
 Boundary Boundary::of_parts(const std::vector<Boundary>& parts) {
@@ -154,7 +178,7 @@ Boundary Boundary::of_parts(const std::vector<Boundary>& parts) {
     }
     all.closed_ = all.closed_ && part.closed_;
   }
-  all.set_outline();
+  all.set_outline(all.solids());
   return all;
 }
 
@@ -187,7 +211,7 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
   return {place};
 }
 
-Curve local_curve(const SpanPoint& point, bool corner) {
+Curve local_curve(const SpanPoint& point, bool corner, bool arc) {
   Curve curve;
   curve.vertex_B = point.p_B;
   if (corner) {
@@ -200,7 +224,7 @@ Curve local_curve(const SpanPoint& point, bool corner) {
   }
   curve.side = point.kappa > 0 ? Side::kInside : Side::kOutside;
   const double tau = -point.slope / (3 * point.kappa * point.kappa);
-  const bool circle = tau == 0 || !(std::abs(tau) < kSteepestParabola);
+  const bool circle = (tau == 0 && arc) || !(std::abs(tau) < kSteepestParabola);
   const LocalConic<double> conic = local_conic(point.p_B, point.n_B, point.kappa, point.slope, circle);
   curve.kind = circle ? CurveKind::kCircle : CurveKind::kParabola;
   curve.vertex_B = conic.vertex_B;

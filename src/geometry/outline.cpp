@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -41,7 +42,8 @@ NormalCone cone_between(const Vector2d& a, const Vector2d& b) {
 
 }  // namespace
 
-Outline::Outline(const std::vector<Boundary::Sample>& samples) : polyline_(points_of(samples)) {
+Outline::Outline(const std::vector<Boundary::Sample>& samples, std::vector<Polyline> solids)
+    : polyline_(points_of(samples)), solids_(std::move(solids)) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i - 1].place.span == samples[i].place.span) {
       of_parts_.push_back(cone_between(samples[i - 1].point.n_B, samples[i].point.n_B));

@@ -80,6 +80,33 @@ TEST(Penetration, OfCirclesIsWhatTheirRadiiExceedTheirDistanceBy) {
   }
 }
 
+// The nearest place of a point within one of two discs that overlap may be on the other disc.
+TEST(Penetration, InDiscsThatOverlapIsSeenInEachOfThem) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> radius(0.01, 0.03), place(-0.03, 0.03);
+  int apart = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Boundary> discs;
+    const double r = radius(random) / 4;
+    const Vector2d p_WD(2 * place(random), 2 * place(random));
+    double expected = -1;
+    for (int i = 0; i < 2 + trial % 3; ++i) {
+      const Vector2d center(place(random), place(random));
+      const double own = radius(random);
+      discs.push_back(boundary_of(*make_circle(center, own), 1));
+      expected = std::max(expected, own + r - (p_WD - center).norm());
+    }
+    const Boundary together = Boundary::of_parts(discs);
+    const Boundary disc = boundary_of(*make_circle({0, 0}, r), 1);
+    const double depth = deepest_penetration(together, {}, disc, placed(1, p_WD), 1e-9).depth;
+    EXPECT_EQ(depth > 0, expected > 0) << trial;
+    EXPECT_LE(depth, std::max(expected, 0.0) + 1e-14) << trial;
+    EXPECT_EQ(bodies_overlap(disc, placed(1, p_WD), together, {}, 1e-9), expected > 0) << trial;
+    apart += expected < 0 ? 1 : 0;
+  }
+  EXPECT_GT(apart, 100);
+}
+
 TEST(Penetration, OfACornerIsItsDistanceToTheFace) {
   const Boundary square = rectangle(2, 2);
   const Penetration found = deepest_penetration(square, {}, square, placed(0, {1.7, 0.4}), 1e-9);

@@ -2,7 +2,10 @@
 #include "linkage/slider_crank_profile.hpp"
 #include "sliding_cam.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -347,6 +350,43 @@ curves.face = { type = "line", point = [0, 0], normal = [0, -1] })",
   ASSERT_EQ(over.size(), 2U);
   EXPECT_NEAR(over[0].driver, std::asin(0.8) / testing::kDegree, 1e-6);
   EXPECT_NEAR(over[1].driver, 180 - std::asin(0.8) / testing::kDegree, 1e-6);
+}
+
+// Discs that overlap, some of them within others: the edge stays on the outline of all of them together, also
+// where its pose is on an arc within another disc.
+TEST(WholeBodies, ThatOverlapAreTouchedOnTheirCommonOutline) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> radius(10, 30), place(-12, 12);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::string discs;
+    std::vector<std::array<double, 3>> all;
+    for (int i = 0; i < 4; ++i) {
+      // Each contains the origin.
+      const std::array<double, 3> disc = {place(random) / 2, place(random) / 2, radius(random)};
+      discs += fmt::format("curves.disc{} = {{ type = \"circle\", center = [{}, {}], radius = {} }}\n", i,
+                           disc[0], disc[1], disc[2]);
+      all.push_back(disc);
+    }
+    const auto height = [&](double theta) {
+      double highest = 0;
+      for (const auto& [cx, cy, r] : all) {
+        const double x = cx * std::cos(theta) - cy * std::sin(theta);
+        const double y = cx * std::sin(theta) + cy * std::cos(theta);
+        highest = std::max(highest, y + std::sqrt(r * r - x * x));
+      }
+      return highest;
+    };
+    const std::string pose = fmt::format("pose = {{ x = 0, y = {} }}\n", all[0][1] + all[0][2]);
+    const std::string text =
+        profile_of({discs, pose + "curves.edge = { type = \"point\", at = [0, 0] }", "direction = [0, 1]",
+                    R"(between = ["cam", "follower"])", "start = 0\nend = 360\nsamples = 73"});
+    const Motion motion = motion_of(model_of(text));
+    EXPECT_TRUE(motion.good()) << trial;
+    const auto y = motion.column("guide.position");
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      EXPECT_NEAR(y[k], height(static_cast<double>(k) * 5 * testing::kDegree), 1e-9) << trial << ' ' << k;
+    }
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace higherpair {
 
 class Outline;
+class Polyline;
 
 /// A point of a span, in the body's frame B; t = n turned +90°.
 struct SpanPoint {
@@ -156,7 +157,8 @@ public:
   [[nodiscard]] const Outline& outline() const { return *outline_; }
 
 private:
-  void set_outline();
+  void set_outline(std::vector<Polyline> solids);
+  [[nodiscard]] std::vector<Polyline> solids() const;
 
   std::vector<SpanPtr> spans_;
   std::vector<SpanJoint> joints_;
@@ -172,7 +174,9 @@ private:
 /// The line, corner, circle or parabola with the same point, normal, curvature and rate of change of
 /// curvature: it can replace the boundary in everything that a contact does up to jerk. Within 1e-6 or so of
 /// an inflection, where no conic has that rate, the circle of curvature.
-[[nodiscard]] Curve local_curve(const SpanPoint& point, bool corner);
+/// \param arc  whether the curve is an arc; at a vertex of another, where the rate is 0, it can vary with
+///             dimensions, and so can that of a parabola but not that of a circle
+[[nodiscard]] Curve local_curve(const SpanPoint& point, bool corner, bool arc = true);
 
 /// A whole curve as a boundary. Open conics end `reach` [m] from their vertices, a line `reach` from its
 /// point on either side; a point becomes a corner with all normals. \pre a curve given by its support has no

@@ -23,15 +23,19 @@ struct NormalCone {
 /// The samples of a boundary as a polyline in the body's frame, with cones of the outward normals along it.
 class Outline {
 public:
-  explicit Outline(const std::vector<Boundary::Sample>& samples);
+  Outline(const std::vector<Boundary::Sample>& samples, std::vector<Polyline> solids);
 
   [[nodiscard]] const Polyline& polyline() const { return polyline_; }
+  /// The chains, where there are several and all are closed with the material inside. They may overlap: the
+  /// nearest place of a point within one of them may be on another.
+  [[nodiscard]] const std::vector<Polyline>& solids() const { return solids_; }
   /// Those between the ends of a part, and those of all parts of a node.
   [[nodiscard]] const NormalCone& normals_of_part(std::size_t i) const { return of_parts_[i]; }
   [[nodiscard]] const NormalCone& normals_of_node(std::size_t i) const { return of_nodes_[i]; }
 
 private:
   Polyline polyline_;
+  std::vector<Polyline> solids_;
   std::vector<NormalCone> of_parts_, of_nodes_;
 };
 
