@@ -114,14 +114,13 @@ PlaceDerivative BoundaryDerivatives::at(std::size_t contact, std::size_t side,
   return {slopes.head<2>(), slopes.segment<2>(2), slopes(4), slopes(5)};
 }
 
-Curve local_curve_derivative(const SpanPoint& at, bool corner, const PlaceDerivative& by_p) {
-  const Curve like = local_curve(at, corner);
+Curve local_curve_derivative(const SpanPoint& at, const Curve& local, const PlaceDerivative& by_p) {
   Curve by;
-  by.kind = like.kind;
+  by.kind = local.kind;
   by.q = 0;
   by.vertex_B = by_p.p_B;
-  by.axis_B = is_line(like) ? Vector2d(-by_p.n_B) : Vector2d(Vector2d::Zero());
-  if (!is_conic(like)) {
+  by.axis_B = is_line(local) ? Vector2d(-by_p.n_B) : Vector2d(Vector2d::Zero());
+  if (!is_conic(local)) {
     return by;
   }
   const auto varied = [](double value, double slope) {
@@ -134,7 +133,7 @@ Curve local_curve_derivative(const SpanPoint& at, bool corner, const PlaceDeriva
   };
   const LocalConic<Parametric> conic = local_conic(
       varied_vector(at.p_B, by_p.p_B), varied_vector(at.n_B, by_p.n_B), varied(at.kappa, by_p.kappa),
-      varied(at.slope, by_p.slope), like.kind == CurveKind::kCircle);
+      varied(at.slope, by_p.slope), local.kind == CurveKind::kCircle);
   by.vertex_B = {conic.vertex_B.x().c[1], conic.vertex_B.y().c[1]};
   by.axis_B = {conic.axis_B.x().c[1], conic.axis_B.y().c[1]};
   by.semi_latus = conic.semi_latus.c[1];

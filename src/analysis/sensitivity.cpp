@@ -173,7 +173,7 @@ Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size
     by.kappa += ds * point.slope;
     by.slope += ds * (*rates)[0];
   }
-  return local_curve_derivative(point, corner, by);
+  return local_curve_derivative(point, curve_of(run.mechanism(), ref), by);
 }
 
 Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved) const {

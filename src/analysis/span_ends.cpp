@@ -101,6 +101,21 @@ std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
   });
 }
 
+namespace {
+
+// A span of constant curvature is an arc; its ends, or the ends and the middle, of another may have the same
+// curvature because it is symmetrical.
+Curve local_curve_at(const Boundary& boundary, const BoundaryPlace& place) {
+  const SpanPoint point = boundary.at(place);
+  const auto same = [&](double share) {
+    const Bounds range = range_of(boundary, place.span);
+    return boundary.at({place.span, range.low + share * range.width()}).kappa == point.kappa;
+  };
+  return local_curve(point, boundary.is_corner(place), point.slope != 0 || (same(0.3) && same(0.4)));
+}
+
+}  // namespace
+
 void set_local_curves(Run& run) {
   for (std::size_t i = 0; run.local && i < run.mechanism().contacts.size(); ++i) {
     const Contact& contact = run.mechanism().contacts[i];
@@ -114,7 +129,7 @@ void set_local_curves(Run& run) {
       // While the contact is open nothing depends on the curve's shape.
       Body& body = run.local->bodies[static_cast<std::size_t>(ref.body)];
       body.curves[static_cast<std::size_t>(ref.curve)].curve =
-          run.row.contacts[i].touches ? local_curve(boundary.at(place), boundary.is_corner(place)) : Curve{};
+          run.row.contacts[i].touches ? local_curve_at(boundary, place) : Curve{};
     }
   }
 }

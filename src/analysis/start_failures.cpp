@@ -24,11 +24,12 @@ std::string why_no_contact(FindStatus status, const Contact& contact) {
     case FindStatus::kFound:
       break;
   }
-  return name + "the two bodies do not touch at the first driver position, " +
+  return name +
          (contact.approach == Approach::kNearest
-              ? "wherever the follower stands; change driver.start or the pose of the follower"
-              : "however far the follower is moved that way from its pose; change its approach or pose, or "
-                "driver.start");
+              ? "the two bodies do not touch, or only where they overlap as well, wherever the follower "
+                "stands at the first driver position; change driver.start or the pose of the follower"
+              : "the two bodies do not touch at the first driver position, however far the follower is "
+                "moved that way from its pose; change its approach or pose, or driver.start");
 }
 
 std::string why_unplaced(const Run& run, const State& state, std::size_t g) {

@@ -3,6 +3,7 @@
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
+#include "sliding_cam.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -20,6 +21,8 @@ using ::testing::HasSubstr;
 using testing::kCam;
 using testing::kSlider;
 using testing::model_of;
+using testing::profile_of;
+using testing::replaced;
 using testing::shipped_model;
 
 constexpr const char* kRocker = R"(
@@ -314,6 +317,24 @@ TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
       EXPECT_NEAR(um.results[m].slopes[i].up, one, 1e-9 * (1 + std::abs(one))) << mm.numbers[i].name;
     }
   }
+}
+
+// At the vertex of an ellipse the curvature has an extreme, and its rate is 0 but for other dimensions: as
+// part of a body's outline it changes as the ellipse itself does.
+TEST(SensitivityOfResults, OfAJerkAtAVertexIsThatOfTheEllipse) {
+  const std::string ellipse = profile_of(
+      {"curves.oval = { type = \"ellipse\", center = [3, 0], semi_axes = [30, 20] }\n"
+       "curves.hub = { type = \"circle\", center = [3, 0], radius = 5 }",
+       "pose = { x = 45, y = 0 }\ncurves.roller = { type = \"circle\", center = [0, 0], radius = 12 }",
+       "direction = [1, 0]", "between = [\"cam.oval\", \"follower.roller\"]",
+       "start = 0\nend = 360\nvelocity = 100\nsamples = 5"});
+  const std::vector<std::string> jerk = {"follower.jx:at=0"};
+  const SensitivityReport alone = report_of(model_of(ellipse), wanted(jerk));
+  const SensitivityReport part = report_of(
+      model_of(replaced(ellipse, R"("cam.oval", "follower.roller")", R"("cam", "follower")")), wanted(jerk));
+  const double by_center = exact(alone, 0, "bodies.cam.curves.oval.center.1");
+  EXPECT_GT(by_center, 10);
+  EXPECT_NEAR(exact(part, 0, "bodies.cam.curves.oval.center.1"), by_center, 1e-8 * by_center);
 }
 
 // The flank of a law's cam produces the law's lift whatever the cam's size. The path of the roller's centre

@@ -18,7 +18,8 @@ struct PlaceDerivative {
 };
 
 /// Those of the numbers of its local_curve() there.
-[[nodiscard]] Curve local_curve_derivative(const SpanPoint& at, bool corner, const PlaceDerivative& by);
+[[nodiscard]] Curve local_curve_derivative(const SpanPoint& at, const Curve& local,
+                                           const PlaceDerivative& by);
 
 /// How the boundaries of contacts change with a parameter p from which a mechanism is made.
 ///
