@@ -102,7 +102,7 @@ double distance_from_poses(const Mechanism& mechanism, const Group& group,
                            const std::vector<BodyMotion>& bodies, const std::vector<BodyMotion>& posed) {
   double distance = 0;
   for (const int index : group.joints) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    const Joint& joint = mechanism.joints[index];
     for (const PointRef& ref : {joint.first, joint.second}) {
       const auto body = static_cast<std::size_t>(ref.body);
       const Vector2d p_B = point_of(mechanism, ref);

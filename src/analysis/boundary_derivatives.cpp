@@ -25,7 +25,7 @@ constexpr std::array kShares = {0.08, 0.37, 0.64, 0.93};
 using SpanNumbers = Eigen::Matrix<double, 6, 1>;
 
 SpanNumbers numbers_at(const Boundary& boundary, int span, double share) {
-  const Span& one = *boundary.spans()[static_cast<std::size_t>(span)];
+  const Span& one = *boundary.spans()[span];
   const Bounds range = one.range();
   const SpanPoint point = one.at(range.low + share * range.width());
   SpanNumbers numbers;
@@ -36,7 +36,7 @@ SpanNumbers numbers_at(const Boundary& boundary, int span, double share) {
 template <class Boundaries>
 auto numbers_of(const Boundaries& boundaries, int span, double share, double step) {
   return [&boundaries, span, share, step](double by) {
-    return numbers_at(*boundaries[static_cast<std::size_t>(std::lround(by / step) + kMiddle)], span, share);
+    return numbers_at(*boundaries[std::lround(by / step) + kMiddle], span, share);
   };
 }
 

@@ -17,7 +17,7 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
   place.contact = tracked.contact;
   place.follower = tracked.follower;
   place.pair = tracked.pair;
-  place.u = tracked.driver_sign * run.at.drivers[static_cast<std::size_t>(tracked.driver)];
+  place.u = tracked.driver_sign * run.at.drivers[tracked.driver];
   place.known_is_first = tracked.driver_is_first;
   return place;
 }
@@ -31,7 +31,7 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   place.u = placed.u;
   place.known_is_first = touching.follower_is_second;
   if (touching.follower.freedom.turns) {
-    place.carrier_angle = run.at.state.bodies[static_cast<std::size_t>(touching.follower.carrier)].theta;
+    place.carrier_angle = run.at.state.bodies[touching.follower.carrier].theta;
   }
   return place;
 }
@@ -41,7 +41,7 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
 bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   std::vector<int> pins;
   for (const int index : group.joints) {
-    const JointType type = mechanism.joints[static_cast<std::size_t>(index)].type;
+    const JointType type = mechanism.joints[index].type;
     if (type == JointType::kRevolute) {
       pins.push_back(index);
     } else if (!couples_turning(type)) {
@@ -60,7 +60,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   for (std::size_t left = loose.size() + 1; loose.size() < left;) {
     left = loose.size();
     for (const int index : pins) {
-      const Joint& pin = mechanism.joints[static_cast<std::size_t>(index)];
+      const Joint& pin = mechanism.joints[index];
       const int a = pin.first.body;
       const int b = pin.second.body;
       if (is_loose(a) != is_loose(b)) {

@@ -25,7 +25,7 @@ template <class T>
 [[nodiscard]] inline T angle_of_rows(const ChainAngle& angle, std::span<const ChainTurning> turnings,
                                      const T& position, const ChainBody<T>* bodies) {
   if (angle.turning >= 0) {
-    return raw_angle(turnings[static_cast<std::size_t>(angle.turning)], bodies);
+    return raw_angle(turnings[angle.turning], bodies);
   }
   return T(angle.factor) * position + T(angle.offset);
 }

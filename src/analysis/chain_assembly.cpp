@@ -15,8 +15,8 @@ namespace {
 // The contact of ovals in the first row; rates in `state` are those for a unit velocity.
 OvalRow oval_row(const OvalContact& of, const Contact& contact, const State& state, std::size_t g,
                  double position) {
-  const BodyMotion& body = state.bodies[static_cast<std::size_t>(of.touch.body)];
-  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(of.touch.contact)];
+  const BodyMotion& body = state.bodies[of.touch.body];
+  const ContactMotion& motion = state.contacts[of.touch.contact];
   const OneFreedom& freedom = of.touch.freedom;
   OvalRow row;
   row.position = position;
@@ -60,7 +60,7 @@ void ChainAssembly::take_poses(const Mechanism& mechanism) {
 double ChainAssembly::cost_of(const ChainStart& start, const Group& group) const {
   double cost = 0;
   for (const int index : group.joints) {
-    const Joint& joint = start.mechanism.joints[static_cast<std::size_t>(index)];
+    const Joint& joint = start.mechanism.joints[index];
     for (const PointRef& ref : {joint.first, joint.second}) {
       const auto body = static_cast<std::size_t>(ref.body);
       const Vector2d& p_B = point_of(start.mechanism, ref);
@@ -132,9 +132,8 @@ bool ChainAssembly::take_modes(const ChainStart& start, const Run& run) {
       return false;
     }
     if (const auto* contact = std::get_if<OvalContact>(&start.groups[g].kind)) {
-      ovals_[g] =
-          oval_row(*contact, run.mechanism().contacts[static_cast<std::size_t>(contact->touch.contact)],
-                   run.at.state, g, start.driver.position);
+      ovals_[g] = oval_row(*contact, run.mechanism().contacts[contact->touch.contact], run.at.state, g,
+                           start.driver.position);
     }
     best_modes_[g] = run.at.state.groups[g].mode;
     if (start.groups[g].discs && !take_mode_of_disc(start, run, g)) {

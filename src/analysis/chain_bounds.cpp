@@ -153,7 +153,7 @@ public:
   }
 
 private:
-  [[nodiscard]] MotionBound& at(int body) { return bodies_[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] MotionBound& at(int body) { return bodies_[body]; }
   [[nodiscard]] PointBound bound_of(const BodyPoint& point) { return bound_at(at(point.body), point.p_B); }
 
   void ride(const Rider& rider, const PointBound& point) {

@@ -22,7 +22,7 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
                                 std::size_t bodies) {
   using Quantity = ChainColumn::Quantity;
   std::vector<char> placed(bodies, 0);
-  const auto place = [&](int body) { placed[static_cast<std::size_t>(body)] = 1; };
+  const auto place = [&](int body) { placed[body] = 1; };
   for (const ChainColumn& column : columns) {
     if (is_force(column.quantity)) {
       return std::vector<char>(bodies, 1);
@@ -58,7 +58,7 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
 std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_t bodies,
                                   std::vector<ChainTurning>& turnings) {
   std::vector<ChainAngle> angles(bodies);
-  const auto at = [&](int body) -> ChainAngle& { return angles[static_cast<std::size_t>(body)]; };
+  const auto at = [&](int body) -> ChainAngle& { return angles[body]; };
   const auto turns = [&](int body) {
     at(body) = {0, static_cast<int>(turnings.size()), 0};
     turnings.push_back({body});
@@ -107,7 +107,7 @@ const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
 bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, int contact) {
   const ChainTouch* touch = touch_in(groups, contact);
   return touch != nullptr && touch->carrier == kGround &&
-         mechanism.contacts[static_cast<std::size_t>(contact)].second.body == touch->body;
+         mechanism.contacts[contact].second.body == touch->body;
 }
 
 }  // namespace higherpair

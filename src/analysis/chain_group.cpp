@@ -66,7 +66,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
 
 std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const PlacingContact& placing,
                                            int link) {
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(placing.contact)];
+  const Contact& contact = mechanism.contacts[placing.contact];
   if (contact.rolling || contact.by_boundary || contact.keep != Keep::kTouching) {
     return std::nullopt;
   }

@@ -7,7 +7,7 @@ namespace higherpair {
 namespace {
 
 const Joint& joint_of_chain(const Mechanism& mechanism, int index) {
-  return mechanism.joints[static_cast<std::size_t>(index)];
+  return mechanism.joints[index];
 }
 
 BodyPoint body_point(const Mechanism& mechanism, const PointRef& ref) {
@@ -37,7 +37,7 @@ bool add_spring(const Mechanism& mechanism, const Spring& spring, std::span<cons
   if (is_driven(mechanism, *spring.joint)) {
     loads.turn_springs.push_back(turn);
   } else {
-    const auto angle = [&](int body) { return angles[static_cast<std::size_t>(body)]; };
+    const auto angle = [&](int body) { return angles[body]; };
     loads.pin_springs.push_back({turn, angle(turn.first), angle(turn.second)});
   }
   return true;

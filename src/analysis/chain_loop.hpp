@@ -110,7 +110,7 @@ template <class T>
 inline void finish(const ChainRowsJob& job, const ChainWatch<T>* watches, const T& shortest) {
   for (ChainTask& task : job.tasks) {
     if (task.column.quantity == Quantity::kAngle && task.angle.turning >= 0) {
-      unwind<T>(task, job.turnings[static_cast<std::size_t>(task.angle.turning)]);
+      unwind<T>(task, job.turnings[task.angle.turning]);
     }
   }
   for (std::size_t g = 0; g < job.groups.size(); ++g) {

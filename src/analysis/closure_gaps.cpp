@@ -11,11 +11,11 @@ namespace higherpair {
 namespace {
 
 Vector2d in_ground(const BodyPoint& point, const std::vector<BodyMotion>& bodies) {
-  return bodies[static_cast<std::size_t>(point.body)].X_WB * point.p_B;
+  return bodies[point.body].X_WB * point.p_B;
 }
 
 double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies, const Vector2d& p_W) {
-  const Pose<double>& X_WB = bodies[static_cast<std::size_t>(line.body)].X_WB;
+  const Pose<double>& X_WB = bodies[line.body].X_WB;
   const Vector2d u_W = X_WB.R_WB * Vector2d(line.u_B.cos, line.u_B.sin);
   return std::abs(cross(u_W, Vector2d(p_W - X_WB * line.p_B)));
 }
@@ -77,7 +77,7 @@ std::optional<double> transmission_sine(const Plan& plan, int joint, const std::
     }
     const Vector2d A = in_ground(dyad->A, bodies);
     const Vector2d B = in_ground(dyad->B, bodies);
-    const Vector2d C = bodies[static_cast<std::size_t>(dyad->link_a)].X_WB * dyad->a_pC;
+    const Vector2d C = bodies[dyad->link_a].X_WB * dyad->a_pC;
     return cross(Vector2d(A - C), Vector2d(B - C)) / (dyad->length_a * dyad->length_b);
   }
   return std::nullopt;

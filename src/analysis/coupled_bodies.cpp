@@ -61,15 +61,15 @@ void set_rank(const Solver& solver, GroupState& group) {
 
 void predict(const Group& group, const State& from, double h, State& to) {
   for (const int index : group.bodies) {
-    const BodyMotion& before = from.bodies[static_cast<std::size_t>(index)];
-    BodyMotion& body = to.bodies[static_cast<std::size_t>(index)];
+    const BodyMotion& before = from.bodies[index];
+    BodyMotion& body = to.bodies[index];
     body.theta = before.theta + h * (before.omega + h / 2 * before.alpha);
     body.X_WB = {Rotation<double>::from_angle(body.theta),
                  before.X_WB.p_WB + h * (before.v_WB + h / 2 * before.a_WB)};
   }
   for (const int index : group.contacts) {
-    const ContactMotion& before = from.contacts[static_cast<std::size_t>(index)];
-    ContactMotion& motion = to.contacts[static_cast<std::size_t>(index)];
+    const ContactMotion& before = from.contacts[index];
+    ContactMotion& motion = to.contacts[index];
     motion = before;
     motion.phi += h * before.rates.phi_dot;
     motion.at.n_W = Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W;
@@ -96,7 +96,7 @@ Solver solver_at(const Planned& model, std::size_t g, const State& state) {
   const Group& group = model.plan.groups[g];
   std::vector<ContactMotion> contacts = state.contacts;
   for (const int index : group.contacts) {
-    CommonNormal& at = contacts[static_cast<std::size_t>(index)].at;
+    CommonNormal& at = contacts[index].at;
     at.p1_W = at.p2_W = at.p_W();
   }
   const std::vector<double> drivers(model.mechanism.drivers.size());
@@ -107,7 +107,7 @@ Solver solver_at(const Planned& model, std::size_t g, const State& state) {
 std::ptrdiff_t joint_row_count(const Mechanism& mechanism, const Group& group) {
   std::ptrdiff_t count = 0;
   for (const int index : group.joints) {
-    count += row_count(mechanism.joints[static_cast<std::size_t>(index)]);
+    count += row_count(mechanism.joints[index]);
   }
   return count;
 }
@@ -121,8 +121,8 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
                                         const State& state) {
   std::vector<double> values;
   for (const int index : group.contacts) {
-    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
-    const ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
+    const Contact& contact = mechanism.contacts[index];
+    const ContactMotion& motion = state.contacts[index];
     const Vector2d p_W = motion.at.p_W();
     const Vector2d& n_W = motion.at.n_W;
     const PointMotion one = motion_at_place(body_in(state, contact.first.body), p_W);
@@ -139,7 +139,7 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
 // Moves the group's bodies by a change of their coordinates [m].
 void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to) {
   for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    BodyMotion& body = to.bodies[static_cast<std::size_t>(group.bodies[i])];
+    BodyMotion& body = to.bodies[group.bodies[i]];
     const auto column = static_cast<Eigen::Index>(3 * i);
     body.X_WB.p_WB += step.segment<2>(column);
     body.theta += step(column + 2) / size;
@@ -209,7 +209,7 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
   ConditionSet set = condition_set(model.plan, group);
   set.contacts.clear();
   for (const int index : group.bodies) {
-    BodyMotion& body = state.bodies[static_cast<std::size_t>(index)];
+    BodyMotion& body = state.bodies[index];
     body = {body.X_WB, body.theta};
   }
   Coordinates<Series> at = constant<Series>(coordinates_of(model.mechanism, state.bodies, state.contacts));
@@ -237,7 +237,7 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
   const auto set_rates = [&](const Eigen::VectorXd& rates, Vector2d BodyMotion::*linear,
                              double BodyMotion::*angular) {
     for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-      BodyMotion& body = state.bodies[static_cast<std::size_t>(group.bodies[i])];
+      BodyMotion& body = state.bodies[group.bodies[i]];
       const auto column = static_cast<Eigen::Index>(3 * i);
       body.*linear = rates.segment<2>(column);
       body.*angular = rates(column + 2) / size;

@@ -23,7 +23,7 @@ Vector2d place_of_ground(const Mechanism& mechanism) {
   for (const Joint& joint : mechanism.joints) {
     for (const PointRef& point : {joint.first, joint.second}) {
       if (point.body == 0 && !couples_turning(joint.type)) {
-        return mechanism.bodies[0].points[static_cast<std::size_t>(point.point)].p_B;
+        return mechanism.bodies[0].points[point.point].p_B;
       }
     }
   }
@@ -34,17 +34,17 @@ Vector2d place_of_ground(const Mechanism& mechanism) {
 
 void take_group(const Group& group, const State& from, State& to) {
   for (const int index : group.bodies) {
-    to.bodies[static_cast<std::size_t>(index)] = from.bodies[static_cast<std::size_t>(index)];
+    to.bodies[index] = from.bodies[index];
   }
   for (const int index : group.contacts) {
-    to.contacts[static_cast<std::size_t>(index)] = from.contacts[static_cast<std::size_t>(index)];
+    to.contacts[index] = from.contacts[index];
   }
 }
 
 bool place_contacts(const Planned& model, const Group& group, State& to) {
   for (const int index : group.contacts) {
-    const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
-    if (!place_contact(model.mechanism, contact, to.bodies, to.contacts[static_cast<std::size_t>(index)])) {
+    const Contact& contact = model.mechanism.contacts[index];
+    if (!place_contact(model.mechanism, contact, to.bodies, to.contacts[index])) {
       return false;
     }
   }
@@ -54,7 +54,7 @@ bool place_contacts(const Planned& model, const Group& group, State& to) {
 void hold_angles(const std::vector<int>& held, const State& in, const State& to, double size,
                  std::vector<ConstraintRow>& rows) {
   for (const int body : held) {
-    rows.push_back(angle_row(to.bodies, body, in.bodies[static_cast<std::size_t>(body)].theta, size));
+    rows.push_back(angle_row(to.bodies, body, in.bodies[body].theta, size));
   }
 }
 
@@ -65,11 +65,10 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   const double size = model.plan.size;
   std::vector<ConstraintRow> rows;
   for (const int index : group.joints) {
-    append_rows(mechanism, mechanism.joints[static_cast<std::size_t>(index)], state.bodies, size, rows);
+    append_rows(mechanism, mechanism.joints[index], state.bodies, size, rows);
   }
   for (const int index : group.contacts) {
-    append_rows(mechanism, mechanism.contacts[static_cast<std::size_t>(index)],
-                contacts[static_cast<std::size_t>(index)], state.bodies, rows);
+    append_rows(mechanism, mechanism.contacts[index], contacts[index], state.bodies, rows);
   }
   for (const int index : group.drivers) {
     const auto i = static_cast<std::size_t>(index);
@@ -92,19 +91,18 @@ std::vector<Vector2d> places_of(const Planned& model, const Group& group, const 
   const auto counts = [&](int index) { return !body || index == *body; };
   std::vector<Vector2d> places;
   for (const int index : group.joints) {
-    const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(index)];
+    const Joint& joint = model.mechanism.joints[index];
     for (const PointRef& point : {joint.first, joint.second}) {
       if (!couples_turning(joint.type) && counts(point.body)) {
-        const Body& of = model.mechanism.bodies[static_cast<std::size_t>(point.body)];
-        places.push_back(body_in(state, point.body).X_WB *
-                         of.points[static_cast<std::size_t>(point.point)].p_B);
+        const Body& of = model.mechanism.bodies[point.body];
+        places.push_back(body_in(state, point.body).X_WB * of.points[point.point].p_B);
       }
     }
   }
   for (const int index : group.contacts) {
-    const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
+    const Contact& contact = model.mechanism.contacts[index];
     if (counts(contact.first.body) || counts(contact.second.body)) {
-      places.push_back(state.contacts[static_cast<std::size_t>(index)].at.p_W());
+      places.push_back(state.contacts[index].at.p_W());
     }
   }
   return places;

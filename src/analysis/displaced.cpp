@@ -59,8 +59,8 @@ void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, 
   const Dimensions<double> dimensions = dimensions_of(mechanism);
   for (std::size_t i = 0; i < row.contacts.size(); ++i) {
     const auto& contact = dimensions.contacts[i];
-    const BodyMotion& body1 = row.bodies[static_cast<std::size_t>(contact.first)];
-    const BodyMotion& body2 = row.bodies[static_cast<std::size_t>(contact.second)];
+    const BodyMotion& body1 = row.bodies[contact.first];
+    const BodyMotion& body2 = row.bodies[contact.second];
     ContactMotion& motion = row.contacts[i];
     motion.phi += h * by_p.phi[i];
     motion.arc_difference += h * by_p.arcs[i];
@@ -177,14 +177,13 @@ std::optional<MechanismDerivative> mechanism_derivative(
     const std::function<std::optional<Mechanism>(double)>& at, double h, double scale) {
   std::array<std::optional<Mechanism>, 9> made;  // index: number of steps + 4
   for (const int steps : {0, 4, -4, 3, -3, 2, -2, 1, -1}) {
-    auto& mechanism = made[static_cast<std::size_t>(steps + 4)] = at(steps * h);
+    auto& mechanism = made[steps + 4] = at(steps * h);
     if (!mechanism) {
       return std::nullopt;
     }
   }
   const auto numbers_at = [&](double step) -> Eigen::VectorXd {
-    const std::vector<double> numbers =
-        numbers_of(*made[static_cast<std::size_t>(std::lround(step / h) + 4)]);
+    const std::vector<double> numbers = numbers_of(*made[std::lround(step / h) + 4]);
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
   };
   const Eigen::VectorXd slopes = eighth_order_difference(numbers_at, h);

@@ -159,7 +159,7 @@ void DyadChain::Impl::ask(std::vector<ChainColumn> columns, const Mechanism& mec
     task.column = column;
     task.values.resize(schedule.position.size());
     if (column.quantity == Quantity::kAngle) {
-      task.angle = angles[static_cast<std::size_t>(column.body)];
+      task.angle = angles[column.body];
     }
   }
   placed = placed_bodies(groups, columns, angles.size());
@@ -171,7 +171,7 @@ void DyadChain::Impl::mark_sprung() {
     const ChainLoads::PinSpring& spring = statics->loads.pin_springs[i];
     for (const int turning : {spring.first.turning, spring.second.turning}) {
       if (turning >= 0) {
-        turnings[static_cast<std::size_t>(turning)].sprung = true;
+        turnings[turning].sprung = true;
       }
     }
   }
@@ -247,8 +247,8 @@ bool DyadChain::solve(const Mechanism& mechanism) {
     if (task.column.quantity == Quantity::kPressure) {
       task.touch = *touch_in(own.groups, task.column.body);
     } else if (task.column.point) {
-      const Body& body = mechanism.bodies[static_cast<std::size_t>(task.column.body)];
-      task.p_B = body.points[static_cast<std::size_t>(*task.column.point)].p_B;
+      const Body& body = mechanism.bodies[task.column.body];
+      task.p_B = body.points[*task.column.point].p_B;
     }
   }
   for (ChainTurning& turning : own.turnings) {

@@ -14,7 +14,7 @@ namespace higherpair {
 namespace {
 
 double output_velocity(const OutputJoint& output, const State& state) {
-  const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
+  const BodyMotion& body = state.bodies[output.body];
   return output.turns ? body.omega : body.v_WB.dot(output.direction_W);
 }
 
@@ -28,7 +28,7 @@ double fastest_motion(const State& state, double size, bool turning) {
 }
 
 double output_acceleration(const OutputJoint& output, const State& state) {
-  const BodyMotion& body = state.bodies[static_cast<std::size_t>(output.body)];
+  const BodyMotion& body = state.bodies[output.body];
   return output.turns ? body.alpha : body.a_WB.dot(output.direction_W);
 }
 
@@ -78,7 +78,7 @@ private:
     if (!solve_at(run_, path_, s_, x)) {
       return std::nullopt;
     }
-    const Joint& joint = run_.mechanism().joints[static_cast<std::size_t>(output.joint)];
+    const Joint& joint = run_.mechanism().joints[output.joint];
     return joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
   }
 

@@ -20,7 +20,7 @@ namespace higherpair {
 namespace {
 
 const Contact& contact_of(const Mechanism& mechanism, int index) {
-  return mechanism.contacts[static_cast<std::size_t>(index)];
+  return mechanism.contacts[index];
 }
 
 FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
@@ -78,7 +78,7 @@ bool FirstPosition::place(std::size_t g, int mode) {
   state_.groups[g].mode = mode;
   // Earlier tries must not affect the result, not even in its last digit.
   for (const int body : group.bodies) {
-    state_.turns[static_cast<std::size_t>(body)] = {};
+    state_.turns[body] = {};
   }
   if (const auto* tracked = std::get_if<TrackedPair>(&group.kind)) {
     return start_tracked(*tracked, g);
@@ -115,7 +115,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   const Group& group = run_.plan().groups[g];
   Mechanism slipping = run_.mechanism();
   for (const int contact : group.contacts) {
-    slipping.contacts[static_cast<std::size_t>(contact)].rolling = false;
+    slipping.contacts[contact].rolling = false;
   }
   std::vector<int> held;
   std::copy_if(run_.plan().phase_bodies.begin(), run_.plan().phase_bodies.end(), std::back_inserter(held),
@@ -132,7 +132,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
 void FirstPosition::begin_arcs(const Group& group) {
   for (const int index : group.contacts) {
     const Contact& contact = contact_of(run_.mechanism(), index);
-    ContactMotion& motion = state_.contacts[static_cast<std::size_t>(index)];
+    ContactMotion& motion = state_.contacts[index];
     if (contact.rolling) {
       motion.arc_difference = arc_difference(run_.mechanism(), contact, motion, state_.bodies);
     }
@@ -141,7 +141,7 @@ void FirstPosition::begin_arcs(const Group& group) {
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
-  const double u = tracked.driver_sign * run_.at.drivers[static_cast<std::size_t>(tracked.driver)];
+  const double u = tracked.driver_sign * run_.at.drivers[tracked.driver];
   const double q = carried_coordinate(tracked.follower, posed_.bodies);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
   const bool anywhere = moves_in_itself(tracked.pair.curve2, tracked.pair.motion2);
@@ -187,8 +187,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   fail(g, "contacts." + contact.name +
               ": this pair cannot roll; set rolling = false, or choose curves and joints whose contact point "
               "stays at the instant centre");
-  failure_.slip =
-      Slip{run_.at.drivers[static_cast<std::size_t>(tracked.driver)], found.at.sliding, tracked.contact};
+  failure_.slip = Slip{run_.at.drivers[tracked.driver], found.at.sliding, tracked.contact};
   return false;
 }
 
@@ -215,7 +214,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   }
   state_.groups[g].mode = found.branch;
   body_in(touching_start_, follower.body) = motion_at(placed.pair.motion2, found.at.q, 0, 0);
-  ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
+  ContactMotion& motion = touching_start_.contacts[touching.contact];
   motion.at.n_W = touching.follower_is_second ? found.at.n_W : Vector2d(-found.at.n_W);
   motion.phi = angle_of(motion.at.n_W);
   return true;
@@ -247,7 +246,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   }
   state_.groups[g].mode = found->gap_q < 0 ? -1 : 1;
   body_in(touching_start_, touching.follower.body) = motion_at(pair.motion2, found->q, 0, 0);
-  ContactMotion& motion = touching_start_.contacts[static_cast<std::size_t>(touching.contact)];
+  ContactMotion& motion = touching_start_.contacts[touching.contact];
   move_contact(touching, *found, 0, motion);
   motion.phi = angle_of(motion.at.n_W);
   return true;
@@ -263,7 +262,7 @@ void FirstPosition::start_coupled(const Group& group) {
       return (placed ? state_ : posed_).bodies[body].X_WB;
     };
     if (contact.by_boundary) {
-      posed_.contacts[static_cast<std::size_t>(index)].place =
+      posed_.contacts[index].place =
           nearest_places(boundary_of(run_.mechanism(), contact.first), pose(contact.first),
                          boundary_of(run_.mechanism(), contact.second), pose(contact.second));
       continue;
@@ -271,7 +270,7 @@ void FirstPosition::start_coupled(const Group& group) {
     const Separation here = separation(curve_of(run_.mechanism(), contact.first), pose(contact.first),
                                        curve_of(run_.mechanism(), contact.second), pose(contact.second),
                                        kRoughSeparation * run_.plan().size);
-    ContactMotion& motion = posed_.contacts[static_cast<std::size_t>(index)];
+    ContactMotion& motion = posed_.contacts[index];
     motion.at.n_W = here.n_W;
     motion.phi = angle_of(here.n_W);
   }

@@ -55,7 +55,7 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   // The normal does not change. The contact is set rather than searched for: rounding would decide at which
   // end a search arrives.
   const auto set = [&](std::size_t side, const Boundary& boundary, const BoundaryPlace& at) {
-    const BodyMotion& body = over.bodies[static_cast<std::size_t>(ref_of(contact, side).body)];
+    const BodyMotion& body = over.bodies[ref_of(contact, side).body];
     (side == 0 ? motion.at.p1_W : motion.at.p2_W) = body.X_WB * boundary.at(at).p_B;
     JointPassage there = passage;
     there.side = side;

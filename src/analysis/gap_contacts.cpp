@@ -28,7 +28,7 @@ const TouchingBody& touching_of(const Run& run, std::size_t g) {
 }
 
 const Contact& contact_of(const Run& run, const TouchingBody& touching) {
-  return run.mechanism().contacts[static_cast<std::size_t>(touching.contact)];
+  return run.mechanism().contacts[touching.contact];
 }
 
 // Sample places of a boundary next to those with the outward normal n_B: one on each part that has this
@@ -131,7 +131,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   if (!(shift <= kFarthestShift * run.plan().size)) {
     return Closing::kFar;
   }
-  ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
+  ContactMotion& motion = state.contacts[touching.contact];
   const double phi = motion.phi;
   motion = {};
   move_contact(touching, found, phi, motion);
@@ -143,7 +143,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
 }
 
 const std::string& follower_name(const Run& run, const TouchingBody& touching) {
-  return run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name;
+  return run.mechanism().bodies[touching.follower.body].name;
 }
 
 // Continues run.at.state, which is at s, with the contact open, though the bodies overlap.
@@ -160,12 +160,11 @@ void report_strike(Run& run, const Path& path, double s, const TouchingBody& tou
 // The part of an event's sentence that names the curve which touches with the edge at its end.
 std::string edge_text(const Run& run, const TouchingBody& touching) {
   const Contact& contact = contact_of(run, touching);
-  const auto& places = run.at.state.contacts[static_cast<std::size_t>(touching.contact)].place;
+  const auto& places = run.at.state.contacts[touching.contact].place;
   for (std::size_t side = 0; side < 2; ++side) {
     const CurveRef& ref = ref_of(contact, side);
     if (is_edge(boundary_of(run.mechanism(), ref), places[side].span)) {
-      return fmt::format(" at the edge at the end of the curve of {}",
-                         run.mechanism().bodies[static_cast<std::size_t>(ref.body)].name);
+      return fmt::format(" at the edge at the end of the curve of {}", run.mechanism().bodies[ref.body].name);
     }
   }
   return "";

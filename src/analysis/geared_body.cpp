@@ -11,7 +11,7 @@ struct Drive {
 };
 
 Drive drive_of(const Planned& model, const GearedBody& geared, const State& state) {
-  const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(geared.gears)];
+  const Joint& joint = model.mechanism.joints[geared.gears];
   const std::array<int, 3> bodies{joint.first.body, joint.second.body, joint.carrier};
   std::array<BodyAt<Partials<double, 3>>, 3> at;
   for (std::size_t k = 0; k < at.size(); ++k) {

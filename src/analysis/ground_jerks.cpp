@@ -39,7 +39,7 @@ public:
       return add_touching(pair->contact, pair->follower);
     }
     if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
-      const bool touches = run_.row.contacts[static_cast<std::size_t>(touching->contact)].touches;
+      const bool touches = run_.row.contacts[touching->contact].touches;
       return touches ? add_touching(touching->contact, touching->follower) : set(touching->follower, 0);
     }
     return false;
@@ -48,30 +48,27 @@ public:
   [[nodiscard]] Jerks take() { return std::move(jerks_); }
 
 private:
-  [[nodiscard]] const BodyMotion& motion(int body) const {
-    return run_.row.bodies[static_cast<std::size_t>(body)];
-  }
+  [[nodiscard]] const BodyMotion& motion(int body) const { return run_.row.bodies[body]; }
 
   bool set(const CarriedBody& carried, double coordinate) {
     if (carried.carrier != 0 || !std::isfinite(coordinate)) {
       return false;
     }
-    jerks_[static_cast<std::size_t>(carried.body)] =
-        jerk_on(carried.freedom, motion(carried.body), coordinate);
+    jerks_[carried.body] = jerk_on(carried.freedom, motion(carried.body), coordinate);
     return true;
   }
 
   // The contact prescribes n·(j2 - j1); the follower's coordinate is the only unknown in it.
   bool add_touching(int index, const CarriedBody& follower) {
     const Mechanism& mechanism = run_.mechanism();
-    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+    const Contact& contact = mechanism.contacts[index];
     const bool second = contact.second.body == follower.body;
     const int other = second ? contact.first.body : contact.second.body;
-    const auto& known = jerks_[static_cast<std::size_t>(other)];
+    const auto& known = jerks_[other];
     if (contact.rolling || follower.carrier != 0 || !known) {
       return false;
     }
-    const CommonNormal& at = run_.row.contacts[static_cast<std::size_t>(index)].at;
+    const CommonNormal& at = run_.row.contacts[index].at;
     const BodyMotion& body = motion(follower.body);
     const Vector2d p_W = at.p_W();
     const auto along = [&](const BodyMotion& of, const BodyJerk& jerk) {

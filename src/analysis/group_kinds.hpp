@@ -11,11 +11,11 @@
 namespace higherpair {
 
 [[nodiscard]] inline BodyMotion& body_in(State& state, int index) {
-  return state.bodies[static_cast<std::size_t>(index)];
+  return state.bodies[index];
 }
 
 [[nodiscard]] inline const BodyMotion& body_in(const State& state, int index) {
-  return state.bodies[static_cast<std::size_t>(index)];
+  return state.bodies[index];
 }
 
 [[nodiscard]] inline Vector2d place_of(const State& state, const BodyPoint& point) {

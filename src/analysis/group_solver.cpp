@@ -18,7 +18,7 @@ Overload(Fs...) -> Overload<Fs...>;
 void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, const State& from,
                   State& to) {
   const CarriedBody& carried = driven.carried;
-  const double q = carried.sign * drivers[static_cast<std::size_t>(driven.driver)];
+  const double q = carried.sign * drivers[driven.driver];
   if (carried.carrier == 0) {
     place_at(carried.freedom, q, carried.body, from, to);
     return;
@@ -28,7 +28,7 @@ void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, 
 
 void move_driven(const DrivenBody& driven, const std::vector<DriverMotion>& drivers, State& state) {
   const CarriedBody& carried = driven.carried;
-  const DriverMotion& driver = drivers[static_cast<std::size_t>(driven.driver)];
+  const DriverMotion& driver = drivers[driven.driver];
   if (carried.carrier == 0) {
     set_rates_at(carried.freedom, carried.sign * driver.velocity, carried.sign * driver.acceleration,
                  body_in(state, carried.body));
@@ -50,8 +50,8 @@ void place_idle(const IdleBody& idle, const State& from, State& to) {
 }  // namespace
 
 void set_contact_rates(const Planned& model, int index, State& state) {
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(index)];
-  ContactMotion& motion = state.contacts[static_cast<std::size_t>(index)];
+  const Contact& contact = model.mechanism.contacts[index];
+  ContactMotion& motion = state.contacts[index];
   const EquivalentLink link = link_of(model.mechanism, contact, motion.at);
   motion.rates =
       contact_rates(link, motion.at, body_in(state, contact.first.body), body_in(state, contact.second.body));
@@ -64,8 +64,8 @@ BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier,
 }
 
 double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies) {
-  const BodyMotion& carrier = bodies[static_cast<std::size_t>(carried.carrier)];
-  const BodyMotion& body = bodies[static_cast<std::size_t>(carried.body)];
+  const BodyMotion& carrier = bodies[carried.carrier];
+  const BodyMotion& body = bodies[carried.body];
   if (carried.freedom.turns) {
     return body.theta - carrier.theta;
   }
@@ -74,7 +74,7 @@ double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMoti
 }
 
 StandingPair standing_pair(const Planned& model, const TouchingBody& touching, const State& state) {
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
   const BodyMotion& body1 = body_in(state, known.body);
@@ -95,7 +95,7 @@ StandingPair standing_pair(const Planned& model, const TouchingBody& touching, c
 
 BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
                                  const StandingPair& standing) {
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
   return {&boundary_of(model.mechanism, known), standing.pair.motion1, &boundary_of(model.mechanism, own),

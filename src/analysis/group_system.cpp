@@ -14,13 +14,12 @@ Eigen::VectorXd coordinates_of(const Planned& model, const Group& group, const S
   const auto bodies = static_cast<Eigen::Index>(group.bodies.size());
   Eigen::VectorXd x(3 * bodies + static_cast<Eigen::Index>(group.contacts.size()));
   for (Eigen::Index i = 0; i < bodies; ++i) {
-    const BodyMotion& body = body_in(state, group.bodies[static_cast<std::size_t>(i)]);
+    const BodyMotion& body = body_in(state, group.bodies[i]);
     x.segment<2>(3 * i) = body.X_WB.p_WB;
     x(3 * i + 2) = size * body.theta;
   }
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {
-    x(3 * bodies + static_cast<Eigen::Index>(i)) =
-        size * state.contacts[static_cast<std::size_t>(group.contacts[i])].phi;
+    x(3 * bodies + static_cast<Eigen::Index>(i)) = size * state.contacts[group.contacts[i]].phi;
   }
   return x;
 }
@@ -30,7 +29,7 @@ void set_coordinates(const Planned& model, const Group& group, const State& from
   const double size = model.plan.size;
   const auto bodies = static_cast<Eigen::Index>(group.bodies.size());
   for (Eigen::Index i = 0; i < bodies; ++i) {
-    const int index = group.bodies[static_cast<std::size_t>(i)];
+    const int index = group.bodies[i];
     BodyMotion& body = body_in(state, index);
     body.theta = x(3 * i + 2) / size;
     body.X_WB = {Rotation<double>::from_angle(body.theta), x.segment<2>(3 * i)};
@@ -97,8 +96,7 @@ bool group_system(const Planned& model, const Group& group, const std::vector<Dr
     if (described.by_boundary && !set_local_curves(model, described, state, state.contacts[i], contact)) {
       return false;
     }
-    const auto touch = facing_at(contact, at.bodies[static_cast<std::size_t>(contact.first)],
-                                 at.bodies[static_cast<std::size_t>(contact.second)], at.phi[i]);
+    const auto touch = facing_at(contact, at.bodies[contact.first], at.bodies[contact.second], at.phi[i]);
     if (!touch) {
       return false;
     }

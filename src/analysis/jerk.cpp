@@ -29,7 +29,7 @@ Dimensions<double> frozen(const Run& run, Dimensions<double> dimensions) {
     const auto replace = [&](int body, const Vector2d& p_W, const Vector2d& n_W, double rho,
                              CurveDimensions<double>& curve) {
       if (curve.kind != CurveKind::kLine && curve.kind != CurveKind::kPoint) {
-        curve = circle_of_curvature(run.row.bodies[static_cast<std::size_t>(body)], p_W, n_W, rho);
+        curve = circle_of_curvature(run.row.bodies[body], p_W, n_W, rho);
       }
     };
     replace(contact.first, at.p1_W, at.n_W, at.rho1, contact.curve1);
@@ -63,15 +63,15 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
 
 // Jerk of the coordinate of a pin, or of a slide on ground.
 std::optional<double> simple_joint_jerk(const Run& run, const Joint& joint, const Jerks& bodies) {
-  const auto& first = bodies[static_cast<std::size_t>(joint.first.body)];
-  const auto& second = bodies[static_cast<std::size_t>(joint.second.body)];
+  const auto& first = bodies[joint.first.body];
+  const auto& second = bodies[joint.second.body];
   if (!first || !second) {
     return std::nullopt;
   }
   if (joint.type == JointType::kRevolute) {
     return second->angular - first->angular;
   }
-  const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(joint.second.body)];
+  const BodyMotion& body = run.row.bodies[joint.second.body];
   return point_jerk(body, *second, point_of(run.mechanism(), joint.second)).dot(joint.direction_A);
 }
 
@@ -102,12 +102,12 @@ Jerks true_jerks_of(const Run& run, std::span<const HigherRates> higher) {
 }
 
 std::optional<double> joint_jerk(const Run& run, int joint, const Jerks& bodies) {
-  const Joint& named = run.mechanism().joints[static_cast<std::size_t>(joint)];
+  const Joint& named = run.mechanism().joints[joint];
   if (named.type == JointType::kRevolute || (named.type == JointType::kPrismatic && named.first.body == 0)) {
     return simple_joint_jerk(run, named, bodies);
   }
   const Dimensions<double> dimensions = dimensions_of(run.mechanism());
-  const auto& at = dimensions.joints[static_cast<std::size_t>(joint)];
+  const auto& at = dimensions.joints[joint];
   std::array<BodyAt<JerkSeries>, 3> series;
   for (std::size_t i = 0; const int body : {at.first, at.second, at.carrier}) {
     const auto index = static_cast<std::size_t>(body);

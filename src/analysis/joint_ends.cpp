@@ -14,7 +14,7 @@ namespace {
 template <class F>
 void for_each_end(const Planned& model, std::size_t g, const State& state, const F& f) {
   for (const int index : model.plan.groups[g].ended_joints) {
-    const Joint& joint = model.mechanism.joints[static_cast<std::size_t>(index)];
+    const Joint& joint = model.mechanism.joints[index];
     const double s = joint_motion(model.mechanism, joint, state.bodies).position;
     if (joint.from) {
       f(JointEnd{index, false}, s - *joint.from);

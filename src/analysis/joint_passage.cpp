@@ -17,9 +17,7 @@ std::optional<int> moved_joint(const Run& run, std::size_t contact) {
 }
 
 double acceleration_of(const Run& run, int joint) {
-  return joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)],
-                      run.at.state.bodies)
-      .acceleration;
+  return joint_motion(run.mechanism(), run.mechanism().joints[joint], run.at.state.bodies).acceleration;
 }
 
 // The event of passing the joint; none if nothing jumps.
@@ -92,9 +90,9 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
     event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
   }
   if (joint) {
-    event.effect = fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
-                               run.mechanism().joints[static_cast<std::size_t>(*joint)].name,
-                               from_to_text(before, acceleration_of(run, *joint)));
+    event.effect =
+        fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
+                    run.mechanism().joints[*joint].name, from_to_text(before, acceleration_of(run, *joint)));
   }
 }
 

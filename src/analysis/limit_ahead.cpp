@@ -114,8 +114,8 @@ struct Asymptotes {
 };
 
 std::optional<Asymptotes> asymptotes_of(const Run& run, const State& state, int contact_index) {
-  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(contact_index)];
-  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(contact_index)];
+  const Contact& contact = run.mechanism().contacts[contact_index];
+  const ContactMotion& motion = state.contacts[contact_index];
   const Vector2d p_W = motion.at.p_W();
   if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
     return std::nullopt;

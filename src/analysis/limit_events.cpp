@@ -32,7 +32,7 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
     event.type = EventType::kEnd;
     event.cause = *std::move(end);
   } else if (const auto at_end = joint_at_end(model_of(run), g, run.at.state)) {
-    const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(at_end->joint)];
+    const Joint& joint = run.mechanism().joints[at_end->joint];
     event.type = EventType::kEnd;
     event.joint = at_end->joint;
     event.contact.reset();

@@ -48,7 +48,7 @@ public:
   [[nodiscard]] MappedContact map(int index) const {
     MappedContact mapped;
     mapped.contact = index;
-    const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(index)];
+    const Contact& contact = mechanism_.contacts[index];
     const auto follower = follower_of(index);
     if (contact.rolling) {
       mapped.refusal = "it rolls: its arcs, not only its tangency, tie the two bodies";
@@ -69,9 +69,7 @@ private:
     return placing ? std::optional(placing->follower->body) : std::nullopt;
   }
 
-  [[nodiscard]] const std::string& name_of(int body) const {
-    return mechanism_.bodies[static_cast<std::size_t>(body)].name;
-  }
+  [[nodiscard]] const std::string& name_of(int body) const { return mechanism_.bodies[body].name; }
 
   void set_pair(const Contact& contact, int follower, MappedContact& mapped) const {
     const CurveRef& on_known = mapped.known_is_first ? contact.first : contact.second;
@@ -83,7 +81,7 @@ private:
                        " has no revolute or prismatic joint to ground that leaves it one coordinate";
       return;
     }
-    const auto joint = [&](int i) { return mechanism_.joints[static_cast<std::size_t>(i)]; };
+    const auto joint = [&](int i) { return mechanism_.joints[i]; };
     mapped.known_joint = *known_joint;
     mapped.follower_joint = *follower_joint;
     mapped.known = carried_body(mechanism_, joint(*known_joint), on_known.body);
@@ -103,12 +101,12 @@ private:
   void set_position(MappedContact& mapped) const {
     if (run_) {
       const State& state = run_->at.state;
-      const Vector2d n_W = state.contacts[static_cast<std::size_t>(mapped.contact)].at.n_W;
+      const Vector2d n_W = state.contacts[mapped.contact].at.n_W;
       mapped.q = carried_coordinate(mapped.follower, state.bodies);
       mapped.n_W = mapped.known_is_first ? n_W : Vector2d(-n_W);
     }
     if (mapped.driver) {
-      mapped.u = mapped.known.sign * drivers_[static_cast<std::size_t>(*mapped.driver)];
+      mapped.u = mapped.known.sign * drivers_[*mapped.driver];
     } else if (!mapped.pair.motion1.turns) {
       mapped.refusal = name_of(mapped.known.body) + " slides and is not driven: no range is given for it";
     } else if (run_) {

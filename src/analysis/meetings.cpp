@@ -67,7 +67,7 @@ std::optional<std::array<int, 2>> meeting_corners(const Boundary& boundary1, con
       const int next = boundary.next_span(at.span, high);
       if (is_at_end(boundary, at, high, kAtSpanEnd) &&
           boundary.joint_after(high ? at.span : next) != SpanJoint::kEnd &&
-          boundary.spans()[static_cast<std::size_t>(next)]->is_corner()) {
+          boundary.spans()[next]->is_corner()) {
         return next;
       }
     }

@@ -28,14 +28,14 @@ std::string rate_jump_text(const Run& run, const TouchingBody& touching, const R
     return ", without a jump of velocity";
   }
   return fmt::format("; for a unit rate of the driver the rate of {} jumps {}",
-                     run.mechanism().bodies[static_cast<std::size_t>(touching.follower.body)].name,
+                     run.mechanism().bodies[touching.follower.body].name,
                      from_to_text(jump.before, jump.after));
 }
 
 std::optional<std::size_t> touching_group(const Run& run, int contact) {
   const auto g = group_with_contact(run.plan(), contact);
   const bool touching = g && std::holds_alternative<TouchingBody>(run.plan().groups[*g].kind) &&
-                        run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary;
+                        run.mechanism().contacts[contact].by_boundary;
   return touching ? g : std::nullopt;
 }
 

@@ -40,9 +40,8 @@ double parts_of(const Run& run, const Path& path) {
 
 bool moves_on_boundaries(const Run& run, std::size_t g) {
   const std::vector<int>& contacts = run.plan().groups[g].contacts;
-  return std::any_of(contacts.begin(), contacts.end(), [&](int contact) {
-    return run.mechanism().contacts[static_cast<std::size_t>(contact)].by_boundary;
-  });
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](int contact) { return run.mechanism().contacts[contact].by_boundary; });
 }
 
 // Follows a path with the drivers as parameter, in steps each of which continues the motion smoothly (see

@@ -23,7 +23,7 @@ std::vector<std::size_t> first_point_numbers(const Mechanism& mechanism) {
 }
 
 const Joint& joint_at(const Mechanism& mechanism, int index) {
-  return mechanism.joints[static_cast<std::size_t>(index)];
+  return mechanism.joints[index];
 }
 
 // The end of a joint on a body, and its other end; none if the joint is not on the body.
@@ -144,8 +144,8 @@ bool PinLinkage::place(std::span<const Rotation<double>> drivers) {
 }
 
 void PinLinkage::place(const Driven& driven, std::span<const Rotation<double>> drivers) {
-  const Rotation<double>& turn = drivers[static_cast<std::size_t>(driven.driver)];
-  Pose<double>& X_WB = poses_[static_cast<std::size_t>(driven.body)];
+  const Rotation<double>& turn = drivers[driven.driver];
+  Pose<double>& X_WB = poses_[driven.body];
   X_WB.R_WB = pose(driven.known.body).R_WB * Rotation<double>{turn.cos, driven.sense * turn.sin};
   X_WB.p_WB = in_ground(driven.known) - X_WB.R_WB * in_body(driven.own);
 }
@@ -171,7 +171,7 @@ bool PinLinkage::place(Dyad& dyad) {
   dyad.C_W = dyad.A_W + r_a;
   const auto pose_link = [&](int link, const Vector2d& r, const Vector2d& along, double length,
                              const Vector2d& pin_W, const End& pin) {
-    Pose<double>& X_WB = poses_[static_cast<std::size_t>(link)];
+    Pose<double>& X_WB = poses_[link];
     const double scale = 1 / (length * length);
     X_WB.R_WB = {along.dot(r) * scale, cross(along, r) * scale};
     X_WB.p_WB = pin_W - X_WB.R_WB * in_body(pin);
@@ -195,7 +195,7 @@ double PinLinkage::transmission(std::size_t index) const {
 }
 
 Vector2d PinLinkage::slope_of(const End& end) const {
-  const PoseSlope& slope = pose_slopes_[static_cast<std::size_t>(end.body)];
+  const PoseSlope& slope = pose_slopes_[end.body];
   const Rotation<double>& R_WB = pose(end.body).R_WB;
   return slope.p_W + slope.theta * perp(R_WB * in_body(end)) + R_WB * slope_in_body(end);
 }
@@ -213,9 +213,9 @@ void PinLinkage::differentiate(std::span<const double> slopes) {
 }
 
 void PinLinkage::differentiate(const Driven& driven) {
-  PoseSlope& slope = pose_slopes_[static_cast<std::size_t>(driven.body)];
+  PoseSlope& slope = pose_slopes_[driven.body];
   const Rotation<double>& R_WB = pose(driven.body).R_WB;
-  slope.theta = pose_slopes_[static_cast<std::size_t>(driven.known.body)].theta;
+  slope.theta = pose_slopes_[driven.known.body].theta;
   slope.p_W = slope_of(driven.known) - slope.theta * perp(R_WB * in_body(driven.own)) -
               R_WB * slope_in_body(driven.own);
 }
@@ -231,8 +231,7 @@ void PinLinkage::differentiate(const Dyad& dyad) {
   const double inverse = determinant == 0 ? 0 : 1 / determinant;
   const auto set = [&](int link, double theta, const Vector2d& pin_slope, const End& pin) {
     const Rotation<double>& R_WB = pose(link).R_WB;
-    pose_slopes_[static_cast<std::size_t>(link)] = {
-        pin_slope - theta * perp(R_WB * in_body(pin)) - R_WB * slope_in_body(pin), theta};
+    pose_slopes_[link] = {pin_slope - theta * perp(R_WB * in_body(pin)) - R_WB * slope_in_body(pin), theta};
   };
   set(dyad.link_a, h.dot(r_b) * inverse, A, dyad.a_A);
   set(dyad.link_b, h.dot(r_a) * inverse, B, dyad.b_B);
@@ -256,7 +255,7 @@ double PinLinkage::gap_slope(std::size_t index) const {
 double PinLinkage::transmission_slope(std::size_t index) const {
   const Dyad& dyad = dyads_[index];
   const auto turning = [&](int link, const Vector2d& along, double size, const End& from, const End& to) {
-    return pose_slopes_[static_cast<std::size_t>(link)].theta +
+    return pose_slopes_[link].theta +
            cross(along, Vector2d(slope_in_body(to) - slope_in_body(from))) / (size * size);
   };
   const double cosine = Vector2d(dyad.A_W - dyad.C_W).dot(Vector2d(dyad.B_W - dyad.C_W)) / (dyad.a * dyad.b);

@@ -73,8 +73,8 @@ void add_joint(const Run& run, const Joint& joint, Errors& errors) {
     return;
   }
   const MotionRow& row = run.row;
-  const auto has_rates = [&](int body) { return row.has_rates[static_cast<std::size_t>(body)]; };
-  const auto body = [&](int index) { return series_of_body<1>(row.bodies[static_cast<std::size_t>(index)]); };
+  const auto has_rates = [&](int body) { return row.has_rates[body]; };
+  const auto body = [&](int index) { return series_of_body<1>(row.bodies[index]); };
   const bool turning = couples_turning(joint.type);
   const bool rates = row.all_rates || (has_rates(joint.first.body) && has_rates(joint.second.body) &&
                                        (!turning || has_rates(joint.carrier)));

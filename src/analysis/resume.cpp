@@ -37,8 +37,7 @@ bool has_listed_contact(const Run& run) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
     const bool stands_on_conics =
-        touching != nullptr &&
-        !run.mechanism().contacts[static_cast<std::size_t>(touching->contact)].by_boundary;
+        touching != nullptr && !run.mechanism().contacts[touching->contact].by_boundary;
     if (stands_on_conics || std::holds_alternative<ContactTrack>(run.at.state.tracks[g])) {
       return true;
     }

@@ -56,15 +56,15 @@ void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row)
 }
 
 bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow& row) {
-  const auto unknown = [&](int body) { return !row.has_rates[static_cast<std::size_t>(body)]; };
+  const auto unknown = [&](int body) { return !row.has_rates[body]; };
   return std::any_of(group.joints.begin(), group.joints.end(),
                      [&](int index) {
-                       const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(index)];
+                       const Joint& joint = run.mechanism().joints[index];
                        return unknown(joint.first.body) || unknown(joint.second.body) ||
                               unknown(joint.carrier);
                      }) ||
          std::any_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
-           const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
+           const Contact& contact = run.mechanism().contacts[index];
            return unknown(contact.first.body) || unknown(contact.second.body);
          });
 }
@@ -81,7 +81,7 @@ void mark_rates(const Run& run, MotionRow& row) {
     const bool here = !(std::abs(state.sine) > state.noise);
     if (here || (singular && hangs_on_unknown_rates(run, group, row))) {
       for (const int body : group.bodies) {
-        row.has_rates[static_cast<std::size_t>(body)] = false;
+        row.has_rates[body] = false;
       }
     }
     singular = singular || here;
@@ -131,7 +131,7 @@ std::optional<std::size_t> group_at_infinity(const Run& run) {
   }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     for (const int index : run.plan().groups[g].contacts) {
-      const ContactMotion& contact = run.row.contacts[static_cast<std::size_t>(index)];
+      const ContactMotion& contact = run.row.contacts[index];
       const double rounding = std::numeric_limits<double>::epsilon() * contact.at.p_W().norm();
       if (contact.touches && rounding > kRoundingOfGap * run.plan().size) {
         return g;
@@ -219,7 +219,7 @@ tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<doub
     return tl::unexpected(std::move(*failure));
   }
   if (const auto contact = set_out(run)) {
-    const std::string& name = mechanism.contacts[static_cast<std::size_t>(*contact)].name;
+    const std::string& name = mechanism.contacts[*contact].name;
     return tl::unexpected(StartFailure{"contacts." + name + ": " + kTouchesAtLimit, std::nullopt});
   }
   return run;

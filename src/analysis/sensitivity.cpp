@@ -33,8 +33,8 @@ double partial(const ParametricSeries& series, std::size_t k) {
 Parametric posed_coordinate(const Mechanism& mechanism, const Mechanism& derivative,
                             const Dimensions<Parametric>::Joint& joint) {
   const auto posed = [&](int index) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(index)];
-    const Body by_p = index == 0 ? Body() : derivative.bodies[static_cast<std::size_t>(index)];
+    const Body& body = mechanism.bodies[index];
+    const Body by_p = index == 0 ? Body() : derivative.bodies[index];
     const Parametric theta = parametric(body.guess_theta, by_p.guess_theta);
     return BodyAt<Parametric>{{Rotation<Parametric>::from_angle(theta),
                                {parametric(body.guess_p_WB.x(), by_p.guess_p_WB.x()),
@@ -73,13 +73,11 @@ std::vector<HeldFollower> hold_loose_followers(const Mechanism& mechanism, const
   std::vector<HeldFollower> held;
   for (Group& group : start.plan.groups) {
     const auto* tracked = std::get_if<TrackedPair>(&group.kind);
-    if (tracked == nullptr || !mechanism.contacts[static_cast<std::size_t>(tracked->contact)].rolling ||
-        is_placed(start, group)) {
+    if (tracked == nullptr || !mechanism.contacts[tracked->contact].rolling || is_placed(start, group)) {
       continue;
     }
     const int joint = group.joints.front();
-    const Parametric posed =
-        posed_coordinate(mechanism, derivative, start.dimensions.joints[static_cast<std::size_t>(joint)]);
+    const Parametric posed = posed_coordinate(mechanism, derivative, start.dimensions.joints[joint]);
     held.push_back({start.values.drivers.size(), tracked, posed.c[1]});
     group.drivers.push_back(static_cast<int>(start.values.drivers.size()));
     start.values.drivers.push_back(joint);
@@ -93,8 +91,8 @@ std::vector<HeldFollower> hold_loose_followers(const Mechanism& mechanism, const
 // Velocity of a point in ground for a unit rate of a joint to ground, with lengths relative to the size.
 Vector2<ParametricSeries> velocity_per_coordinate(const Start& start, const Coordinates<ParametricSeries>& at,
                                                   int joint, const Vector2<ParametricSeries>& p_W) {
-  const auto& of = start.dimensions.joints[static_cast<std::size_t>(joint)];
-  const BodyAt<ParametricSeries>& first = at.bodies[static_cast<std::size_t>(of.first)];
+  const auto& of = start.dimensions.joints[joint];
+  const BodyAt<ParametricSeries>& first = at.bodies[of.first];
   if (of.of.type == JointType::kRevolute) {
     return perp(Vector2<ParametricSeries>(p_W - first.point(of.of.p_A))) / ParametricSeries(start.plan.size);
   }
@@ -107,12 +105,11 @@ double rate_of_slip(const Mechanism& mechanism, const Start& start, const HeldFo
                     const Coordinates<ParametricSeries>& at) {
   const auto index = static_cast<std::size_t>(held.pair->contact);
   const auto& contact = start.dimensions.contacts[index];
-  const FacingPoints<ParametricSeries> facing =
-      facing_points(contact.curve1, at.bodies[static_cast<std::size_t>(contact.first)], contact.curve2,
-                    at.bodies[static_cast<std::size_t>(contact.second)], at.phi[index]);
+  const FacingPoints<ParametricSeries> facing = facing_points(
+      contact.curve1, at.bodies[contact.first], contact.curve2, at.bodies[contact.second], at.phi[index]);
   const bool flat1 = contact.curve1.kind == CurveKind::kLine;
   const Vector2<ParametricSeries>& p_W = flat1 ? facing.p2_W : facing.p1_W;
-  const int driver = mechanism.drivers[static_cast<std::size_t>(held.pair->driver)].joint;
+  const int driver = mechanism.drivers[held.pair->driver].joint;
   return partial(cross(velocity_per_coordinate(start, at, driver, p_W),
                        velocity_per_coordinate(start, at, start.values.drivers[held.driver], p_W)),
                  0);
@@ -166,7 +163,7 @@ Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size
   if (rates) {
     // The contact moves by ds along the tangent, until its normal is that of the contact.
     const Vector2d t_B = perp(point.n_B);
-    const double turn = moved->phi[contact] - moved->bodies[static_cast<std::size_t>(ref.body)].theta;
+    const double turn = moved->phi[contact] - moved->bodies[ref.body].theta;
     const double ds = (turn - by.n_B.dot(t_B)) / point.kappa;
     by.p_B += ds * t_B;
     by.n_B += ds * point.kappa * t_B;
@@ -182,9 +179,7 @@ Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved
     const Contact& contact = run.mechanism().contacts[i];
     for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
       const CurveRef& ref = ref_of(contact, side);
-      Curve& curve = derivative.bodies[static_cast<std::size_t>(ref.body)]
-                         .curves[static_cast<std::size_t>(ref.curve)]
-                         .curve;
+      Curve& curve = derivative.bodies[ref.body].curves[ref.curve].curve;
       if (run.row.contacts[i].touches) {
         curve = of_local_curve(run, i, side, moved);
       } else {
@@ -223,8 +218,8 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
   }
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const auto& contact = start.dimensions.contacts[i];
-    const BodyAt<ParametricSeries>& body1 = motion.at.bodies[static_cast<std::size_t>(contact.first)];
-    const BodyAt<ParametricSeries>& body2 = motion.at.bodies[static_cast<std::size_t>(contact.second)];
+    const BodyAt<ParametricSeries>& body1 = motion.at.bodies[contact.first];
+    const BodyAt<ParametricSeries>& body2 = motion.at.bodies[contact.second];
     const ParametricSeries arcs =
         !run.mechanism().contacts[i].rolling
             ? ParametricSeries()

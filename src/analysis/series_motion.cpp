@@ -82,7 +82,7 @@ private:
     append_conditions(dimensions_, system_.set(), at_, system_.size(), values_);
     Eigen::VectorXd left(system_.row_count());
     for (Eigen::Index row = 0; row < left.size(); ++row) {
-      left(row) = part(values_[static_cast<std::size_t>(row)].c[k], i);
+      left(row) = part(values_[row].c[k], i);
     }
     const Eigen::VectorXd x = solver_.solve(-left);
     if (!x.allFinite()) {
@@ -90,7 +90,7 @@ private:
     }
     const double size = system_.size();
     for (const int index : system_.set().bodies) {
-      BodyAt<Series>& body = at_.bodies[static_cast<std::size_t>(index)];
+      BodyAt<Series>& body = at_.bodies[index];
       const Eigen::Index column = system_.body_column(index);
       part(body.X_WB.p_WB.x().c[k], i) = x(column);
       part(body.X_WB.p_WB.y().c[k], i) = x(column + 1);
@@ -98,7 +98,7 @@ private:
       body.X_WB.R_WB = Rotation<Series>::from_angle(body.theta);
     }
     for (const int contact : system_.set().contacts) {
-      part(at_.phi[static_cast<std::size_t>(contact)].c[k], i) = x(system_.contact_column(contact)) / size;
+      part(at_.phi[contact].c[k], i) = x(system_.contact_column(contact)) / size;
     }
     return true;
   }
@@ -113,7 +113,7 @@ private:
 template <class D>
 void drop_slip(const ConditionSet& set, Dimensions<D>& dimensions) {
   for (const int contact : set.contacts) {
-    dimensions.contacts[static_cast<std::size_t>(contact)].rolling = false;
+    dimensions.contacts[contact].rolling = false;
   }
 }
 
@@ -145,7 +145,7 @@ Coordinates<double> coordinates_of(const Mechanism& mechanism, const std::vector
     at.arcs.push_back(contact.arc_difference);
   }
   for (const Driver& driver : mechanism.drivers) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+    const Joint& joint = mechanism.joints[driver.joint];
     at.drivers.push_back(joint_motion(mechanism, joint, bodies).position);
   }
   return at;
@@ -154,8 +154,8 @@ Coordinates<double> coordinates_of(const Mechanism& mechanism, const std::vector
 Coordinates<double> row_coordinates(const Run& run) {
   Coordinates<double> at = coordinates_of(run.mechanism(), run.row.bodies, run.row.contacts);
   for (std::size_t i = 0; const auto& contact : dimensions_of(run.mechanism()).contacts) {
-    const BodyAt<double>& first = at.bodies[static_cast<std::size_t>(contact.first)];
-    const BodyAt<double>& second = at.bodies[static_cast<std::size_t>(contact.second)];
+    const BodyAt<double>& first = at.bodies[contact.first];
+    const BodyAt<double>& second = at.bodies[contact.second];
     at.arcs[i] = arc_difference(contact.curve1, first, contact.curve2, second,
                                 facing_points(contact.curve1, first, contact.curve2, second, at.phi[i]));
     ++i;
@@ -170,9 +170,8 @@ SeriesMotion<D, N> solve_series(const Plan& plan, const Dimensions<double>& valu
   SeriesMotion<D, N> motion{std::move(at), std::vector<bool>(dimensions.bodies, false)};
   motion.known.front() = true;
   for (const Group& group : plan.groups) {
-    if (options.has_rates != nullptr && !std::all_of(group.bodies.begin(), group.bodies.end(), [&](int body) {
-          return (*options.has_rates)[static_cast<std::size_t>(body)];
-        })) {
+    if (options.has_rates != nullptr && !std::all_of(group.bodies.begin(), group.bodies.end(),
+                                                     [&](int body) { return (*options.has_rates)[body]; })) {
       break;
     }
     const ConditionSet set = condition_set(plan, group);
@@ -189,7 +188,7 @@ SeriesMotion<D, N> solve_series(const Plan& plan, const Dimensions<double>& valu
       break;
     }
     for (const int body : group.bodies) {
-      motion.known[static_cast<std::size_t>(body)] = true;
+      motion.known[body] = true;
     }
   }
   return motion;

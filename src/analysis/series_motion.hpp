@@ -65,7 +65,7 @@ template <class Series>
   std::optional<Plan> plan;
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-    if (touching == nullptr || run.row.contacts[static_cast<std::size_t>(touching->contact)].touches) {
+    if (touching == nullptr || run.row.contacts[touching->contact].touches) {
       continue;
     }
     plan = plan ? std::move(plan) : run.plan();
@@ -74,9 +74,8 @@ template <class Series>
     group.drivers.push_back(static_cast<int>(dimensions.drivers.size()));
     const int joint = group.joints.front();
     dimensions.drivers.push_back(joint);
-    at.drivers.push_back(Series(
-        joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)], run.row.bodies)
-            .position));
+    at.drivers.push_back(
+        Series(joint_motion(run.mechanism(), run.mechanism().joints[joint], run.row.bodies).position));
   }
   return plan;
 }

@@ -159,7 +159,7 @@ const TouchingBody* free_to_go_on(const Run& run, std::size_t g) {
   if (touching == nullptr || run.at.state.groups[g].held) {
     return nullptr;
   }
-  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(touching->contact)];
+  const Contact& contact = run.mechanism().contacts[touching->contact];
   return contact.by_boundary && contact.jump && !contact.both_sides ? touching : nullptr;
 }
 
@@ -233,7 +233,7 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
 
 bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) {
   const TouchingBody* touching = free_to_go_on(run, g);
-  if (touching == nullptr || !run.at.watches[static_cast<std::size_t>(touching->contact)].needed) {
+  if (touching == nullptr || !run.at.watches[touching->contact].needed) {
     return false;
   }
   const auto i = static_cast<std::size_t>(touching->contact);

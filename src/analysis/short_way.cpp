@@ -81,7 +81,7 @@ private:
 
   void turn_track(const TrackedPair& tracked, ContactTrack& track) const {
     if (tracked.follower.freedom.turns) {
-      track.at.q += turns_[static_cast<std::size_t>(tracked.follower.body)];
+      track.at.q += turns_[tracked.follower.body];
       track.follower = {};
     }
     for (const auto& [contact, turn] : normals_) {
@@ -95,7 +95,7 @@ private:
     return nearest_turn(angle, reference - kHalfTurn) - angle;
   }
 
-  double& turn_of(int body) { return turns_[static_cast<std::size_t>(body)]; }
+  double& turn_of(int body) { return turns_[body]; }
 
   void add_own(int body) {
     const auto i = static_cast<std::size_t>(body);

@@ -45,7 +45,7 @@ bool take_mode(Run& run, std::size_t g, int mode, const std::vector<double>& the
     return true;
   }
   const ContactPosition at = std::get<ContactTrack>(run.at.state.tracks[g]).at;
-  const double u = tracked->driver_sign * there[static_cast<std::size_t>(tracked->driver)];
+  const double u = tracked->driver_sign * there[tracked->driver];
   const FindResult found = find_nearest_contact(tracked->pair, u, at.q, mode);
   const double unit = tracked->pair.motion2.turns ? 1 : run.plan().size;
   if (found.status != FindStatus::kFound || !(std::abs(found.at.q - at.q) <= kNearMerge * unit) ||
@@ -89,7 +89,7 @@ bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
   const Eigen::VectorXd rate = (x - coordinates_of(model_of(run), group, run.at.state)) / path.length;
   Eigen::Index i = 0;
   for (const int index : group.bodies) {
-    BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(index)];
+    BodyMotion& body = run.at.state.bodies[index];
     body.v_WB = rate.segment<2>(i);
     body.omega = rate(i + 2) / run.plan().size;
     body.a_WB.setZero();
@@ -97,7 +97,7 @@ bool aim_coupled(Run& run, std::size_t g, const Path& path, bool second) {
     i += 3;
   }
   for (const int index : group.contacts) {
-    run.at.state.contacts[static_cast<std::size_t>(index)].rates.phi_dot = rate(i++) / run.plan().size;
+    run.at.state.contacts[index].rates.phi_dot = rate(i++) / run.plan().size;
   }
   return true;
 }

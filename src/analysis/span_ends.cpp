@@ -127,9 +127,8 @@ void set_local_curves(Run& run) {
       const Boundary& boundary = boundary_of(run.mechanism(), ref);
       const BoundaryPlace& place = run.row.contacts[i].place[side];
       // While the contact is open nothing depends on the curve's shape.
-      Body& body = run.local->bodies[static_cast<std::size_t>(ref.body)];
-      body.curves[static_cast<std::size_t>(ref.curve)].curve =
-          run.row.contacts[i].touches ? local_curve_at(boundary, place) : Curve{};
+      Body& body = run.local->bodies[ref.body];
+      body.curves[ref.curve].curve = run.row.contacts[i].touches ? local_curve_at(boundary, place) : Curve{};
     }
   }
 }

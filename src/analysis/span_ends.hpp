@@ -22,7 +22,7 @@ namespace higherpair {
 /// The name of its body.
 [[nodiscard]] inline const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
   const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
-  return run.mechanism().bodies[static_cast<std::size_t>(ref.body)].name;
+  return run.mechanism().bodies[ref.body].name;
 }
 
 /// If the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go: the

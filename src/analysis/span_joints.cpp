@@ -53,7 +53,7 @@ std::optional<SideOfContact> changed_place(const Run& run) {
 double running_speed(const Run& run, const SideOfContact& at, const State& state) {
   const ContactMotion& motion = state.contacts[at.contact];
   const Contact& contact = run.mechanism().contacts[at.contact];
-  const BodyMotion& body = state.bodies[static_cast<std::size_t>(ref_of(contact, at.side).body)];
+  const BodyMotion& body = state.bodies[ref_of(contact, at.side).body];
   return boundary_of_side(run, at).is_corner(place_in(state, at)) ? motion.rates.phi_dot - body.omega
          : at.side == 0                                           ? motion.rates.along1
                                                                   : -motion.rates.along2;

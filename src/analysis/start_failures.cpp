@@ -41,7 +41,7 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
     return fmt::format(
         "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
         "driver.start, the dimensions or that end",
-        run.mechanism().joints[static_cast<std::size_t>(end->joint)].name, end->upper ? "to" : "from");
+        run.mechanism().joints[end->joint].name, end->upper ? "to" : "from");
   }
   if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
     const double distance = (place_of(state, dyad->A) - place_of(state, dyad->B)).norm();

@@ -52,7 +52,7 @@ BoundaryPlace predicted_place(const Boundary& boundary, const BoundaryPlace& pla
 // Sets the body and its contact to a contact that has been found.
 void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                         const BoundaryPair& pair, const BoundaryContact& found, double phi, State& to) {
-  move_contact(touching, found, phi, to.contacts[static_cast<std::size_t>(touching.contact)]);
+  move_contact(touching, found, phi, to.contacts[touching.contact]);
   body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = to.groups[g];
   group.held = false;
@@ -65,7 +65,7 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
 // \param phi  reference angle of the normal, to select its whole turns
 void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPair& pair,
                     const ContactPosition& at, double phi, State& to) {
-  to.contacts[static_cast<std::size_t>(touching.contact)] =
+  to.contacts[touching.contact] =
       contact_motion(at, nearest_turn(angle_of(at.n_W), phi), touching.follower_is_second);
   body_in(to, touching.follower.body) = motion_at(pair.motion2, at.q, 0, 0);
   set_sine(pair, at, to.groups[g]);
@@ -74,8 +74,8 @@ void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPa
 GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                                 const Placement& guess, State& to) {
   const BoundaryPair pair = standing_boundaries(model, touching, guess.placed);
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
-  const ContactMotion& before = guess.from.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
+  const ContactMotion& before = guess.from.contacts[touching.contact];
   const double h = guess.h;
   const auto turn = [&](const CurveRef& ref) {
     return h * (before.rates.phi_dot - body_in(guess.from, ref.body).omega);
@@ -104,10 +104,10 @@ GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State&
   group = from.groups[g];
   group.sine = group.lever = 1;
   group.sine_rate = group.noise = 0;
-  ContactMotion& motion = to.contacts[static_cast<std::size_t>(touching.contact)];
+  ContactMotion& motion = to.contacts[touching.contact];
   motion = {};
   motion.touches = false;
-  motion.phi = from.contacts[static_cast<std::size_t>(touching.contact)].phi;
+  motion.phi = from.contacts[touching.contact].phi;
   const CarriedBody& follower = touching.follower;
   body_in(to, follower.body) = carried_motion(follower, body_in(to, follower.carrier), group.held_at, 0, 0);
   return GroupStatus::kOk;
@@ -122,7 +122,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   }
   const StandingPair placed = standing_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
-  const ContactMotion& before = from.contacts[static_cast<std::size_t>(touching.contact)];
+  const ContactMotion& before = from.contacts[touching.contact];
   // Prediction of the follower's coordinate in ground, and of the normal.
   const BodyMotion& body = body_in(from, follower.body);
   double q = predicted_angle(from, follower.body, h);
@@ -132,7 +132,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   }
   const Vector2d n = (touching.follower_is_second ? 1 : -1) *
                      (Rotation<double>::from_angle(h * before.rates.phi_dot) * before.at.n_W);
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
   if (contact.by_boundary) {
     return place_on_boundaries(model, touching, g, {from, h, placed, q}, to);
   }
@@ -170,8 +170,7 @@ GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touc
   if (nearest == all.end()) {
     return place_touching(model, touching, g, from, 0, to);
   }
-  hold_on_boundaries(model, touching, g, pair, *nearest,
-                     from.contacts[static_cast<std::size_t>(touching.contact)].phi, to);
+  hold_on_boundaries(model, touching, g, pair, *nearest, from.contacts[touching.contact].phi, to);
   return GroupStatus::kOk;
 }
 
@@ -183,7 +182,7 @@ GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching
   if (found.status != FindStatus::kFound) {
     return place_touching(model, touching, g, from, 0, to);
   }
-  const double phi = from.contacts[static_cast<std::size_t>(touching.contact)].phi;
+  const double phi = from.contacts[touching.contact].phi;
   hold_on_conics(touching, g, placed.pair, found.at, phi + (touching.follower_is_second ? 0 : -kPi), to);
   return GroupStatus::kOk;
 }
@@ -192,7 +191,7 @@ GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching
 
 GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                                 const State& from, State& to) {
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
   if (contact.both_sides || from.groups[g].held) {
     return place_touching(model, touching, g, from, 0, to);
   }
@@ -212,8 +211,8 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
     body_in(state, follower.body) = carried_motion(follower, carrier, group.held_at, 0, 0);
     return;
   }
-  const Contact& contact = model.mechanism.contacts[static_cast<std::size_t>(touching.contact)];
-  const ContactMotion& motion = state.contacts[static_cast<std::size_t>(touching.contact)];
+  const Contact& contact = model.mechanism.contacts[touching.contact];
+  const ContactMotion& motion = state.contacts[touching.contact];
   const double sense = touching.follower_is_second ? 1 : -1;
   const Vector2d n = sense * motion.at.n_W;
   const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
@@ -245,10 +244,10 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
 }
 
 double touching_sine(const Planned& model, const TouchingBody& touching, const State& state) {
-  if (!state.contacts[static_cast<std::size_t>(touching.contact)].touches) {
+  if (!state.contacts[touching.contact].touches) {
     return 1;
   }
-  return gap_per_q(model, touching, state, state.contacts[static_cast<std::size_t>(touching.contact)].at);
+  return gap_per_q(model, touching, state, state.contacts[touching.contact].at);
 }
 
 double gap_per_q(const Planned& model, const TouchingBody& touching, const State& state,

@@ -18,11 +18,11 @@ const ContactPosition& position_of(const PairTrack& track) {
 void place_follower(const TrackedPair& tracked, const ContactPosition& at, double phi, const State& from,
                     State& to) {
   place_at(tracked.follower.freedom, at.q, tracked.follower.body, from, to);
-  to.contacts[static_cast<std::size_t>(tracked.contact)] = contact_motion(at, phi, tracked.driver_is_first);
+  to.contacts[tracked.contact] = contact_motion(at, phi, tracked.driver_is_first);
 }
 
 double coordinate_of(const TrackedPair& tracked, const std::vector<double>& drivers) {
-  return tracked.driver_sign * drivers[static_cast<std::size_t>(tracked.driver)];
+  return tracked.driver_sign * drivers[tracked.driver];
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const 
 void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state) {
   const ContactPosition& at = position_of(state.tracks[g]);
-  const DriverMotion& driver = drivers[static_cast<std::size_t>(tracked.driver)];
+  const DriverMotion& driver = drivers[tracked.driver];
   const double u_dot = tracked.driver_sign * driver.velocity;
   const double u_ddot = tracked.driver_sign * driver.acceleration;
   const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
@@ -89,7 +89,7 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
 }
 
 double tracked_sine(const TrackedPair& tracked, const State& state) {
-  const CommonNormal& at = state.contacts[static_cast<std::size_t>(tracked.contact)].at;
+  const CommonNormal& at = state.contacts[tracked.contact].at;
   const Vector2d n = (tracked.driver_is_first ? 1 : -1) * at.n_W;
   return n.dot(velocity_per_q(tracked.pair.motion2, at.p_W()));
 }

@@ -51,8 +51,7 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
   const int last = sides.on_face.span;
   const bool notch = joint_at(last) == SpanJoint::kNotch;
   const int corner = on_corner ? last : faced.next_span(last, high);
-  if (!notch &&
-      (joint_at(last) == SpanJoint::kEnd || !faced.spans()[static_cast<std::size_t>(corner)]->is_corner())) {
+  if (!notch && (joint_at(last) == SpanJoint::kEnd || !faced.spans()[corner]->is_corner())) {
     return std::nullopt;
   }
   // Behind an edge at the end of the boundary there is no face.

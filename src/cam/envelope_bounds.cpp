@@ -25,7 +25,7 @@ MotionOver motion_over(const CamMotion& motion, const Bounds& x) {
   PowerSeries<Interval, 2> s;
   for (int k = 0; k <= 2; ++k) {
     const Bounds derivative = motion.law.bounds(k, x.low + beside, x.high - beside);
-    s.c[static_cast<std::size_t>(k)] = to_interval(derivative) / (k == 2 ? 2.0 : 1.0);
+    s.c[k] = to_interval(derivative) / (k == 2 ? 2.0 : 1.0);
   }
   return relative_motion<Interval, 1>(motion, joint, s);
 }

@@ -41,7 +41,7 @@ struct MotionLaw::Data {
     const auto next = std::upper_bound(law.begins.begin(), law.begins.end(), x);
     auto i = static_cast<std::ptrdiff_t>(next - law.begins.begin()) - 1;
     const auto count = static_cast<std::ptrdiff_t>(law.pieces.size());
-    const auto join = [&](std::ptrdiff_t k) { return law.begins[static_cast<std::size_t>(k)]; };
+    const auto join = [&](std::ptrdiff_t k) { return law.begins[k]; };
     if (side == LawSide::kAfter && i < count && join(i + 1) - x <= near) {
       x = join(++i);
     } else if (side == LawSide::kBefore && i >= 0 && x - join(i) <= near) {
@@ -60,7 +60,7 @@ struct MotionLaw::Data {
     if (i < 0 || i >= count) {
       return {nullptr, x, i < 0 ? first : last};
     }
-    return {&law.pieces[static_cast<std::size_t>(i)], x, offset};
+    return {&law.pieces[i], x, offset};
   }
 
   // Calls visit(piece, from, to, offset, shift) for every piece between two coordinates, in order; from and

@@ -16,7 +16,7 @@ std::array<double, 4> derivatives(const MotionLaw& law, double x, LawSide side) 
 std::vector<LawJoin> joins_of(const MotionLaw& law, const LawPieces& pieces) {
   std::array<double, 4> scale{};
   for (int k = 1; k < 4; ++k) {
-    scale[static_cast<std::size_t>(k)] = std::abs(law.extremes(k).peak());
+    scale[k] = std::abs(law.extremes(k).peak());
   }
   std::vector<LawJoin> joins;
   for (std::size_t i = 0; i < pieces.begins.size(); ++i) {

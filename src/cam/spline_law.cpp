@@ -27,7 +27,7 @@ void add_spline(const LawDescription& description, LawPieces& pieces) {
   std::vector<double> c(static_cast<std::size_t>(terms));
   for (Eigen::Index i = 0; i < powers.rows() / terms; ++i) {
     Eigen::Map<Eigen::VectorXd>(c.data(), terms) = powers.col(0).segment(i * terms, terms);
-    const double x = task.x[static_cast<std::size_t>(i)];
+    const double x = task.x[i];
     LawPiece piece{x, x, c[0] + slope * (x - points.front().x())};
     piece.start = i == 0 ? PieceStart::kSegment : PieceStart::kKnot;
     c[0] = 0;

@@ -199,12 +199,10 @@ private:
     end.q = at.q;
     end.event = event;
     if (event >= 0) {
-      end.type = cuts_.events[static_cast<std::size_t>(event)].at.type == CriticalType::kFold
-                     ? MapEndType::kFold
-                     : MapEndType::kConforming;
-    } else if (boundary > 0) {
       end.type =
-          unbounded_[static_cast<std::size_t>(boundary - 1)] ? MapEndType::kInfinity : MapEndType::kEnd;
+          cuts_.events[event].at.type == CriticalType::kFold ? MapEndType::kFold : MapEndType::kConforming;
+    } else if (boundary > 0) {
+      end.type = unbounded_[boundary - 1] ? MapEndType::kInfinity : MapEndType::kEnd;
     }
     return end;
   }

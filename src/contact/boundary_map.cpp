@@ -92,23 +92,22 @@ private:
     if (!cyclic_) {
       order.erase(std::remove_if(order.begin(), order.end(),
                                  [&](int i) {
-                                   const double u = map_.events[static_cast<std::size_t>(i)].at.u;
+                                   const double u = map_.events[i].at.u;
                                    return u <= low() || u >= high();
                                  }),
                   order.end());
     }
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return map_.events[static_cast<std::size_t>(a)].at.u < map_.events[static_cast<std::size_t>(b)].at.u;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return map_.events[a].at.u < map_.events[b].at.u; });
     std::vector<int> place(map_.events.size(), -1);
     std::vector<MapEvent> sorted;
     for (const int i : order) {
-      place[static_cast<std::size_t>(i)] = static_cast<int>(sorted.size());
-      sorted.push_back(map_.events[static_cast<std::size_t>(i)]);
+      place[i] = static_cast<int>(sorted.size());
+      sorted.push_back(map_.events[i]);
     }
     for (BranchDraft& draft : drafts_) {
       for (MapEnd* end : {&draft.branch.begin, &draft.branch.end}) {
-        end->event = end->event < 0 ? -1 : place[static_cast<std::size_t>(end->event)];
+        end->event = end->event < 0 ? -1 : place[end->event];
       }
     }
     map_.events = std::move(sorted);

@@ -110,7 +110,7 @@ template <class T>
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const int power = 2 + sense * (kPower[i] + kPower[j]);
-      result[static_cast<std::size_t>(power)][i][j] = matrix[i][j];
+      result[power][i][j] = matrix[i][j];
     }
   }
   return result;

@@ -54,7 +54,7 @@ std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {
   if (span < 0) {
     return bridge(joint_of_bridge(span), t);
   }
-  const auto bounds = boundary_->spans()[static_cast<std::size_t>(span)]->bounds(t);
+  const auto bounds = boundary_->spans()[span]->bounds(t);
   if (!bounds || !std::isfinite(bounds->speed.width()) || !std::isfinite(bounds->turn.width())) {
     return std::nullopt;
   }

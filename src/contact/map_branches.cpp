@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const MapNode& node(int i) const { return network_.nodes[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const MapNode& node(int i) const { return network_.nodes[i]; }
 
   // A node on a branch, and the whole turns that make its coordinates continuous along it.
   struct Link {
@@ -62,7 +62,7 @@ private:
     std::vector<Link> chain{{first, 0, 0}};
     for (;;) {
       const Link at = chain.back();
-      taken_[static_cast<std::size_t>(at.node)] = true;
+      taken_[at.node] = true;
       const NodeSide& side = node(at.node).behind;
       if (side.node < 0) {
         return chain;
@@ -108,7 +108,7 @@ private:
   }
 
   [[nodiscard]] const MapInterval& interval_of(const Link& link) const {
-    return network_.intervals[static_cast<std::size_t>(node(link.node).interval)];
+    return network_.intervals[node(link.node).interval];
   }
 
   // The targets in each interval are reached from its own node; next to a crossing of branches at its side,
@@ -237,7 +237,7 @@ private:
 
   // The critical position at an end, continuous with the point next to it.
   [[nodiscard]] MapPoint end_point(const MapBranch& branch, const MapEnd& end, const MapPoint& near) const {
-    const CriticalPosition& event = network_.events[static_cast<std::size_t>(end.event)].at;
+    const CriticalPosition& event = network_.events[end.event].at;
     ContactPosition at;
     at.u = end.u;
     at.q = pair_.motion2.turns ? nearest_turn(event.q, near.q) : event.q;

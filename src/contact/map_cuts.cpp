@@ -67,9 +67,7 @@ private:
            (a.n_W - b.n_W).norm() <= kSameEventNormal;
   }
 
-  [[nodiscard]] CriticalType type_of(int event) const {
-    return map_.events[static_cast<std::size_t>(event)].at.type;
-  }
+  [[nodiscard]] CriticalType type_of(int event) const { return map_.events[event].at.type; }
 
   void add_cuts() {
     struct Place {
@@ -138,7 +136,7 @@ const MapCut* MapCuts::cut_beside(int interval, bool forward) const {
   }
   const int n = static_cast<int>(cuts.size());
   const int k = cyclic ? (interval + (forward ? 1 : 0)) % n : interval - (forward ? 0 : 1);
-  return k >= 0 && k < n ? &cuts[static_cast<std::size_t>(k)] : nullptr;
+  return k >= 0 && k < n ? &cuts[k] : nullptr;
 }
 
 MapCuts cuts_of(const ContactPair& pair, const MapRange& range) {

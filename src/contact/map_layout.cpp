@@ -72,7 +72,7 @@ void join_branches(std::vector<MapBranch>& branches, std::vector<MapEvent>& even
   for (std::size_t i = 0; i < branches.size(); ++i) {
     for (const MapEnd* end : {&branches[i].begin, &branches[i].end}) {
       if (end->event >= 0) {
-        events[static_cast<std::size_t>(end->event)].branches.push_back(static_cast<int>(i));
+        events[end->event].branches.push_back(static_cast<int>(i));
       }
     }
   }

@@ -53,7 +53,7 @@ public:
 
 private:
   void list(int interval) {
-    const double u = network_.intervals[static_cast<std::size_t>(interval)].middle;
+    const double u = network_.intervals[interval].middle;
     const CurveContacts found = find_curve_contacts(pair_, u);
     network_.status = status_of(found.status);
     for (const CurveContact& contact : found.contacts) {
@@ -101,14 +101,14 @@ private:
     const int wrapped = (next + n) % n;
     const double turn = next == wrapped ? 0 : (forward ? kTurn : -kTurn);
     ContactTrack track = node.track;
-    const double u = network_.intervals[static_cast<std::size_t>(wrapped)].middle + turn;
+    const double u = network_.intervals[wrapped].middle + turn;
     const MapCut* cut = network_.cut_beside(node.interval, forward);
     if (!walk_to(track, u, cut != nullptr && cut->crossing)) {
       return side;
     }
     side.node = node_at(wrapped, node.opposed, track.at);
     if (side.node >= 0 && pair_.motion2.turns) {
-      const double there = network_.nodes[static_cast<std::size_t>(side.node)].track.at.q;
+      const double there = network_.nodes[side.node].track.at.q;
       side.turn = nearest_turn(0, track.at.q - there);
     }
     return side;
@@ -124,9 +124,9 @@ private:
     }
     for (std::size_t i = 0; i < forward.size(); ++i) {
       const int next = forward[i].node;
-      if (next >= 0 && backward[static_cast<std::size_t>(next)].node == static_cast<int>(i)) {
+      if (next >= 0 && backward[next].node == static_cast<int>(i)) {
         network_.nodes[i].behind = forward[i];
-        network_.nodes[static_cast<std::size_t>(next)].before = backward[static_cast<std::size_t>(next)];
+        network_.nodes[next].before = backward[next];
       }
     }
   }
@@ -151,13 +151,13 @@ private:
       return;
     }
     // The cut's position next to the node, which may be a turn away.
-    const double middle = network_.intervals[static_cast<std::size_t>(node.interval)].middle;
+    const double middle = network_.intervals[node.interval].middle;
     const double u = forward ? cut->low : cut->high;
     const double turn = forward && u < middle ? kTurn : 0;
     side.u = u + turn;
     side.event = event_at(*cut, node, side.u);
     if (side.event >= 0) {
-      const CriticalPosition& event = network_.events[static_cast<std::size_t>(side.event)].at;
+      const CriticalPosition& event = network_.events[side.event].at;
       side.u = event.u + turn;
       side.type = event.type == CriticalType::kConforming ? MapEndType::kConforming : MapEndType::kFold;
     } else {
@@ -177,7 +177,7 @@ private:
       double best = INFINITY;
       double second = INFINITY;
       for (const int index : cut.events) {
-        const CriticalPosition& event = network_.events[static_cast<std::size_t>(index)].at;
+        const CriticalPosition& event = network_.events[index].at;
         const double distance =
             difference_of_q(pair_, network_.size, track.at.q, event.q) + (track.at.n_W - event.n_W).norm();
         if (event.opposed != node.opposed || distance >= second) {
@@ -207,14 +207,14 @@ private:
     for (const MapNode& node : network_.nodes) {
       for (const NodeSide& side : {node.before, node.behind}) {
         if (side.node < 0 && side.event >= 0) {
-          ++ends[static_cast<std::size_t>(side.event)];
+          ++ends[side.event];
         }
       }
     }
     for (const MapCut& cut : network_.cuts) {
       int sum = 0;
       for (const int event : cut.events) {
-        const int here = ends[static_cast<std::size_t>(event)];
+        const int here = ends[event];
         sum += here;
         network_.complete = network_.complete && (cut.crossing || here <= 2);
       }

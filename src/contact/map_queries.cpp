@@ -46,7 +46,7 @@ bool is_singular(const ContactMap& map, const MapBranch& branch, double from, do
 }  // namespace
 
 std::optional<MapPoint> point_at(const ContactMap& map, int index, double u) {
-  const MapBranch& branch = map.branches[static_cast<std::size_t>(index)];
+  const MapBranch& branch = map.branches[index];
   if (u < branch.begin.u || u > branch.end.u || branch.points.empty()) {
     return std::nullopt;
   }
@@ -114,7 +114,7 @@ std::optional<Neighbour> neighbour_at(const ContactMap& map, int branch, double 
   }
   for (const MapContact& contact : contacts_at(map, u)) {
     const double distance = std::abs(gap_of_q(map, contact.point.q, own->q));
-    if (contact.branch != branch && map.branches[static_cast<std::size_t>(contact.branch)].opposed &&
+    if (contact.branch != branch && map.branches[contact.branch].opposed &&
         (!nearest || distance < nearest->distance)) {
       nearest = Neighbour{contact.branch, u, distance};
     }
@@ -123,7 +123,7 @@ std::optional<Neighbour> neighbour_at(const ContactMap& map, int branch, double 
 }
 
 std::optional<Neighbour> nearest_neighbour(const ContactMap& map, int index) {
-  const MapBranch& branch = map.branches[static_cast<std::size_t>(index)];
+  const MapBranch& branch = map.branches[index];
   for (const MapEnd& end : {branch.begin, branch.end}) {
     if (end.other >= 0) {
       return Neighbour{end.other, end.u, 0};

@@ -229,7 +229,7 @@ private:
     std::vector<std::array<int, 2>> at_zero(static_cast<std::size_t>(grid_.ids()), {-1, -1});
     for (std::size_t k = 0; k < links_.size(); ++k) {
       for (const int id : {links_[k].from, links_[k].to}) {
-        auto& here = at_zero[static_cast<std::size_t>(id)];
+        auto& here = at_zero[id];
         found_.complete = found_.complete && here[1] < 0;
         here[here[0] < 0 ? 0 : 1] = static_cast<int>(k);
       }
@@ -238,7 +238,7 @@ private:
     for (const bool closed : {false, true}) {
       for (std::size_t k = 0; k < links_.size(); ++k) {
         for (const int id : {links_[k].from, links_[k].to}) {
-          if (!taken[k] && (closed || at_zero[static_cast<std::size_t>(id)][1] < 0)) {
+          if (!taken[k] && (closed || at_zero[id][1] < 0)) {
             follow(static_cast<int>(k), id, at_zero, taken);
           }
         }
@@ -249,9 +249,9 @@ private:
   void follow(int link, int start, const std::vector<std::array<int, 2>>& at_zero, std::vector<bool>& taken) {
     SheetCurve curve;
     int at = start;
-    while (link >= 0 && !taken[static_cast<std::size_t>(link)]) {
-      taken[static_cast<std::size_t>(link)] = true;
-      const Link& here = links_[static_cast<std::size_t>(link)];
+    while (link >= 0 && !taken[link]) {
+      taken[link] = true;
+      const Link& here = links_[link];
       SheetStep step = here.step;
       const bool forward = here.from == at;
       if (!forward) {
@@ -260,7 +260,7 @@ private:
       }
       at = forward ? here.to : here.from;
       curve.steps.push_back(step);
-      const auto& next = at_zero[static_cast<std::size_t>(at)];
+      const auto& next = at_zero[at];
       link = next[0] == link ? next[1] : next[0];
     }
     curve.closed = at == start;

@@ -39,7 +39,7 @@ SheetGrid::SheetGrid(const TangencySheet& sheet, const MapRange& range)
 
 void SheetGrid::add_parts(const Boundary& boundary, int span, const Bounds& t, double length, int halvings,
                           std::vector<Part>& parts) {
-  const Span& curve = *boundary.spans()[static_cast<std::size_t>(span)];
+  const Span& curve = *boundary.spans()[span];
   const SpanPoint a = curve.at(t.low);
   const SpanPoint b = curve.at(t.high);
   const auto away = [&](const SpanPoint& point) { return (point.p_B - boundary.middle_B()).norm(); };
@@ -74,12 +74,12 @@ SheetGrid::Side SheetGrid::side_of(const Boundary& boundary, double length) {
   // A node at the end of every part, and one at the beginning of a part that follows no other.
   const int count = static_cast<int>(side.parts.size());
   for (int k = 0; k < count; ++k) {
-    side.parts[static_cast<std::size_t>(k)].last = k;
+    side.parts[k].last = k;
   }
   side.ends.assign(side.parts.size(), false);
   for (int k = 0; k < count; ++k) {
-    Part& part = side.parts[static_cast<std::size_t>(k)];
-    if (k > first_part[static_cast<std::size_t>(part.span)]) {
+    Part& part = side.parts[k];
+    if (k > first_part[part.span]) {
       part.first = k - 1;
       continue;
     }
@@ -89,7 +89,7 @@ SheetGrid::Side SheetGrid::side_of(const Boundary& boundary, double length) {
                                 ? first_part[static_cast<std::size_t>(before) + 1] - 1
                                 : count - 1;
     if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
-      side.ends[static_cast<std::size_t>(last_before)] = true;
+      side.ends[last_before] = true;
       part.first = static_cast<int>(side.ends.size());
       side.ends.push_back(true);
     } else {
@@ -111,9 +111,9 @@ void SheetGrid::place_nodes(Side& side, bool is_first) {
   for (const Part& part : side.parts) {
     side.stretches.push_back(std::make_unique<StretchNode>(sheet_, is_first, part.span, part.t));
     StretchNode& stretch = *side.stretches.back();
-    side.nodes[static_cast<std::size_t>(part.last)] = &stretch.end(true);
+    side.nodes[part.last] = &stretch.end(true);
     if (part.first >= static_cast<int>(side.parts.size())) {
-      side.nodes[static_cast<std::size_t>(part.first)] = &stretch.end(false);
+      side.nodes[part.first] = &stretch.end(false);
     }
   }
 }
@@ -177,7 +177,7 @@ const std::vector<SheetGrid::Zero>& SheetGrid::zeros_along1(int i, int node2) co
 }
 
 int SheetGrid::boundary_ending_at(int id) const {
-  return static_cast<std::size_t>(id) < ending_.size() ? ending_[static_cast<std::size_t>(id)] : 0;
+  return static_cast<std::size_t>(id) < ending_.size() ? ending_[id] : 0;
 }
 
 std::vector<double> SheetGrid::zeros_between(StretchNode& one, StretchNode& two) const {

@@ -33,8 +33,8 @@ public:
 
   [[nodiscard]] int count1() const { return static_cast<int>(side1_.parts.size()); }
   [[nodiscard]] int count2() const { return static_cast<int>(side2_.parts.size()); }
-  [[nodiscard]] const Part& part1(int i) const { return side1_.parts[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] const Part& part2(int j) const { return side2_.parts[static_cast<std::size_t>(j)]; }
+  [[nodiscard]] const Part& part1(int i) const { return side1_.parts[i]; }
+  [[nodiscard]] const Part& part2(int j) const { return side2_.parts[j]; }
   [[nodiscard]] bool has_cell(int i, int j) const {
     return sheet_.opposed() || !(part1(i).corner || part2(j).corner);
   }
@@ -46,8 +46,8 @@ public:
   [[nodiscard]] std::vector<double> zeros_between(StretchNode& one, StretchNode& two) const;
   /// Searches a cell without zeros on its rim.
   [[nodiscard]] CellLook look_into(StretchNode& one, StretchNode& two) const;
-  [[nodiscard]] StretchNode& stretch1(int i) { return *side1_.stretches[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] StretchNode& stretch2(int j) { return *side2_.stretches[static_cast<std::size_t>(j)]; }
+  [[nodiscard]] StretchNode& stretch1(int i) { return *side1_.stretches[i]; }
+  [[nodiscard]] StretchNode& stretch2(int j) { return *side2_.stretches[j]; }
 
   /// The boundary, 1 or 2, that ends at a zero; 0: neither.
   [[nodiscard]] int boundary_ending_at(int id) const;

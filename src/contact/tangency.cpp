@@ -47,9 +47,8 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     Columns J;
     for (int k = 0; k < 2; ++k) {
       const Complex<Extended> dw{Extended(k == 0 ? 1 : 0), Extended(k)};
-      J[static_cast<std::size_t>(k)] = {
-          dot(G1, dw), dot(G2, dw),
-          cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw))};
+      J[k] = {dot(G1, dw), dot(G2, dw),
+              cross(hessian_times(first, dw), G2) + cross(G1, hessian_times(second, dw))};
     }
     J[2] = {Extended(0), -dot(G2, v), cross(G1, dG2_dq)};
     const Column r{value_at(first, w), value_at(second, w), cross(G1, G2)};

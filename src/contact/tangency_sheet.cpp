@@ -42,7 +42,7 @@ SpanBounds bounds_by_samples(const Span& span, const Bounds& t) {
 
 SheetStretch stretch_at(const Boundary& boundary, int span, const Bounds& t, const Pose<double>& X_WB,
                         double side) {
-  const Span& curve = *boundary.spans()[static_cast<std::size_t>(span)];
+  const Span& curve = *boundary.spans()[span];
   const auto proven = curve.bounds(t);
   const SpanBounds bounds = proven ? *proven : bounds_by_samples(curve, t);
   const auto largest = [](const Bounds& b) { return std::max(std::abs(b.low), std::abs(b.high)); };

@@ -132,7 +132,7 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
     Eigen::Index worst = 0;
     if (lambda.minCoeff(&worst) >= 0) {
       for (std::size_t k = 0; k < active.size(); ++k) {
-        multipliers[static_cast<std::size_t>(active[k])] = lambda(static_cast<Eigen::Index>(k));
+        multipliers[active[k]] = lambda(static_cast<Eigen::Index>(k));
       }
       break;
     }

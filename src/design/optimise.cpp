@@ -87,7 +87,7 @@ private:
     arena.execute([&] {
       tbb::parallel_for(0, count, [&](int k) {
         const int number = first + k;
-        DesignSearchEnd& end = ends[static_cast<std::size_t>(k)];
+        DesignSearchEnd& end = ends[k];
         if (const auto known = known_.find(number); known != known_.end()) {
           end = *known->second;
         } else if (number == 0 || !out_of_time()) {
@@ -112,7 +112,7 @@ private:
     Search search(problem_, problem_.start_branch, options_.stop);
     Eigen::VectorXd u(search.size());
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      const DesignVariable& variable = problem_.variables[static_cast<std::size_t>(i)];
+      const DesignVariable& variable = problem_.variables[i];
       u(i) = to_unit(variable, variable.start);
     }
     if (start > 0 && start % kNearBest == 0 && !best_.x.empty()) {

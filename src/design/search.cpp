@@ -162,7 +162,7 @@ void Search::by_differences(const Eigen::VectorXd& u) {
   jacobian_.residuals.setZero(problem_.residuals, size());
   jacobian_.constraints.setZero(problem_.constraints, size());
   for (Eigen::Index i = 0; i < size(); ++i) {
-    if (fixed_[static_cast<std::size_t>(i)]) {
+    if (fixed_[i]) {
       continue;
     }
     const double at = std::clamp(u(i), 0.0, 1.0);

@@ -23,7 +23,7 @@ void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   };
   for (const auto& sample : samples) add(sample.point, 1);
   for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) add(sample->point, -1);
-  sketch.add(Role::kJoint, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);
+  sketch.add(Role::kJoint, sketch.mechanism.bodies[body].name, body, path, true);
 }
 
 // A chain that is not a plate is drawn as a strip of material behind it.
@@ -36,14 +36,14 @@ void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
       append(path, sample->point.p_B - kFace * sketch.unit * sample->point.n_B);
     }
   }
-  sketch.add(Role::kBody, sketch.mechanism.bodies[static_cast<std::size_t>(body)].name, body, path, true);
+  sketch.add(Role::kBody, sketch.mechanism.bodies[body].name, body, path, true);
 }
 
 void add_curve(Sketch& sketch, int body, std::size_t index) {
-  const NamedCurve& named = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index];
+  const NamedCurve& named = sketch.mechanism.bodies[body].curves[index];
   const Curve& curve = named.curve;
   const double unit = sketch.unit;
-  const std::string& name = sketch.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  const std::string& name = sketch.mechanism.bodies[body].name;
   if (curve.kind == CurveKind::kSupport) {
     return;
   }
@@ -89,7 +89,7 @@ const std::string& shown(const Look& look, const std::string& name) {
 }
 
 void add_names(Sketch& sketch, int index) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Body& body = sketch.mechanism.bodies[index];
   std::vector<Vector2d> anchors = anchors_of(sketch, index);
   if (anchors.empty()) {
     return;
@@ -122,9 +122,9 @@ void add_bodies(Sketch& sketch) {
     sketch.dress(first, sketch.look(body));
   }
   for (int body = 0; body < count; ++body) {
-    const auto curves = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves.size();
+    const auto curves = sketch.mechanism.bodies[body].curves.size();
     for (std::size_t i = 0; i < curves; ++i) {
-      if (sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[i].copy_of >= 0) continue;
+      if (sketch.mechanism.bodies[body].curves[i].copy_of >= 0) continue;
       const Look look = sketch.curve_look(body, i);
       if (look.hide) continue;
       const std::size_t first = sketch.shapes.size();

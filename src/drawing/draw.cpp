@@ -58,7 +58,7 @@ struct Screen {
 // The numbers of a shape of the scene, mapped to px: points of paths and arrows, centre and radius of
 // circles.
 std::vector<double> on_screen(const Scene& scene, const Shape& shape, const Screen& screen) {
-  const Scene::Place& place = scene.places[static_cast<std::size_t>(shape.body)];
+  const Scene::Place& place = scene.places[shape.body];
   const double c = std::cos(place.theta), s = std::sin(place.theta);
   std::vector<double> px = shape.numbers;
   const std::size_t points = shape.kind == Kind::kCircle || shape.kind == Kind::kText ? 2 : px.size();

@@ -96,7 +96,7 @@ private:
   }
 
   void miss(int first, int second, const std::string& name) {
-    for (const int body : {first, second}) missing_[static_cast<std::size_t>(body)].push_back(name);
+    for (const int body : {first, second}) missing_[body].push_back(name);
   }
 
   void add(const Joint& joint, const JointReaction& reaction) {

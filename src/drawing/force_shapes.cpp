@@ -50,7 +50,7 @@ LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reacti
       largest = std::max(largest, std::hypot(*contact.force, *contact.friction));
   }
   for (std::size_t i = 0; i < reactions.drivers.size(); ++i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[i].joint)];
+    const Joint& joint = mechanism.joints[mechanism.drivers[i].joint];
     double& of_kind = has_angle(joint.type) ? torque : largest;
     of_kind = std::max(of_kind, std::abs(reactions.drivers[i].effort.value_or(0)));
   }
@@ -68,8 +68,7 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
     if (joint.teeth) {
       return pitch_point(*mechanism_, joint, row.bodies).p_W;
     }
-    return Vector2d(row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
-                    point_of(*mechanism_, joint.second));
+    return Vector2d(row.bodies[joint.second.body].X_WB * point_of(*mechanism_, joint.second));
   };
   for (std::size_t i = 0; i < mechanism_->joints.size(); ++i) {
     const Joint& joint = mechanism_->joints[i];
@@ -90,10 +89,10 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
 
 // A driving force as an arrow along the slide, or a driving torque as an arc around the pin.
 void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double effort) {
-  const Joint& joint = mechanism_->joints[static_cast<std::size_t>(driver.joint)];
+  const Joint& joint = mechanism_->joints[driver.joint];
   const std::string name = driver_name(driver);
-  const Vector2d p = kMillimetres * (row.bodies[static_cast<std::size_t>(joint.second.body)].X_WB *
-                                     point_of(*mechanism_, joint.second));
+  const Vector2d p =
+      kMillimetres * (row.bodies[joint.second.body].X_WB * point_of(*mechanism_, joint.second));
   if (has_angle(joint.type)) {
     const double turn = std::clamp(scene_.torque_scale * effort, -kMostTurn, kMostTurn);
     const bool is_drawn = std::abs(turn) > kDrawn;
@@ -105,7 +104,7 @@ void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double e
     return;
   }
   Shape& arrow = next(Role::kForce, name, Kind::kArrow);
-  const Vector2d along = row.bodies[static_cast<std::size_t>(joint.first.body)].X_WB.R_WB * joint.direction_A;
+  const Vector2d along = row.bodies[joint.first.body].X_WB.R_WB * joint.direction_A;
   const Vector2d to = p + scene_.force_scale * effort * along;
   if (effort != 0) arrow.numbers.assign({p.x(), p.y(), to.x(), to.y()});
 }

@@ -93,9 +93,8 @@ void add_rod(Sketch& sketch, const Joint& joint) {
   const double end = at - nearest + (kGuide + 2) * u;
   sketch.shapes.insert(
       sketch.shapes.begin(),
-      Shape{Role::kLink, Shape::Kind::kPath,
-            sketch.mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name, joint.second.body,
-            true, "", rounded_hull({p_B + kRod * u * d_B, p_B + end * d_B}, kRod * u),
+      Shape{Role::kLink, Shape::Kind::kPath, sketch.mechanism.bodies[joint.second.body].name,
+            joint.second.body, true, "", rounded_hull({p_B + kRod * u * d_B, p_B + end * d_B}, kRod * u),
             sketch.look(joint.second.body).colour, sketch.look(joint.second.body).outline});
   const Role role = joint.first.body == 0 ? Role::kFixed : Role::kJoint;
   for (const double side : {1.0, -1.0}) {

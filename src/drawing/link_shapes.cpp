@@ -33,7 +33,7 @@ bool is_within(const Vector2d& p, const std::vector<Vector2d>& polygon) {
 
 // A point within the drawn material of a face or an open conic.
 Vector2d middle_of_strip(const Sketch& sketch, int body, std::size_t index) {
-  const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
+  const Curve& curve = sketch.mechanism.bodies[body].curves[index].curve;
   const std::vector<double> path = material(curve, kFace * sketch.unit, touched_range(sketch, body, index));
   const std::size_t front = path.size() / 2 - 2;  // number of points in front; the other two are behind
   const auto at = [&](std::size_t i) { return Vector2d(path[2 * i], path[2 * i + 1]); };
@@ -54,7 +54,7 @@ std::optional<Vector2d> middle_behind(const Sketch& sketch, const NamedCurve& na
 // The end of the bar to a point on a flat face, moved back so that the bar does not project in front of the
 // face.
 Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Body& body = sketch.mechanism.bodies[index];
   Vector2d behind = p_B;
   for (std::size_t i = 0; i < body.curves.size(); ++i) {
     const Curve& curve = body.curves[i].curve;
@@ -74,7 +74,7 @@ Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
 // the ring is least touched.
 std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t curve,
                                   const Vector2d& middle) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Body& body = sketch.mechanism.bodies[index];
   const Curve& ring = body.curves[curve].curve;
   const double thickness = kFace * sketch.unit;
   const auto [a, b] = semi_axes(ring);
@@ -135,7 +135,7 @@ bool is_plate(const NamedCurve& named) {
 }
 
 std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Body& body = sketch.mechanism.bodies[index];
   std::vector<Vector2d> anchors;
   for (const NamedPoint& point : body.points) {
     anchors.push_back(behind_faces(sketch, index, point.p_B));
@@ -163,7 +163,7 @@ std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
 }
 
 void add_link(Sketch& sketch, int index) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(index)];
+  const Body& body = sketch.mechanism.bodies[index];
   const std::vector<Vector2d> anchors = anchors_of(sketch, index);
   const bool has_length = std::any_of(anchors.begin(), anchors.end(), [&](const Vector2d& p) {
     return (p - anchors.front()).norm() > sketch.unit;

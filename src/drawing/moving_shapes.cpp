@@ -137,8 +137,8 @@ void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
 
 void SceneMaker::add_motion(const MotionRow& row, int index) {
   const BodyMotion& body = body_in(row, index);
-  const Body& of = mechanism_->bodies[static_cast<std::size_t>(index)];
-  const bool rates = row.all_rates || row.has_rates[static_cast<std::size_t>(index)];
+  const Body& of = mechanism_->bodies[index];
+  const bool rates = row.all_rates || row.has_rates[index];
   Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);
   if (rates && body.omega != 0) {
     const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);

@@ -49,9 +49,7 @@ private:
     if (graph_.nodes[node].is_on(0)) return Vector2d::Zero();
     return accelerations_ ? motion(node).a_W : motion(node).v_W;
   }
-  [[nodiscard]] const BodyMotion& body(int index) const {
-    return row_.bodies[static_cast<std::size_t>(index)];
-  }
+  [[nodiscard]] const BodyMotion& body(int index) const { return row_.bodies[index]; }
   [[nodiscard]] std::string letter() const { return accelerations_ ? "a" : "v"; }
   [[nodiscard]] std::string symbol(std::size_t node) const {
     return letter() + "_{" + graph_.nodes[node].name + "}";
@@ -100,9 +98,7 @@ private:
     }
   }
 
-  [[nodiscard]] const std::string& name_of_body(int index) const {
-    return mechanism_.bodies[static_cast<std::size_t>(index)].name;
-  }
+  [[nodiscard]] const std::string& name_of_body(int index) const { return mechanism_.bodies[index].name; }
 
   // Compares two points at a fixed distance from each other.
   void add_rigid(std::size_t from, std::size_t to, double omega, double alpha, const std::string& turning) {

@@ -11,11 +11,11 @@ namespace higherpair {
 namespace {
 
 const Body& body_at(const Mechanism& mechanism, int index) {
-  return mechanism.bodies[static_cast<std::size_t>(index)];
+  return mechanism.bodies[index];
 }
 
 const NamedPoint& named(const Mechanism& mechanism, const PointRef& ref) {
-  return body_at(mechanism, ref.body).points[static_cast<std::size_t>(ref.point)];
+  return body_at(mechanism, ref.body).points[ref.point];
 }
 
 class GraphMaker {
@@ -41,7 +41,7 @@ private:
   // Orders the bodies as the motion is transmitted: from the drivers across joints and contacts.
   void order_bodies() {
     for (const Driver& driver : mechanism_.drivers) {
-      const Joint& joint = mechanism_.joints[static_cast<std::size_t>(driver.joint)];
+      const Joint& joint = mechanism_.joints[driver.joint];
       discover(joint.first.body);
       discover(joint.second.body);
     }
@@ -202,9 +202,7 @@ private:
     return best;
   }
 
-  [[nodiscard]] const BodyMotion& motion_of(int body) const {
-    return row_.bodies[static_cast<std::size_t>(body)];
-  }
+  [[nodiscard]] const BodyMotion& motion_of(int body) const { return row_.bodies[body]; }
   [[nodiscard]] Vector2d position(std::size_t node) const {
     const Node::Place& place = graph_.nodes[node].places.front();
     return motion_of(place.body).X_WB * place.p_B;

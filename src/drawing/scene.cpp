@@ -117,8 +117,8 @@ bool is_joined(const Mechanism& mechanism, int body, int point) {
 }
 
 void add_trace(Sketch& sketch, const PointRef& ref) {
-  const Body& body = sketch.mechanism.bodies[static_cast<std::size_t>(ref.body)];
-  const NamedPoint& point = body.points[static_cast<std::size_t>(ref.point)];
+  const Body& body = sketch.mechanism.bodies[ref.body];
+  const NamedPoint& point = body.points[ref.point];
   std::vector<double> path;
   for (const MotionRow* row : sketch.rows) {
     append(path, body_in(*row, ref.body).X_WB * point.p_B);
@@ -162,11 +162,11 @@ void Sketch::add_text(const std::string& name, const std::string& text, int body
 }
 
 Look Sketch::look(int body) const {
-  return looks.empty() ? Look() : looks[static_cast<std::size_t>(body)].body;
+  return looks.empty() ? Look() : looks[body].body;
 }
 
 Look Sketch::point_look(int body, std::size_t point) const {
-  return looks.empty() ? Look() : looks[static_cast<std::size_t>(body)].points[point];
+  return looks.empty() ? Look() : looks[body].points[point];
 }
 
 // A look given for the body also holds for its curves.
@@ -175,7 +175,7 @@ Look Sketch::curve_look(int body, std::size_t curve) const {
     return {};
   }
   const Look whole = look(body);
-  Look own = looks[static_cast<std::size_t>(body)].curves[curve];
+  Look own = looks[body].curves[curve];
   if (own.colour.empty()) own.colour = whole.colour;
   own.hide = own.hide || whole.hide;
   own.outline = own.outline || whole.outline;

@@ -36,7 +36,7 @@ struct Sketch {
 };
 
 [[nodiscard]] inline const BodyMotion& body_in(const MotionRow& row, int body) {
-  return row.bodies[static_cast<std::size_t>(body)];
+  return row.bodies[body];
 }
 
 /// Smallest and largest coordinate of a slide or slot in the rows [m].

@@ -43,7 +43,7 @@ constexpr std::array<const char*, 10> kRaisedDigits = {"⁰", "¹", "²", "³", 
 std::string raised(int number) {
   std::string text = number < 0 ? "⁻" : "";
   for (const char digit : std::to_string(std::abs(number))) {
-    text += kRaisedDigits[static_cast<std::size_t>(digit - '0')];
+    text += kRaisedDigits[digit - '0'];
   }
   return text;
 }

@@ -16,9 +16,9 @@ bool is_it(const Sketch& sketch, const CurveRef& ref, int body, std::size_t curv
   if (ref.body != body) {
     return false;
   }
-  const auto& curves = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves;
+  const auto& curves = sketch.mechanism.bodies[body].curves;
   const auto index = static_cast<int>(curve);
-  return is_or_has(curves, ref.curve, index) || curves[static_cast<std::size_t>(ref.curve)].copy_of == index;
+  return is_or_has(curves, ref.curve, index) || curves[ref.curve].copy_of == index;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ Vector2d edge_direction(const Sketch& sketch, int body, std::size_t curve) {
 }
 
 std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t index) {
-  const Curve& curve = sketch.mechanism.bodies[static_cast<std::size_t>(body)].curves[index].curve;
+  const Curve& curve = sketch.mechanism.bodies[body].curves[index].curve;
   const Vector2d across = perp(curve.axis_B);
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   for (const Touch& touch : touches_of(sketch, body, index)) {

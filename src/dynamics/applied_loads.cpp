@@ -6,16 +6,16 @@ namespace higherpair {
 namespace {
 
 const BodyMotion& at(const std::vector<BodyMotion>& bodies, int index) {
-  return bodies[static_cast<std::size_t>(index)];
+  return bodies[index];
 }
 
 void add_force(const std::vector<BodyMotion>& bodies, int body, const Vector2d& force_W, const Vector2d& p_W,
                std::vector<Wrench>& wrenches) {
-  wrenches[static_cast<std::size_t>(body)] += wrench_of(at(bodies, body), force_W, p_W);
+  wrenches[body] += wrench_of(at(bodies, body), force_W, p_W);
 }
 
 void add_torque(int body, double torque, std::vector<Wrench>& wrenches) {
-  wrenches[static_cast<std::size_t>(body)].z() += torque;
+  wrenches[body].z() += torque;
 }
 
 // The distance from the first to the second point of a spring.
@@ -72,7 +72,7 @@ void add_inertia(const Mechanism& mechanism, const std::vector<BodyMotion>& bodi
 double spring_tension(const Mechanism& mechanism, const Spring& spring,
                       const std::vector<BodyMotion>& bodies) {
   if (spring.joint) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(*spring.joint)];
+    const Joint& joint = mechanism.joints[*spring.joint];
     const JointMotion motion = joint_motion(mechanism, joint, bodies);
     return spring.stiffness * (motion.position - spring.free) + spring.damping * motion.velocity;
   }
@@ -83,7 +83,7 @@ double spring_tension(const Mechanism& mechanism, const Spring& spring,
 void add_tension(const Mechanism& mechanism, const Spring& spring, double tension,
                  const std::vector<BodyMotion>& bodies, std::vector<Wrench>& wrenches) {
   if (spring.joint) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(*spring.joint)];
+    const Joint& joint = mechanism.joints[*spring.joint];
     add_joint_effort(mechanism, joint, -tension, bodies, wrenches);
     return;
   }

@@ -59,11 +59,10 @@ std::optional<std::vector<double>> solve(const LeastSum& programme) {
   Eigen::MatrixXd tableau = Eigen::MatrixXd::Zero(2 * n + 1, m + 2 * n + 1);
   double unit = 0;
   for (Eigen::Index i = 0; i < m; ++i) {
-    const LeastSum::Condition& condition = programme.conditions[static_cast<std::size_t>(i)];
+    const LeastSum::Condition& condition = programme.conditions[i];
     Eigen::VectorXd scaled(n);
     for (Eigen::Index j = 0; j < n; ++j) {
-      scaled(j) = condition.coefficients[static_cast<std::size_t>(j)] /
-                  programme.weights[static_cast<std::size_t>(j)];
+      scaled(j) = condition.coefficients[j] / programme.weights[j];
     }
     const double largest = scaled.lpNorm<Eigen::Infinity>();
     if (!(largest > 0)) {
@@ -98,7 +97,7 @@ std::optional<std::vector<double>> solve(const LeastSum& programme) {
   }
   for (Eigen::Index j = 0; j < n; ++j) {
     const double difference = tableau(2 * n, m + j) - tableau(2 * n, m + n + j);
-    x[static_cast<std::size_t>(j)] = unit * difference / programme.weights[static_cast<std::size_t>(j)];
+    x[j] = unit * difference / programme.weights[j];
   }
   return x;
 }

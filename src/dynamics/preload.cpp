@@ -186,7 +186,7 @@ std::vector<Preload> preloads_of(const Mechanism& mechanism, const Plan& plan) {
   }
   for (const Group& group : plan.groups) {
     for (const int index : group.joints) {
-      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      const Joint& joint = mechanism.joints[index];
       const bool carries =
           !contains(group.bodies, joint.first.body) || !contains(group.bodies, joint.second.body);
       if (!group.contacts.empty() && group.drivers.empty() && carries && can_be_driven(joint.type)) {

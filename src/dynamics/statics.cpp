@@ -20,7 +20,7 @@ template <class Items, class F>
 void for_each_index(const Items& items, std::vector<std::size_t>& first_rows,
                     const std::vector<ConstraintRow>& rows, F append) {
   for (const int index : items) {
-    first_rows[static_cast<std::size_t>(index)] = rows.size();
+    first_rows[index] = rows.size();
     append(static_cast<std::size_t>(index));
   }
 }
@@ -67,7 +67,7 @@ void Statics::append_rows_of(const Run& run, std::size_t g) {
     if (motion.touches) {
       append_rows(mechanism, mechanism.contacts[i], motion, bodies, rows_);
     } else {  // the body is held on its joint
-      const Joint& joint = mechanism.joints[static_cast<std::size_t>(group.joints.front())];
+      const Joint& joint = mechanism.joints[group.joints.front()];
       append_driver_row(mechanism, joint, 0, bodies, size_, rows_);
     }
   });
@@ -185,7 +185,7 @@ void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wren
   std::array<double, 2> moment{};  // about the outer pins
   std::array<double, 2> sign{}, outer_sign{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Wrench& wrench = wrenches[static_cast<std::size_t>(block.bodies[i])];
+    const Wrench& wrench = wrenches[block.bodies[i]];
     const Pin outer = pin_at(dyad.outer[i]);
     const Pin inner = pin_at(dyad.inner[i]);
     force[i] = wrench.head<2>();
@@ -203,7 +203,7 @@ void Statics::solve(const Block& block, const PinnedDyad& dyad, std::vector<Wren
     const Vector2d at_outer = -outer_sign[i] * (force[i] + sign[i] * at_inner);
     multipliers_[row] = at_outer.x();
     multipliers_[row + 1] = at_outer.y();
-    wrenches[static_cast<std::size_t>(rows_[row].body[known])] +=
+    wrenches[rows_[row].body[known]] +=
         at_outer.x() * rows_[row].coefficient[known] + at_outer.y() * rows_[row + 1].coefficient[known];
   }
 }
@@ -225,8 +225,7 @@ void Statics::solve(const Block& block, const Factors<Matrix>& factors, std::vec
   constexpr int kSize = Matrix::RowsAtCompileTime;
   Eigen::Matrix<double, kSize, 1> b(static_cast<Eigen::Index>(block.row_count));
   for (std::size_t k = 0; k < block.bodies.size(); ++k) {
-    b.template segment<3>(static_cast<Eigen::Index>(3 * k)) =
-        -scaled(wrenches[static_cast<std::size_t>(block.bodies[k])], size_);
+    b.template segment<3>(static_cast<Eigen::Index>(3 * k)) = -scaled(wrenches[block.bodies[k]], size_);
   }
   const Eigen::Matrix<double, kSize, 1> x = factors.solve(b);
   for (std::size_t i = 0; i < block.row_count; ++i) {
@@ -234,7 +233,7 @@ void Statics::solve(const Block& block, const Factors<Matrix>& factors, std::vec
     multipliers_[at] = x(static_cast<Eigen::Index>(i));
     for (std::size_t k = 0; k < columns_[at].size(); ++k) {
       if (columns_[at][k] < 0) {
-        wrenches[static_cast<std::size_t>(rows_[at].body[k])] += multipliers_[at] * rows_[at].coefficient[k];
+        wrenches[rows_[at].body[k]] += multipliers_[at] * rows_[at].coefficient[k];
       }
     }
   }
@@ -254,7 +253,7 @@ bool Statics::balance(std::vector<Wrench>& wrenches) {
 double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {
   double sum = 0;
   for (const std::size_t i : held_rows_) {
-    const double omega = bodies[static_cast<std::size_t>(rows_[i].body[1])].omega;
+    const double omega = bodies[rows_[i].body[1]].omega;
     sum += multipliers_[i] * rows_[i].coefficient[1].z() * omega;
   }
   return sum;

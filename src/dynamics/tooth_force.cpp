@@ -10,7 +10,7 @@ namespace higherpair {
 PitchPoint pitch_point(const Mechanism& mechanism, const Joint& joint,
                        const std::vector<BodyMotion>& bodies) {
   const auto center = [&](const PointRef& point) -> Vector2d {
-    return bodies[static_cast<std::size_t>(point.body)].X_WB * point_of(mechanism, point);
+    return bodies[point.body].X_WB * point_of(mechanism, point);
   };
   const Vector2d c1 = center(joint.first);
   const Vector2d between = center(joint.second) - c1;
@@ -27,8 +27,8 @@ ConstraintRow tooth_row(const Mechanism& mechanism, const Joint& joint, int flan
   const Vector2d force = size / pitch.distance * ((k - 1) * perp(pitch.u_W) + radial * pitch.u_W);
   ConstraintRow row;
   row.body = {joint.first.body, joint.second.body, 0};
-  row.coefficient[0] = wrench_of(bodies[static_cast<std::size_t>(joint.first.body)], -force, pitch.p_W);
-  row.coefficient[1] = wrench_of(bodies[static_cast<std::size_t>(joint.second.body)], force, pitch.p_W);
+  row.coefficient[0] = wrench_of(bodies[joint.first.body], -force, pitch.p_W);
+  row.coefficient[1] = wrench_of(bodies[joint.second.body], force, pitch.p_W);
   return row;
 }
 

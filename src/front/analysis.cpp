@@ -28,9 +28,9 @@ std::string text_of(const Slip& slip, const Profile& profile) {
   return fmt::format(
       "contacts.{}: this pair cannot roll: at driver = {} {} it would have to slip by {} {} of the driver; "
       "set rolling = false, or choose curves and joints whose contact point stays at the instant centre",
-      profile.mechanism.contacts[static_cast<std::size_t>(slip.contact)].name,
-      from_si(dimension, profile.units).apply(slip.driver), unit_text(dimension, profile.units),
-      from_si(per_unit, profile.units).apply(std::abs(slip.velocity)), unit_text(per_unit, profile.units));
+      profile.mechanism.contacts[slip.contact].name, from_si(dimension, profile.units).apply(slip.driver),
+      unit_text(dimension, profile.units), from_si(per_unit, profile.units).apply(std::abs(slip.velocity)),
+      unit_text(per_unit, profile.units));
 }
 
 // Driver positions over the whole run, in SI units.

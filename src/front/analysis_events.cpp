@@ -61,13 +61,13 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   event.joint = what.joint;
   event.contact = what.contact;
   if (event.contact) {
-    event.item = mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+    event.item = mechanism.contacts[*event.contact].name;
   } else if (event.joint) {
-    event.item = mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+    event.item = mechanism.joints[*event.joint].name;
   }
   event.cause = cause_of(what, units);
   if (what.joint && what.value) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(*what.joint)];
+    const Joint& joint = mechanism.joints[*what.joint];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);
   }
   good = good && !is_fault(event, schedule.size() - 1);

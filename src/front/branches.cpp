@@ -120,7 +120,7 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
 
 ContactReport report_on(const Profile& profile, const ContactPlace& place, const CurveContacts& found) {
   ContactReport report;
-  report.contact = profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].name;
+  report.contact = profile.mechanism.contacts[place.contact].name;
   report.joint = joint_name(profile.mechanism, place.follower);
   report.position_unit = unit_of(profile, place.follower.freedom.turns);
   report.complete = found.status == ContactsStatus::kComplete;
@@ -195,7 +195,7 @@ void add_proof(const BoundaryContacts& all, const Profile& profile, const Contac
 
 ContactReport list_boundary_contact(const Profile& profile, const ContactPlace& place, bool certify) {
   const Mechanism& mechanism = profile.mechanism;
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(place.contact)];
+  const Contact& contact = mechanism.contacts[place.contact];
   const CurveRef& known = place.known_is_first ? contact.first : contact.second;
   const CurveRef& own = place.known_is_first ? contact.second : contact.first;
   const BoundaryPair pair{&boundary_of(mechanism, known), place.pair.motion1, &boundary_of(mechanism, own),
@@ -211,7 +211,7 @@ ContactReport list_boundary_contact(const Profile& profile, const ContactPlace& 
 
 // Lists the positions of one follower.
 Result<ContactReport> list_contact(const Model::Data& model, const ContactPlace& place, bool certify) {
-  if (model.profile.mechanism.contacts[static_cast<std::size_t>(place.contact)].by_boundary) {
+  if (model.profile.mechanism.contacts[place.contact].by_boundary) {
     return list_boundary_contact(model.profile, place, certify);
   }
   const CurveContacts found = find_curve_contacts(place.pair, place.u);

@@ -23,7 +23,7 @@ bool contains(const std::vector<int>& items, int item) {
 
 // Whether the body that a contact moves, the later one in the order of solution, is its second one.
 bool moves_second(const Run& run, int index) {
-  const Contact& contact = run.mechanism().contacts[static_cast<std::size_t>(index)];
+  const Contact& contact = run.mechanism().contacts[index];
   for (const Group& group : run.plan().groups) {
     if (contains(group.bodies, contact.first.body)) {
       return true;
@@ -92,8 +92,7 @@ public:
       return;
     }
     fill_shape(run, motion, out);
-    if (row.has_rates[static_cast<std::size_t>(contact_.first.body)] &&
-        row.has_rates[static_cast<std::size_t>(contact_.second.body)]) {
+    if (row.has_rates[contact_.first.body] && row.has_rates[contact_.second.body]) {
       out[kSliding] = motion.rates.sliding;
       // The surface of a freely turning roller moves with that of the other body.
       const double along = second_ == idle_follower_ ? motion.rates.along1 : motion.rates.along2;
@@ -136,8 +135,8 @@ private:
   void fill_shape(const Run& run, const ContactMotion& motion, std::span<double> out) const {
     const MotionRow& row = run.row;
     const CommonNormal at = second_ ? motion.at : motion.at.exchanged();
-    const BodyMotion& follower = row.bodies[static_cast<std::size_t>(follower_.body)];
-    const BodyMotion& other = row.bodies[static_cast<std::size_t>(other_.body)];
+    const BodyMotion& follower = row.bodies[follower_.body];
+    const BodyMotion& other = row.bodies[other_.body];
     const ContactDetails details =
         details_of({curve_of(run.mechanism(), other_), other, nullptr},
                    {curve_of(run.mechanism(), follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
@@ -153,7 +152,7 @@ private:
       const double rho = side == 0 ? motion.at.rho1 : motion.at.rho2;
       const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
       if (flat_[side]) {
-        const BodyMotion& body = row.bodies[static_cast<std::size_t>(ref.body)];
+        const BodyMotion& body = row.bodies[ref.body];
         const Vector2d along = perp(named_curve(run.mechanism(), ref).curve.axis_B);
         out[side == 0 ? kFace1 : kFace2] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
       } else if (rho != 0) {
@@ -165,10 +164,10 @@ private:
   // Whether the follower moves back, against the outward normal of the other body, faster than rounding.
   [[nodiscard]] bool goes_back(const MotionRow& row, const CommonNormal& at) const {
     const auto velocity = [&](int body) {
-      const BodyMotion& motion = row.bodies[static_cast<std::size_t>(body)];
+      const BodyMotion& motion = row.bodies[body];
       return Vector2d(motion.v_WB + motion.omega * perp(Vector2d(at.p_W() - motion.X_WB.p_WB)));
     };
-    if (!row.has_rates[static_cast<std::size_t>(follower_.body)]) {
+    if (!row.has_rates[follower_.body]) {
       return false;
     }
     const Vector2d v = velocity(follower_.body);

@@ -16,7 +16,7 @@ namespace higherpair {
 namespace {
 
 const NamedCurve& curve_named(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
+  return mechanism.bodies[ref.body].curves[ref.curve];
 }
 
 // Whether the only driver moves this body, the cam of a flank, on ground.
@@ -96,7 +96,7 @@ const NamedCurve& named_curve(const Mechanism& mechanism, const CurveRef& ref) {
 }
 
 std::string name_of_curve(const Mechanism& mechanism, const CurveRef& ref) {
-  const std::string& body = mechanism.bodies[static_cast<std::size_t>(ref.body)].name;
+  const std::string& body = mechanism.bodies[ref.body].name;
   const NamedCurve& curve = named_curve(mechanism, ref);
   return curve.parts.empty() ? fmt::format("{}.{}", body, curve.name) : body;
 }

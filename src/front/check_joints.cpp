@@ -55,7 +55,7 @@ public:
         size_(checked.start.plan().size),
         rate_(driver_rate(checked)) {
     for (const OutputJoint& output : outputs_) {
-      names_.push_back(checked.start.mechanism().joints[static_cast<std::size_t>(output.joint)].name);
+      names_.push_back(checked.start.mechanism().joints[output.joint].name);
     }
   }
 
@@ -70,8 +70,8 @@ public:
 
   void fill_accelerations(const Run& run, std::span<double> out) const {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      const Joint& joint = run.mechanism().joints[static_cast<std::size_t>(outputs_[i].joint)];
-      if (run.row.has_rates[static_cast<std::size_t>(outputs_[i].body)]) {
+      const Joint& joint = run.mechanism().joints[outputs_[i].joint];
+      if (run.row.has_rates[outputs_[i].body]) {
         out[i] = joint_motion(run.mechanism(), joint, run.row.bodies).acceleration;
       }
     }

@@ -96,7 +96,7 @@ tl::expected<void, Diagnostic> ColumnSet::finish(const std::string& source) {
   }
   const auto unmatched = std::find(glob_matches_.begin(), glob_matches_.end(), false);
   if (unmatched != glob_matches_.end()) {
-    const std::string& glob = globs_[static_cast<std::size_t>(unmatched - glob_matches_.begin())];
+    const std::string& glob = globs_[unmatched - glob_matches_.begin()];
     const bool is_end = std::any_of(names_.begin(), names_.end(),
                                     [&](const std::string& name) { return name.ends_with("." + glob); });
     return tl::unexpected(about("--columns " + glob,

@@ -76,15 +76,15 @@ std::vector<ExtentTerm> terms_of(const DesignTask::Extent& extent) {
 double far_along(const DesignTask::Extent& extent, const Vector2d& direction_W, const Mechanism& mechanism,
                  const std::vector<BodyMotion>& bodies) {
   const auto place_of = [&](const PointRef& point) {
-    return Vector2d(bodies[static_cast<std::size_t>(point.body)].X_WB * point_of(mechanism, point));
+    return Vector2d(bodies[point.body].X_WB * point_of(mechanism, point));
   };
   if (direction_W.isZero()) {
     return (place_of(extent.point) - place_of(extent.from)).norm();
   }
   double farthest = -std::numeric_limits<double>::infinity();
   for (const int index : extent.bodies) {
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(index)];
-    const Pose<double>& X_WB = bodies[static_cast<std::size_t>(index)].X_WB;
+    const Body& body = mechanism.bodies[index];
+    const Pose<double>& X_WB = bodies[index].X_WB;
     for (const NamedPoint& point : body.points) {
       farthest = std::max(farthest, (X_WB * point.p_B).dot(direction_W));
     }

@@ -147,7 +147,7 @@ private:
   }
 
   void go_to(double t) {
-    const BodyMotion& body = rows_.bodies_at(wrapped(t))[static_cast<std::size_t>(path_.ref.body)];
+    const BodyMotion& body = rows_.bodies_at(wrapped(t))[path_.ref.body];
     const Vector2d r_W = body.X_WB.R_WB * p_B_;
     p_ = body.X_WB.p_WB + r_W;
     v_ = body.v_WB + body.omega * perp(r_W);

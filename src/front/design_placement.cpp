@@ -86,7 +86,7 @@ Eigen::MatrixXd PathPlacement::miss_slopes(const Eigen::MatrixXd& place_slopes) 
 std::vector<Complex> PathPlacement::normals(std::span<const Vector2d> along) const {
   std::vector<Complex> normals;
   for (Eigen::Index i = 0; i < P_.size(); ++i) {
-    const Vector2d& tangent = along[static_cast<std::size_t>(i)];
+    const Vector2d& tangent = along[i];
     const Complex off = z_ * P_(i) - T_(i);
     const Complex normal = tangent.isZero() ? off : kQuarterTurn * z_ * Complex(tangent.x(), tangent.y());
     normals.push_back(std::abs(normal) > 0 ? normal / std::abs(normal) : 0);
@@ -98,7 +98,7 @@ Eigen::VectorXd PathPlacement::distances(std::span<const Vector2d> along) const 
   const std::vector<Complex> n = normals(along);
   Eigen::VectorXd distances(P_.size());
   for (Eigen::Index i = 0; i < P_.size(); ++i) {
-    distances(i) = dot(n[static_cast<std::size_t>(i)], z_ * P_(i) - T_(i));
+    distances(i) = dot(n[i], z_ * P_(i) - T_(i));
   }
   return distances;
 }
@@ -109,7 +109,7 @@ Eigen::MatrixXd PathPlacement::freedoms(std::span<const Complex> normals) const 
   Eigen::MatrixXd J(count,
                     (path_.free_position ? 2 : 0) + (path_.free_turn ? 1 : 0) + (path_.free_scale ? 1 : 0));
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Complex& n = normals[static_cast<std::size_t>(i)];
+    const Complex& n = normals[i];
     Eigen::Index k = 0;
     if (path_.free_position) {
       J(i, k++) = n.real();
@@ -143,7 +143,7 @@ Eigen::MatrixXd PathPlacement::distance_slopes(std::span<const Vector2d> along,
   for (Eigen::Index k = 0; k < place_slopes.cols(); ++k) {
     for (Eigen::Index i = 0; i < P_.size(); ++i) {
       const Complex dP = {place_slopes(2 * i, k), place_slopes(2 * i + 1, k)};
-      slopes(i, k) = dot(n[static_cast<std::size_t>(i)], z_ * dP);
+      slopes(i, k) = dot(n[i], z_ * dP);
     }
   }
   const Eigen::MatrixXd J = freedoms(n);

@@ -39,9 +39,8 @@ void RowReader::take(const std::vector<BodyMotion>& bodies, bool there, double d
     if (!objective.path) continue;
     const PointRef& ref = objective.path->ref;
     std::vector<Vector2d>& points = rows_.points[path++];
-    points.push_back(there || points.empty()
-                         ? bodies[static_cast<std::size_t>(ref.body)].X_WB * point_of(mechanism_, ref)
-                         : points.back());
+    points.push_back(there || points.empty() ? bodies[ref.body].X_WB * point_of(mechanism_, ref)
+                                             : points.back());
   }
 }
 

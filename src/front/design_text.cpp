@@ -43,10 +43,10 @@ std::vector<NewValue> poses_of(const Run& run, const Units& units) {
     const bool chosen = traits_of(group).two_modes || placing_contact(group) || traits_of(group).coupled;
     if (!chosen || !group.drivers.empty()) continue;
     for (const int index : group.bodies) {
-      const BodyMotion& body = run.at.state.bodies[static_cast<std::size_t>(index)];
+      const BodyMotion& body = run.at.state.bodies[index];
       const Vector2d p = length * body.X_WB.p_WB;
       poses.push_back(
-          {fmt::format("bodies.{}.pose", run.mechanism().bodies[static_cast<std::size_t>(index)].name),
+          {fmt::format("bodies.{}.pose", run.mechanism().bodies[index].name),
            fmt::format("{{ x = {}, y = {}, angle = {} }}", rounded(p.x(), length * run.plan().size),
                        rounded(p.y(), length * run.plan().size),
                        rounded(angle * nearest_turn(body.theta, 0), angle * 2 * kPi))});

@@ -41,9 +41,7 @@ struct NamedRef {
 };
 
 const NamedCurve& named(const Model& model, const CurveRef& ref) {
-  return model.mechanism()
-      .bodies[static_cast<std::size_t>(ref.body)]
-      .curves[static_cast<std::size_t>(ref.curve)];
+  return model.mechanism().bodies[ref.body].curves[ref.curve];
 }
 
 // The curves of the profile, without the copies made for contacts.
@@ -145,7 +143,7 @@ Result<Boundary> boundary_of(const Model& model, const NamedRef& wanted, const E
 std::vector<std::pair<std::string, double>> rollers_of(const Model& model, const CurveRef& curve) {
   std::vector<std::pair<std::string, double>> rollers;
   const auto is_it = [&](const CurveRef& ref) {
-    const auto& curves = model.mechanism().bodies[static_cast<std::size_t>(curve.body)].curves;
+    const auto& curves = model.mechanism().bodies[curve.body].curves;
     return ref.body == curve.body &&
            (is_or_has(curves, ref.curve, curve.curve) || named(model, ref).copy_of == curve.curve);
   };

@@ -66,23 +66,21 @@ private:
 
   bool exists(const std::string& where, const PointRef& ref) {
     if (exists(where + ".body", ref.body)) {
-      found_ = no_such(where + ".point", ref.point, m_.bodies[static_cast<std::size_t>(ref.body)].points,
-                       "points on this body");
+      found_ = no_such(where + ".point", ref.point, m_.bodies[ref.body].points, "points on this body");
     }
     return found_.empty();
   }
 
   bool exists(const std::string& where, const CurveRef& ref) {
     if (exists(where + ".body", ref.body)) {
-      found_ = no_such(where + ".curve", ref.curve, m_.bodies[static_cast<std::size_t>(ref.body)].curves,
-                       "curves on this body");
+      found_ = no_such(where + ".curve", ref.curve, m_.bodies[ref.body].curves, "curves on this body");
     }
     return found_.empty() && parts_exist(where, ref);
   }
 
   bool parts_exist(const std::string& where, const CurveRef& ref) {
-    const auto& curves = m_.bodies[static_cast<std::size_t>(ref.body)].curves;
-    for (const int part : curves[static_cast<std::size_t>(ref.curve)].parts) {
+    const auto& curves = m_.bodies[ref.body].curves;
+    for (const int part : curves[ref.curve].parts) {
       found_ = found_.empty() ? no_such(where + ".curve.parts", part, curves, "curves on this body") : found_;
     }
     return found_.empty();
@@ -140,10 +138,10 @@ private:
   // In a contact with a boundary, a curve given by its support function is used as a boundary too: it must
   // have no cusps.
   void expect_no_cusps(const std::string& where, const CurveRef& ref) {
-    const Body& body = m_.bodies[static_cast<std::size_t>(ref.body)];
-    const std::vector<int>& parts = body.curves[static_cast<std::size_t>(ref.curve)].parts;
+    const Body& body = m_.bodies[ref.body];
+    const std::vector<int>& parts = body.curves[ref.curve].parts;
     for (const int index : parts.empty() ? std::vector{ref.curve} : parts) {
-      const NamedCurve& curve = body.curves[static_cast<std::size_t>(index)];
+      const NamedCurve& curve = body.curves[index];
       const SupportCurve* support = curve.boundary ? nullptr : curve.curve.support;
       expect(support == nullptr || !support_chains(*support, 1).empty(), where,
              fmt::format("{}.{} has cusps, for its radius of curvature h + h'' changes sign: it bounds no "
@@ -157,7 +155,7 @@ private:
     if (!found_.empty()) {
       return;
     }
-    const Joint& joint = m_.joints[static_cast<std::size_t>(driver.joint)];
+    const Joint& joint = m_.joints[driver.joint];
     expect(can_be_driven(joint.type), at, "a driver needs a revolute or prismatic joint");
     const auto same = std::count_if(m_.drivers.begin(), m_.drivers.end(),
                                     [&](const Driver& other) { return other.joint == driver.joint; });

@@ -116,9 +116,8 @@ void FitColumns::derivatives(const Run& run, const Mechanism& derivative, const 
       value = angle_part(by, motion.order) - angle_part(of_row.bodies[motion.minus], motion.order);
     } else {
       const auto point_in = [&](const Mechanism& mechanism) -> Vector2d {
-        return motion.point < 0
-                   ? Vector2d(Vector2d::Zero())
-                   : mechanism.bodies[motion.body].points[static_cast<std::size_t>(motion.point)].p_B;
+        return motion.point < 0 ? Vector2d(Vector2d::Zero())
+                                : mechanism.bodies[motion.body].points[motion.point].p_B;
       };
       value = point_derivative(body, by, point_in(run.mechanism()), point_in(derivative),
                                motion.order)(motion.axis);

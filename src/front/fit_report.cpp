@@ -185,8 +185,7 @@ private:
             fmt::format("{} and {} are hard to tell apart (correlation {:.4f}): their intervals are large, "
                         "what they have in "
                         "common is known better",
-                        problem_.unknowns()[static_cast<std::size_t>(i)].name,
-                        problem_.unknowns()[static_cast<std::size_t>(k)].name, correlation));
+                        problem_.unknowns()[i].name, problem_.unknowns()[k].name, correlation));
       }
     }
   }

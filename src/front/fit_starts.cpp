@@ -33,9 +33,9 @@ public:
       if (stopped()) return;
       const auto from = k == 0 ? std::optional(first) : random_start(k);
       if (from) {
-        ends[static_cast<std::size_t>(k)] = minimise(problem_, *from, scales, settings_.stop);
+        ends[k] = minimise(problem_, *from, scales, settings_.stop);
       }
-      tell(ends[static_cast<std::size_t>(k)], count);
+      tell(ends[k], count);
     };
     one(0);
     for_each_on_threads(ends.size() - 1, settings_.threads,
@@ -113,7 +113,7 @@ private:
       for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
         const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
         const double low = problem_.low()(i), high = problem_.high()(i);
-        const double at = problem_.data().variables->variables[static_cast<std::size_t>(i)].range.start;
+        const double at = problem_.data().variables->variables[i].range.start;
         variables.push_back(std::isfinite(low) && std::isfinite(high)
                                 ? low + share * (high - low)
                                 : std::clamp(at + (share - 0.5) * range(i), low, high));

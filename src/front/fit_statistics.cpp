@@ -111,7 +111,7 @@ std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolu
   for (Eigen::Index k = 0; k < problem.size(); ++k) {
     const bool at_bound = (solution.x(k) <= problem.low()(k) && slope(k) >= 0) ||
                           (solution.x(k) >= problem.high()(k) && slope(k) <= 0);
-    statistics.at_bound[static_cast<std::size_t>(k)] = at_bound;
+    statistics.at_bound[k] = at_bound;
     if (!at_bound) free.push_back(k);
   }
   return free;
@@ -135,19 +135,17 @@ Eigen::MatrixXd noise_jacobian(const FitProblem& problem, const FitSolution& sol
 void find_undetermined(const FitProblem& problem, const FitSolution& solution, const Eigen::MatrixXd& J,
                        const std::vector<Eigen::Index>& free, FitStatistics& statistics) {
   std::vector<std::string> names;
-  for (const Eigen::Index k : free) names.push_back(problem.unknowns()[static_cast<std::size_t>(k)].name);
+  for (const Eigen::Index k : free) names.push_back(problem.unknowns()[k].name);
   std::vector<bool> determined(free.size(), true);
   statistics.undetermined = idle_directions(J, solution.x(free), names, determined);
   for (std::size_t k = 0; k < free.size(); ++k) {
-    statistics.determined[static_cast<std::size_t>(free[k])] = determined[k];
+    statistics.determined[free[k]] = determined[k];
   }
 }
 
 void set_errors(const Eigen::MatrixXd& covariance, const std::vector<Eigen::Index>& free,
                 FitStatistics& statistics) {
-  const auto is_determined = [&](std::size_t k) {
-    return statistics.determined[static_cast<std::size_t>(free[k])];
-  };
+  const auto is_determined = [&](std::size_t k) { return statistics.determined[free[k]]; };
   for (std::size_t k = 0; k < free.size(); ++k) {
     if (!is_determined(k)) continue;
     statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
@@ -197,8 +195,8 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
       if (std::abs(basis(k, i)) < kPartOfDirection) continue;
       z.push_back(lengths(i) > 0 ? basis(k, i) / lengths(i) : 1);
       values.push_back(x(i));
-      own.push_back(names[static_cast<std::size_t>(i)]);
-      determined[static_cast<std::size_t>(i)] = false;
+      own.push_back(names[i]);
+      determined[i] = false;
     }
     sentences.push_back(direction_text(z, values, own));
   }

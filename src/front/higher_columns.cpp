@@ -28,7 +28,7 @@ std::vector<std::optional<int>> moved_joints(const Mechanism& mechanism, const P
   std::vector<std::optional<int>> joints(mechanism.contacts.size());
   for (const Group& group : plan.groups) {
     if (std::holds_alternative<TrackedPair>(group.kind) || std::holds_alternative<TouchingBody>(group.kind)) {
-      joints[static_cast<std::size_t>(group.contacts.front())] = group.joints.front();
+      joints[group.contacts.front()] = group.joints.front();
     }
   }
   return joints;
@@ -88,8 +88,7 @@ void add_jerk_columns(ColumnSet& set, const Profile& profile, const Plan& plan) 
   }
   const std::vector<std::optional<int>> joints = moved_joints(mechanism, plan);
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const bool slides =
-        joints[i] && mechanism.joints[static_cast<std::size_t>(*joints[i])].type != JointType::kRevolute;
+    const bool slides = joints[i] && mechanism.joints[*joints[i]].type != JointType::kRevolute;
     for (const char* name : {".jerk", ".jerk_linkage"}) {
       columns.push_back({mechanism.contacts[i].name + name, slides ? linear : angular});
     }

@@ -106,7 +106,7 @@ MapPoint place_of(const ContactMap& map, std::size_t event, const MappedContact&
   MapPoint point = {{here.at.u, here.at.q, here.at.p_W, here.at.n_W}, false, std::nullopt};
   double near = mapped.q.value_or(mapped.posed);
   if (!here.branches.empty()) {
-    const MapBranch& branch = map.branches[static_cast<std::size_t>(here.branches.front())];
+    const MapBranch& branch = map.branches[here.branches.front()];
     const MapEnd& end = branch.begin.event == static_cast<int>(event) ? branch.begin : branch.end;
     point.u = end.u;
     near = turn_of(branch, mapped) + end.q;
@@ -162,9 +162,9 @@ ContactMapReport map_report(const Profile& profile, const MappedContact& mapped,
   const Converter convert(profile, mapped);
   const auto unit = [&](bool turns) { return unit_text(coordinate_dimension(turns), profile.units); };
   ContactMapReport report;
-  report.contact = mechanism.contacts[static_cast<std::size_t>(mapped.contact)].name;
-  report.driver_joint = mechanism.joints[static_cast<std::size_t>(mapped.known_joint)].name;
-  report.position_joint = mechanism.joints[static_cast<std::size_t>(mapped.follower_joint)].name;
+  report.contact = mechanism.contacts[mapped.contact].name;
+  report.driver_joint = mechanism.joints[mapped.known_joint].name;
+  report.position_joint = mechanism.joints[mapped.follower_joint].name;
   report.driver_unit = unit(mapped.pair.motion1.turns);
   report.position_unit = unit(mapped.pair.motion2.turns);
   report.start = convert.driver(map.range.start);
@@ -212,7 +212,7 @@ MapRange range_of(const MappedContact& mapped, const DriverSchedule& schedule, c
 ContactMapReport report_of(const Profile& profile, const MappedContact& mapped,
                            const DriverSchedule& schedule, const MapSettings& settings) {
   ContactMapReport refused;
-  refused.contact = profile.mechanism.contacts[static_cast<std::size_t>(mapped.contact)].name;
+  refused.contact = profile.mechanism.contacts[mapped.contact].name;
   refused.refusal = mapped.refusal;
   if (!refused.refusal.empty()) {
     return refused;

@@ -77,7 +77,7 @@ private:
       return std::numeric_limits<double>::quiet_NaN();
     }
     const auto found = std::find_if(series_.values.begin(), series_.values.end(), is);
-    return series_.where[static_cast<std::size_t>(found - series_.values.begin())];
+    return series_.where[found - series_.values.begin()];
   }
 
   const Series& series_;

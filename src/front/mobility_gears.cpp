@@ -32,8 +32,8 @@ Json gears_of(const MobilityFindings& findings, const Joint& joint) {
   const double first = second * std::abs(joint.turning_ratio);
   const GearTeeth& teeth = *joint.teeth;
   Json json = {{"joint", joint.name},
-               {"first", mechanism.bodies[static_cast<std::size_t>(joint.first.body)].name},
-               {"second", mechanism.bodies[static_cast<std::size_t>(joint.second.body)].name},
+               {"first", mechanism.bodies[joint.first.body].name},
+               {"second", mechanism.bodies[joint.second.body].name},
                {"pitch_radii", {length.apply(first), length.apply(second)}},
                {"pressure_angle", angle.apply(teeth.pressure_angle)},
                {"module", nullptr},

@@ -55,9 +55,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const std::string& joint(int index) const {
-    return mechanism.joints[static_cast<std::size_t>(index)].name;
-  }
+  [[nodiscard]] const std::string& joint(int index) const { return mechanism.joints[index].name; }
   [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
     Json names = Json::array();
     for (const int index : indices) {
@@ -123,7 +121,7 @@ private:
     for (const Redundancy& set : findings.mobility.redundancies) {
       Json contacts = Json::array();
       for (const int contact : set.contacts) {
-        contacts.push_back(mechanism.contacts[static_cast<std::size_t>(contact)].name);
+        contacts.push_back(mechanism.contacts[contact].name);
       }
       json.push_back({{"conditions", set.conditions},
                       {"cause", cause_of(set)},
@@ -138,7 +136,7 @@ private:
     const Mobility& mobility = findings.mobility;
     std::vector<int> useless;
     for (const int driver : mobility.useless_drivers) {
-      useless.push_back(mechanism.drivers[static_cast<std::size_t>(driver)].joint);
+      useless.push_back(mechanism.drivers[driver].joint);
     }
     const auto objection = driver_objection(mechanism, mobility);
     return {{"given", mechanism.drivers.size()},

@@ -96,7 +96,7 @@ public:
                  {"crank", body(loop.crank)},
                  {"coupler", body(loop.coupler)},
                  {"slider", loop.slider < 0 ? Json() : Json(body(loop.slider))},
-                 {"joint", mechanism.joints[static_cast<std::size_t>(loop.joint)].name},
+                 {"joint", mechanism.joints[loop.joint].name},
                  {"inversion", inversion_of(loop)},
                  {"r2", length.apply(linkage.r2)},
                  {"r3", length.apply(linkage.r3)},

@@ -13,9 +13,7 @@ struct MobilityParts {
   Scaling length = from_si(dimension::kLength, findings.model.units());
   Scaling angle = from_si(dimension::kAngle, findings.model.units());
 
-  [[nodiscard]] const std::string& body(int index) const {
-    return mechanism.bodies[static_cast<std::size_t>(index)].name;
-  }
+  [[nodiscard]] const std::string& body(int index) const { return mechanism.bodies[index].name; }
 };
 
 /// The keys `four_bars` and `slider_cranks` of mobility_json().

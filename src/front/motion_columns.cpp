@@ -124,7 +124,7 @@ void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
             const Joint& own = mechanism.joints[index];
             const JointMotion motion = joint_motion(mechanism, own, row.bodies);
             out[0] = motion.position;
-            const auto has_rates = [&](int body) { return row.has_rates[static_cast<std::size_t>(body)]; };
+            const auto has_rates = [&](int body) { return row.has_rates[body]; };
             if (has_rates(own.first.body) && has_rates(own.second.body) && has_rates(own.carrier)) {
               out[1] = motion.velocity;
               out[2] = motion.acceleration;
@@ -143,7 +143,7 @@ struct Sides {
   [[nodiscard]] ContactDetails details(const Run& run, std::size_t index) const {
     const Contact& contact = run.mechanism().contacts[index];
     const auto side = [&](const CurveRef& ref, const std::optional<OneFreedom>& grounded) {
-      return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[static_cast<std::size_t>(ref.body)],
+      return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[ref.body],
                          grounded ? &*grounded : nullptr};
     };
     const ContactMotion& motion = run.row.contacts[index];
@@ -209,8 +209,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
     const ContactDetails details = sides.details(source.run, index);
     put_linkage(details, out);
     const Contact& own = source.run.mechanism().contacts[index];
-    if (row.has_rates[static_cast<std::size_t>(own.first.body)] &&
-        row.has_rates[static_cast<std::size_t>(own.second.body)]) {
+    if (row.has_rates[own.first.body] && row.has_rates[own.second.body]) {
       out[11] = row.contacts[index].rates.sliding;
     }
     put_ways(source, index, details, out + 12);

@@ -65,8 +65,8 @@ void write_driver(JsonWriter& json, const Model& model, const ReportData& data) 
 void write_joints(JsonWriter& json, const Mechanism& mechanism) {
   json.key("joints").open('[');
   for (const Joint& joint : mechanism.joints) {
-    const auto& body = mechanism.bodies[static_cast<std::size_t>(joint.second.body)];
-    const NamedPoint& named = body.points[static_cast<std::size_t>(joint.second.point)];
+    const auto& body = mechanism.bodies[joint.second.body];
+    const NamedPoint& named = body.points[joint.second.point];
     const Vector2d point = kMillimetres * named.p_B;
     json.open('{')
         .key("name")
@@ -116,7 +116,7 @@ void write_events(JsonWriter& json, const Model& model, const ReportData& data) 
     if (event.time) json.key("time").number(*event.time, kValueDigits);
     json.key("row").integer(static_cast<long long>(page_row(data, event.row)));
     if (event.value && event.joint) {
-      const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
+      const Joint& joint = model.mechanism().joints[*event.joint];
       json.key("value").number(*event.value, kValueDigits);
       json.key("unit").string(unit_text(coordinate_dimension(joint), model.units()));
     }

@@ -24,7 +24,7 @@ std::optional<std::size_t> column_of(const Model& model, const ReportData& data,
   const Mechanism& mechanism = model.mechanism();
   std::string name = joint + ".position";
   for (const Driver& driver : mechanism.drivers) {
-    if (mechanism.joints[static_cast<std::size_t>(driver.joint)].name != joint) continue;
+    if (mechanism.joints[driver.joint].name != joint) continue;
     name = driver_name(driver);
   }
   const std::size_t slot = column_slot(data.columns, name);

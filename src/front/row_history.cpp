@@ -12,7 +12,7 @@ namespace {
 
 ContactDetails details_in(const Run& run, const Contact& contact, const ContactMotion& motion) {
   const auto side = [&](const CurveRef& ref) {
-    return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[static_cast<std::size_t>(ref.body)]};
+    return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[ref.body]};
   };
   return details_of(side(contact.first), side(contact.second), motion.at, motion.phi);
 }

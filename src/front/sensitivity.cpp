@@ -155,7 +155,7 @@ private:
     const double h = kDifferenceStep * models_[i]->scale();
     std::array<std::vector<double>, 5> values;
     for (int k = -2; k <= 2 && !stopped(); ++k) {
-      values[static_cast<std::size_t>(k + 2)] = results_with(i, k * h);
+      values[k + 2] = results_with(i, k * h);
     }
     for (std::size_t m = 0; m < results_.size() && !stopped(); ++m) {
       if (std::find(open.begin(), open.end(), m) == open.end()) continue;

@@ -189,7 +189,7 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
   place.t += corner ? dphi : ds / at(place).speed;
   // Only an iteration that has gone astray passes more spans than there are.
   for (int passed = 0; passed <= count; ++passed) {
-    const Span& span = *spans_[static_cast<std::size_t>(place.span)];
+    const Span& span = *spans_[place.span];
     const Bounds range = span.range();
     const double beyond = place.t > range.high ? place.t - range.high : std::min(place.t - range.low, 0.0);
     if (beyond == 0) {
@@ -202,7 +202,7 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
     if (joint == SpanJoint::kNotch || joint == SpanJoint::kEnd) {
       return {{place.span, end}, true, joint == SpanJoint::kEnd};
     }
-    const Span& other = *spans_[static_cast<std::size_t>(next)];
+    const Span& other = *spans_[next];
     const double start = forward ? other.range().low : other.range().high;
     // What is left is an arc; the rest of a corner's turn cannot be converted into one.
     const double left = span.is_corner() || other.is_corner() ? 0 : beyond * span.at(end).speed;

@@ -144,7 +144,7 @@ LeastSquaresFit nearest_circle(const std::vector<Vector2d>& places, const PrattC
     const PrattCircle circle = circle_of(x);
     r.resize(static_cast<Eigen::Index>(places.size()));
     for (Eigen::Index i = 0; i < r.size(); ++i) {
-      r(i) = circle.distance(places[static_cast<std::size_t>(i)]);
+      r(i) = circle.distance(places[i]);
     }
     return r.allFinite();
   };
@@ -152,7 +152,7 @@ LeastSquaresFit nearest_circle(const std::vector<Vector2d>& places, const PrattC
     const PrattCircle circle = circle_of(x);
     J.resize(static_cast<Eigen::Index>(places.size()), 3);
     for (Eigen::Index i = 0; i < J.rows(); ++i) {
-      J.row(i) = circle.distance_derivatives(places[static_cast<std::size_t>(i)]);
+      J.row(i) = circle.distance_derivatives(places[i]);
     }
     return true;
   };
@@ -239,7 +239,7 @@ BoundaryFitResult fit_circle(std::span<const Vector2d> points) {
   Eigen::MatrixXd J(found.r.size(), 3);
   std::vector<double> distances;
   for (Eigen::Index i = 0; i < J.rows(); ++i) {
-    const Vector2d& p = from->points[static_cast<std::size_t>(i)];
+    const Vector2d& p = from->points[i];
     J.row(i) << (center - p).normalized().transpose(), -1;
     distances.push_back(circle.A > 0 ? found.r(i) : -found.r(i));
   }

@@ -47,7 +47,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
     if (!conic.allFinite()) return false;
     r.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Vector2d& p = points[static_cast<std::size_t>(i)];
+      const Vector2d& p = points[i];
       const double distance = (p - nearest_on_conic(array_of(conic), p)).norm();
       r(i) = std::copysign(distance, monomials(p).dot(conic));
     }
@@ -58,7 +58,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
     const auto by_x = family.derivatives(x);
     J.resize(n, x.size());
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Vector2d foot = nearest_on_conic(array_of(conic), points[static_cast<std::size_t>(i)]);
+      const Vector2d foot = nearest_on_conic(array_of(conic), points[i]);
       J.row(i) = monomials(foot).transpose() * by_x / slope(conic, foot).norm();
     }
     return J.allFinite();

@@ -91,7 +91,7 @@ Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points) {
     Eigen::MatrixXd rows(n, 3);
     Eigen::VectorXd u(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Vector2d& p = points[static_cast<std::size_t>(i)];
+      const Vector2d& p = points[i];
       const double v = cross(axis, p);
       rows.row(i) << v * v, v, 1;
       u(i) = axis.dot(p);

@@ -36,7 +36,7 @@ Boundary with_edges(const Boundary& boundary) {
 }
 
 bool is_edge(const Boundary& boundary, int span) {
-  return boundary.spans()[static_cast<std::size_t>(span)]->is_corner() &&
+  return boundary.spans()[span]->is_corner() &&
          (boundary.joint_after(span) == SpanJoint::kEnd ||
           boundary.joint_after(boundary.next_span(span, false)) == SpanJoint::kEnd);
 }

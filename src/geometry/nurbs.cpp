@@ -19,7 +19,7 @@ Eigen::MatrixXd powers_between(const NurbsCurve& curve, std::size_t k) {
     const std::size_t i = k - degree + j;
     const double weight = rational ? curve.weights[i] : 1;
     for (Eigen::Index power = 0; power <= curve.degree; ++power) {
-      const double factor = weight * b[j][static_cast<std::size_t>(power)];
+      const double factor = weight * b[j][power];
       powers(power, 0) += factor * curve.control[i].x();
       powers(power, 1) += factor * curve.control[i].y();
       if (rational) {

@@ -66,7 +66,7 @@ std::optional<int> span_beyond(const Boundary& boundary, int span, bool high) {
       return std::nullopt;
     }
     span = boundary.next_span(span, high);
-  } while (boundary.spans()[static_cast<std::size_t>(span)]->is_corner());
+  } while (boundary.spans()[span]->is_corner());
   return span;
 }
 

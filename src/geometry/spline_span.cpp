@@ -107,7 +107,7 @@ std::vector<double> arc_lengths(const std::vector<double>& t, const Eigen::Matri
   const Eigen::Index terms = powers.rows() / intervals;
   std::vector<double> s = {0};
   for (Eigen::Index i = 0; i < intervals; ++i) {
-    const double half = (t[static_cast<std::size_t>(i) + 1] - t[static_cast<std::size_t>(i)]) / 2;
+    const double half = (t[static_cast<std::size_t>(i) + 1] - t[i]) / 2;
     double sum = 0;
     for (const double side : {-1.0, 1.0}) {
       for (std::size_t g = 0; g < kPlaces.size(); ++g) {

@@ -24,7 +24,7 @@ struct PosedCurve {
 };
 
 PosedCurve posed_curve(const Mechanism& mechanism, const CurveRef& ref) {
-  const Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
+  const Body& body = mechanism.bodies[ref.body];
   const NamedCurve& named = described_curve(mechanism, ref);
   const Pose<double> X_WB = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
   const bool closed = is_conic(named.curve) && named.curve.q > 0;
@@ -87,12 +87,12 @@ std::optional<Vector2d> ground_pivot(const Mechanism& mechanism, int body, const
 }
 
 std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref) {
-  const Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
+  const Body& body = mechanism.bodies[ref.body];
   const NamedCurve& named = described_curve(mechanism, ref);
   const std::vector<int> curves = named.parts.empty() ? std::vector<int>{ref.curve} : named.parts;
   std::optional<Involute> all;
   for (const int index : curves) {
-    const auto& boundary = body.curves[static_cast<std::size_t>(index)].boundary;
+    const auto& boundary = body.curves[index].boundary;
     for (const SpanPtr& span : boundary ? boundary->spans() : std::vector<SpanPtr>()) {
       const Involute* own = involute_of(*span);
       if (own == nullptr) {

@@ -37,7 +37,7 @@ const Joint* joint_of(const Preload& preload, const Mechanism& mechanism) {
     return &mechanism.joints[index];
   }
   const std::optional<int> joint = mechanism.springs[index].joint;
-  return joint ? &mechanism.joints[static_cast<std::size_t>(*joint)] : nullptr;
+  return joint ? &mechanism.joints[*joint] : nullptr;
 }
 
 bool turns(const Preload& preload, const Mechanism& mechanism) {
@@ -53,7 +53,7 @@ public:
     const bool angle = turns(preload, mechanism);
     Dimension dimension = angle ? dimension::kTorque : dimension::kForce;
     if (preload.on == Preload::On::kSpring) {
-      const Spring& spring = mechanism.springs[static_cast<std::size_t>(preload.index)];
+      const Spring& spring = mechanism.springs[preload.index];
       dimension = angle ? dimension::kAngle : dimension::kLength;
       rate_ = -spring.stiffness;
       origin_ = spring.free;
@@ -98,7 +98,7 @@ bool stays_closed(const Profile& profile, const DriverPath& path, const Run& sta
       return true;
     }
     if (advice.additions[k] != 0) {
-      Spring& spring = mechanism.springs[static_cast<std::size_t>(preloads[k].index)];
+      Spring& spring = mechanism.springs[preloads[k].index];
       spring.free = PreloadNumber(preloads[k], profile).si(advice.numbers[k]);
     }
   }
@@ -201,7 +201,7 @@ std::string describe(const Preload& preload, double addition, const Profile& pro
     return fmt::format("a constant {} of {:.6g} {} acts on joints.{}", angle ? "torque" : "force", amount,
                        unit, joint->name);
   }
-  const Spring& spring = mechanism.springs[static_cast<std::size_t>(preload.index)];
+  const Spring& spring = mechanism.springs[preload.index];
   const PreloadNumber number(preload, profile);
   const std::string size = fmt::format("{:.6g} {}", std::abs(amount), unit);
   const std::string other = fmt::format(

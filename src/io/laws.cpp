@@ -70,7 +70,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
 }
 
 const MotionLaw& LawBook::made(int index) const {
-  return laws_[static_cast<std::size_t>(index)];
+  return laws_[index];
 }
 
 void LawBook::finish() {

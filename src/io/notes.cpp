@@ -39,7 +39,7 @@ Moved farthest(const Body& body, const Pose<double>& X_WB) {
 
 bool is_driven_body(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+    const Joint& joint = mechanism.joints[driver.joint];
     return joint.first.body == body || joint.second.body == body;
   });
 }

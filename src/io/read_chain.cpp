@@ -135,7 +135,7 @@ std::optional<NamedCurve> read_chain(TableReader& table) {
   outline.pieces = std::move(rounded->pieces);
   std::vector<std::string> names;
   for (const int source : rounded->sources) {
-    names.push_back(outline.names[static_cast<std::size_t>(source)]);
+    names.push_back(outline.names[source]);
   }
   outline.names = std::move(names);
   return curve_of(table, std::move(outline));

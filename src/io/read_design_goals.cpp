@@ -212,7 +212,7 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     table.refuse("column", "this constraint is one of a transmission angle");
     table.refuse("of", "a transmission angle counts where it is least");
     const auto joint = as_joint(reading, *pin, profile.mechanism);
-    if (joint && profile.mechanism.joints[static_cast<std::size_t>(*joint)].type != JointType::kRevolute) {
+    if (joint && profile.mechanism.joints[*joint].type != JointType::kRevolute) {
       report(reading, *pin, "expected a revolute joint, the pin between two links");
     } else if (joint) {
       constraint.transmission = DesignTask::Transmission{as_text(reading, *pin).value_or(""), *joint};

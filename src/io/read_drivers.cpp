@@ -32,9 +32,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const Body& body(const PointRef& ref) const {
-    return mechanism_.bodies[static_cast<std::size_t>(ref.body)];
-  }
+  [[nodiscard]] const Body& body(const PointRef& ref) const { return mechanism_.bodies[ref.body]; }
 
   [[nodiscard]] Vector2d in_profile_units(const Vector2d& v) const {
     return {length_.apply(v.x()), length_.apply(v.y())};
@@ -44,7 +42,7 @@ private:
     const Body& owner = body(ref);
     const Pose<double> X_WB = {Rotation<double>::from_angle(owner.guess_theta),
                                in_profile_units(owner.guess_p_WB)};
-    return X_WB * in_profile_units(owner.points[static_cast<std::size_t>(ref.point)].p_B);
+    return X_WB * in_profile_units(owner.points[ref.point].p_B);
   }
 
   const Mechanism& mechanism_;
@@ -123,7 +121,7 @@ void read_driving_law(TableReader& table, const Item& name, const Joint& joint, 
   const auto law = laws.find(name, {dimension::kTime, coordinate_dimension(joint)}, mechanism);
   if (law) {
     program.law = laws.made(*law);
-    program.law_name = "laws." + mechanism.laws[static_cast<std::size_t>(*law)].name;
+    program.law_name = "laws." + mechanism.laws[*law].name;
     program.start = (*program.law)(0.0);
     program.velocity = default_velocity(joint, table.reading().units);
   }
@@ -158,10 +156,9 @@ void read_driver(TableReader& table, const std::string& name, Profile& profile,
   const auto joint = read_joint(table, mechanism, joint_type_known);
   const auto law = table.take("law");
   if (joint && law) {
-    read_driving_law(table, *law, mechanism.joints[static_cast<std::size_t>(*joint)], mechanism, laws,
-                     program);
+    read_driving_law(table, *law, mechanism.joints[*joint], mechanism, laws, program);
   } else if (joint) {
-    read_motion(table, mechanism, mechanism.joints[static_cast<std::size_t>(*joint)], program);
+    read_motion(table, mechanism, mechanism.joints[*joint], program);
   } else {
     skip_motion(table);
   }
@@ -200,7 +197,7 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
 namespace higherpair {
 
 DriverProgram default_program(const Mechanism& mechanism, const Driver& driver, const Units& units) {
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(driver.joint)];
+  const Joint& joint = mechanism.joints[driver.joint];
   DriverProgram program;
   program.start = io_detail::PoseCoordinate(mechanism, units).of(joint);
   program.velocity = io_detail::default_velocity(joint, units);

@@ -80,7 +80,7 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
   std::set<std::string> layers;
   std::vector<std::string> places;
   for (const Contour& contour : contours) {
-    const DxfPiece& first = drawing.content.pieces[static_cast<std::size_t>(contour.sources.front())];
+    const DxfPiece& first = drawing.content.pieces[contour.sources.front()];
     layers.insert(drawing.content.layers[first.layer]);
     constexpr std::size_t kShown = 4;
     if (places.size() < kShown) {
@@ -100,7 +100,7 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
 
 void report_open(TableReader& table, const Drawing& drawing, const Contour& contour, double tolerance) {
   const Reading& reading = table.reading();
-  const auto line = [&](int piece) { return drawing.content.pieces[static_cast<std::size_t>(piece)].line; };
+  const auto line = [&](int piece) { return drawing.content.pieces[piece].line; };
   const Vector2d begin = begin_of(contour.pieces.front()).p_B;
   const Vector2d end = end_of(contour.pieces.back()).p_B;
   report_in_file(
@@ -115,7 +115,7 @@ void report_open(TableReader& table, const Drawing& drawing, const Contour& cont
 void report_join(TableReader& table, const Drawing& drawing, const JoinFault& fault) {
   std::vector<int> lines;
   for (const int piece : fault.pieces) {
-    lines.push_back(drawing.content.pieces[static_cast<std::size_t>(piece)].line);
+    lines.push_back(drawing.content.pieces[piece].line);
   }
   std::sort(lines.begin(), lines.end());
   std::vector<std::string> numbers;
@@ -172,9 +172,7 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     return std::nullopt;
   }
   Outline outline = {std::move(contour.pieces), true, tolerance};
-  const auto piece_at = [&](int source) -> const DxfPiece& {
-    return drawing->content.pieces[static_cast<std::size_t>(source)];
-  };
+  const auto piece_at = [&](int source) -> const DxfPiece& { return drawing->content.pieces[source]; };
   for (const int source : contour.sources) {
     outline.names.push_back(fmt::format("line {}", piece_at(source).line));
   }

@@ -58,8 +58,8 @@ public:
     if (!follower_joint) {
       return;
     }
-    const Joint& turning = mechanism_.joints[static_cast<std::size_t>(*cam_joint)];
-    const Joint& moved = mechanism_.joints[static_cast<std::size_t>(*follower_joint)];
+    const Joint& turning = mechanism_.joints[*cam_joint];
+    const Joint& moved = mechanism_.joints[*follower_joint];
     const auto law = laws_.find(
         late.law, {coordinate_dimension(turning), coordinate_dimension(moved), LawUnits::kSi}, mechanism_);
     if (!law) {
@@ -93,10 +93,9 @@ private:
              fmt::format("there is no contact of this name; {}", suggestion(*name, names)));
       return std::nullopt;
     }
-    const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(found - names.begin())];
+    const Contact& contact = mechanism_.contacts[found - names.begin()];
     const auto is_own = [&](const CurveRef& ref) {
-      return ref.body == own.body &&
-             is_or_has(mechanism_.bodies[static_cast<std::size_t>(own.body)].curves, ref.curve, own.curve);
+      return ref.body == own.body && is_or_has(mechanism_.bodies[own.body].curves, ref.curve, own.curve);
     };
     if (!is_own(contact.first) && !is_own(contact.second)) {
       report(reading_, late.contact,
@@ -120,7 +119,7 @@ private:
           reading_, late.contact,
           fmt::format("{} needs one revolute or prismatic joint to ground: a flank is shaped for a cam and a "
                       "follower that both hang on ground",
-                      mechanism_.bodies[static_cast<std::size_t>(body)].name));
+                      mechanism_.bodies[body].name));
     }
     return joint;
   }

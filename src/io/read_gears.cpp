@@ -169,8 +169,7 @@ void set_carriers(Reading& reading, const std::vector<PendingGears>& pending, Me
       check_teeth(reading, gears, pins, mechanism);
     }
     const auto theta = [&](int body) {
-      return mechanism.bodies[static_cast<std::size_t>(body)].guess_theta -
-             mechanism.bodies[static_cast<std::size_t>(joint.carrier)].guess_theta;
+      return mechanism.bodies[body].guess_theta - mechanism.bodies[joint.carrier].guess_theta;
     };
     joint.relative_angle = theta(joint.second.body) - joint.turning_ratio * theta(joint.first.body);
   }

@@ -50,9 +50,7 @@ void read_angle(TableReader& table, const Mechanism& mechanism, Joint& joint) {
     table.refuse("angle", "has a meaning for prismatic joints only: in the others the body turns");
     return;
   }
-  const auto theta = [&](const PointRef& point) {
-    return mechanism.bodies[static_cast<std::size_t>(point.body)].guess_theta;
-  };
+  const auto theta = [&](const PointRef& point) { return mechanism.bodies[point.body].guess_theta; };
   joint.relative_angle =
       table.quantity("angle", {dimension::kAngle}, theta(joint.second) - theta(joint.first));
 }

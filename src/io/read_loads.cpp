@@ -16,9 +16,9 @@ void read_force(TableReader& table, const Mechanism& mechanism, std::optional<in
   load.force = table.need_vector("force", dimension::kForce);
   const auto point = table.need("point", "the point of the body at which the force acts");
   if (point && body) {
-    const Body& owner = mechanism.bodies[static_cast<std::size_t>(*body)];
+    const Body& owner = mechanism.bodies[*body];
     const auto index = as_point_of(table.reading(), *point, owner);
-    load.p_B = index ? owner.points[static_cast<std::size_t>(*index)].p_B : Vector2d::Zero();
+    load.p_B = index ? owner.points[*index].p_B : Vector2d::Zero();
   }
   load.frame =
       table.take("frame", as_choice, {"ground", "body"}) == 1U ? LoadFrame::kBody : LoadFrame::kGround;

@@ -74,7 +74,7 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   if (!body) {
     return std::nullopt;
   }
-  const Body& owner = mechanism.bodies[static_cast<std::size_t>(*body)];
+  const Body& owner = mechanism.bodies[*body];
   const std::string name = text->substr(dot + 1);
   if (!index_of(Kind::of(owner), name) && index_of(Kind::others_of(owner), name)) {
     report(reading, item, fmt::format("this is a {}, expected a {}", Kind::kOtherKind, Kind::kKind));
@@ -101,8 +101,7 @@ std::optional<Pair> member_pair(Reading& reading, const Item& item, const Mechan
   }
   if (first->body == second->body) {
     report(reading, item,
-           fmt::format("both are on body `{}`: expected two bodies",
-                       mechanism.bodies[static_cast<std::size_t>(first->body)].name));
+           fmt::format("both are on body `{}`: expected two bodies", mechanism.bodies[first->body].name));
     return std::nullopt;
   }
   return Pair{{first->body, first->index}, {second->body, second->index}};
@@ -144,7 +143,7 @@ std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechan
     return std::nullopt;
   }
   const std::string start = dot == std::string::npos ? "" : text->substr(dot + 1, text->size() - dot - 2);
-  const auto curve = join_curves(reading, item, mechanism.bodies[static_cast<std::size_t>(*index)], start);
+  const auto curve = join_curves(reading, item, mechanism.bodies[*index], start);
   return curve ? std::optional(Member{*index, *curve}) : std::nullopt;
 }
 

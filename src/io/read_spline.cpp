@@ -108,8 +108,8 @@ SplineOptions read_options(TableReader& table, bool closed) {
 }
 
 std::string text_of(const Reading& reading, const Given& given, const SplineFault& fault, int degree) {
-  const auto name = [&](int i) { return given.names[static_cast<std::size_t>(i)]; };
-  const auto place = [&](int i) { return point_text(reading, given.points[static_cast<std::size_t>(i)]); };
+  const auto name = [&](int i) { return given.names[i]; };
+  const auto place = [&](int i) { return point_text(reading, given.points[i]); };
   switch (fault.kind) {
     case SplineFault::Kind::kTooFew:
       return fmt::format("{} points are too few: degree {} takes at least {}", given.points.size(), degree,
@@ -193,9 +193,8 @@ std::optional<SplineReading> read(TableReader& table, bool closed) {
   auto span = spline_span(given->points, options);
   if (!span) {
     const SplineFault& fault = span.error();
-    const Mark& mark = fault.kind == SplineFault::Kind::kTooFew
-                           ? table.mark()
-                           : given->items[static_cast<std::size_t>(fault.first)].value->mark;
+    const Mark& mark =
+        fault.kind == SplineFault::Kind::kTooFew ? table.mark() : given->items[fault.first].value->mark;
     reading.mistakes.push_back(
         {mark, fmt::format("{}: {}", table.path(), text_of(reading, *given, fault, options.degree))});
     return std::nullopt;

@@ -97,7 +97,7 @@ DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) c
     return {driver.positions[k], s.c[1], 2 * s.c[2]};
   }
   if (!driver.positions.empty()) {
-    return {driver.positions[static_cast<std::size_t>(row)], driver.velocity, driver.acceleration};
+    return {driver.positions[row], driver.velocity, driver.acceleration};
   }
   const double position = size_ == 1 ? driver.start : between(driver.start, driver.end, row, size_ - 1);
   return {position, driver.velocity, driver.acceleration};
@@ -112,7 +112,7 @@ DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
                      one.acceleration_to_si.apply(profile.acceleration)},
                     {}};
   if (one.law) {
-    const double t = timed_ ? time(row) : one.times[static_cast<std::size_t>(row)];
+    const double t = timed_ ? time(row) : one.times[row];
     const auto s = series_at<6>(*one.law, t, side_of(row));
     double factorial = 2;
     for (std::size_t k = 0; k < state.higher_si.size(); ++k) {

@@ -97,7 +97,7 @@ Vector2d direction_of(double angle) {
 }  // namespace
 
 Place place_of(const Reading& reading, const Mark& mark) {
-  return {reading.sources[static_cast<std::size_t>(mark.source)], mark.line, mark.column};
+  return {reading.sources[mark.source], mark.line, mark.column};
 }
 
 std::vector<Item> items_of(const Item& item) {

@@ -65,7 +65,7 @@ GrashofClass classify_grashof(const FourBar& linkage) {
                                                     GrashofClass::kDoubleRocker, GrashofClass::kRockerCrank};
   const std::array<double, 4> lengths = lengths_of(linkage);
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
-  return by_shortest[static_cast<std::size_t>(shortest - lengths.begin())];
+  return by_shortest[shortest - lengths.begin()];
 }
 
 double grashof_margin(const FourBar& linkage) {

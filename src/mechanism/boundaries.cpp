@@ -42,17 +42,17 @@ std::shared_ptr<const Boundary> boundary_of(const NamedCurve& curve, const Bound
 Boundary joined(const Body& body, const std::vector<int>& curves, const BoundaryRules& rules) {
   std::vector<Boundary> parts;
   for (const int index : curves) {
-    parts.push_back(*boundary_of(body.curves[static_cast<std::size_t>(index)], rules));
+    parts.push_back(*boundary_of(body.curves[index], rules));
   }
   return Boundary::of_parts(parts);
 }
 
 void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
-  Body& body = mechanism.bodies[static_cast<std::size_t>(ref.body)];
+  Body& body = mechanism.bodies[ref.body];
   NamedCurve own = described_curve(mechanism, ref);
   if (!own.parts.empty()) {
     own.boundary = std::make_shared<const Boundary>(joined(body, own.parts, rules));
-    body.curves[static_cast<std::size_t>(ref.curve)] = std::move(own);
+    body.curves[ref.curve] = std::move(own);
     return;
   }
   own.name.clear();

@@ -105,23 +105,21 @@ ConditionSystem::ConditionSystem(Dimensions<double> dimensions, ConditionSet set
       contact_columns_(dimensions_.contacts.size(), -1),
       driver_rows_(dimensions_.drivers.size(), -1) {
   for (const int body : set_.bodies) {
-    body_columns_[static_cast<std::size_t>(body)] = columns_;
+    body_columns_[body] = columns_;
     columns_ += 3;
   }
   const auto label = [&](ConditionLabel::Of of, int index, int count) {
     labels_.insert(labels_.end(), static_cast<std::size_t>(count), {of, index});
   };
   for (const int joint : set_.joints) {
-    label(ConditionLabel::Of::kJoint, joint,
-          condition_count(dimensions_.joints[static_cast<std::size_t>(joint)].of.type));
+    label(ConditionLabel::Of::kJoint, joint, condition_count(dimensions_.joints[joint].of.type));
   }
   for (const int contact : set_.contacts) {
-    contact_columns_[static_cast<std::size_t>(contact)] = columns_++;
-    label(ConditionLabel::Of::kContact, contact,
-          dimensions_.contacts[static_cast<std::size_t>(contact)].rolling ? 3 : 2);
+    contact_columns_[contact] = columns_++;
+    label(ConditionLabel::Of::kContact, contact, dimensions_.contacts[contact].rolling ? 3 : 2);
   }
   for (const int driver : set_.drivers) {
-    driver_rows_[static_cast<std::size_t>(driver)] = row_count();
+    driver_rows_[driver] = row_count();
     label(ConditionLabel::Of::kDriver, driver, 1);
   }
   for (const int body : set_.idle_bodies) {
@@ -130,8 +128,8 @@ ConditionSystem::ConditionSystem(Dimensions<double> dimensions, ConditionSet set
 }
 
 double ConditionSystem::by_driver(int driver) const {
-  const int joint = dimensions_.drivers[static_cast<std::size_t>(driver)];
-  return has_angle(dimensions_.joints[static_cast<std::size_t>(joint)].of.type) ? -size_ : -1;
+  const int joint = dimensions_.drivers[driver];
+  return has_angle(dimensions_.joints[joint].of.type) ? -size_ : -1;
 }
 
 bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& values,
@@ -140,17 +138,15 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
   J.setZero(row_count(), columns_);
   Eigen::Index row = 0;
   bool exist = true;
-  const auto body = [&](int index) -> const BodyAt<double>& {
-    return at.bodies[static_cast<std::size_t>(index)];
-  };
+  const auto body = [&](int index) -> const BodyAt<double>& { return at.bodies[index]; };
   const auto append = [&](const auto& some, const Columns& columns) {
     exist = exist && some.exist;
     for (int i = 0; i < some.count; ++i) {
-      write(some.value[static_cast<std::size_t>(i)], columns, size_, row++, values, J);
+      write(some.value[i], columns, size_, row++, values, J);
     }
   };
   for (const int index : set_.joints) {
-    const auto& joint = dimensions_.joints[static_cast<std::size_t>(index)];
+    const auto& joint = dimensions_.joints[index];
     const Columns columns{{body_column(joint.first), body_column(joint.second), body_column(joint.carrier)}};
     if (couples_turning(joint.of.type)) {
       append(joint_conditions(joint.of, variable<9>(body(joint.first), 1), variable<9>(body(joint.second), 4),
@@ -174,7 +170,7 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
   }
   for (const int index : set_.drivers) {
     const auto i = static_cast<std::size_t>(index);
-    const auto& joint = dimensions_.joints[static_cast<std::size_t>(dimensions_.drivers[i])];
+    const auto& joint = dimensions_.joints[dimensions_.drivers[i]];
     ConditionValues<Partials<double, 6>> value;
     value.add(driver_condition(joint.of, variable<6>(body(joint.first), 1),
                                variable<6>(body(joint.second), 4), Partials<double, 6>(at.drivers[i]),
@@ -182,7 +178,7 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
     append(value, Columns{{body_column(joint.first), body_column(joint.second), -1}});
   }
   for (const int idle : set_.idle_bodies) {
-    values(row) = size_ * (body(idle).theta - at.held_angles[static_cast<std::size_t>(idle)]);
+    values(row) = size_ * (body(idle).theta - at.held_angles[idle]);
     if (const Eigen::Index column = body_column(idle); column >= 0) {
       J(row, column + 2) = 1;
     }

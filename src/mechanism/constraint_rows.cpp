@@ -8,7 +8,7 @@ namespace higherpair {
 namespace {
 
 const BodyMotion& at(const std::vector<BodyMotion>& bodies, int index) {
-  return bodies[static_cast<std::size_t>(index)];
+  return bodies[index];
 }
 
 template <int N>

@@ -22,7 +22,7 @@ LinearConditions linear(const SizedMechanism& sized, const std::vector<Constrain
   const auto n = static_cast<Eigen::Index>(rows.size());
   LinearConditions conditions{Eigen::MatrixXd::Zero(n, sized.columns()), Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
-    const ConstraintRow& row = rows[static_cast<std::size_t>(i)];
+    const ConstraintRow& row = rows[i];
     conditions.values(i) = row.value;
     add_coefficients(
         row, sized.size, [&](std::size_t k) { return column_of(row.body[k]); }, conditions.J.row(i));
@@ -52,7 +52,7 @@ MechanismPosition posed(const SizedMechanism& sized) {
   const Mechanism& mechanism = sized.mechanism;
   MechanismPosition at{posed_bodies(mechanism), {}};
   for (const Contact& contact : mechanism.contacts) {
-    const auto pose = [&](const CurveRef& ref) { return at.bodies[static_cast<std::size_t>(ref.body)].X_WB; };
+    const auto pose = [&](const CurveRef& ref) { return at.bodies[ref.body].X_WB; };
     ContactMotion motion;
     if (contact.by_boundary) {
       motion.place = nearest_places(boundary_of(mechanism, contact.first), pose(contact.first),

@@ -8,7 +8,7 @@
 namespace higherpair {
 
 [[nodiscard]] inline const Joint& joint_of(const Mechanism& mechanism, int index) {
-  return mechanism.joints[static_cast<std::size_t>(index)];
+  return mechanism.joints[index];
 }
 
 [[nodiscard]] inline bool touches(const Joint& joint, int body) {

@@ -6,13 +6,13 @@ namespace higherpair {
 
 JointMotion joint_motion(const Mechanism& mechanism, const Joint& joint,
                          const std::vector<BodyMotion>& bodies) {
-  const BodyMotion& first = bodies[static_cast<std::size_t>(joint.first.body)];
-  const BodyMotion& second = bodies[static_cast<std::size_t>(joint.second.body)];
+  const BodyMotion& first = bodies[joint.first.body];
+  const BodyMotion& second = bodies[joint.second.body];
   if (joint.type == JointType::kRevolute) {
     return {second.theta - first.theta, second.omega - first.omega, second.alpha - first.alpha};
   }
   if (couples_turning(joint.type)) {
-    const BodyMotion& carrier = bodies[static_cast<std::size_t>(joint.carrier)];
+    const BodyMotion& carrier = bodies[joint.carrier];
     return {second.theta - carrier.theta, second.omega - carrier.omega, second.alpha - carrier.alpha};
   }
   const PointMotion A = point_motion(first, point_of(mechanism, joint.first));

@@ -22,14 +22,12 @@ public:
   explicit PinGraph(const Mechanism& mechanism) : pins_(find_pins(mechanism)), on_(mechanism.bodies.size()) {
     for (std::size_t i = 0; i < pins_.size(); ++i) {
       for (const BodyPoint& end : pins_[i].ends) {
-        on_[static_cast<std::size_t>(end.body)].push_back({i, end.p_B});
+        on_[end.body].push_back({i, end.p_B});
       }
     }
   }
 
-  [[nodiscard]] const std::vector<PinOnBody>& on(int body) const {
-    return on_[static_cast<std::size_t>(body)];
-  }
+  [[nodiscard]] const std::vector<PinOnBody>& on(int body) const { return on_[body]; }
 
   [[nodiscard]] const std::vector<BodyPoint>& bodies_at(std::size_t pin) const { return pins_[pin].ends; }
 
@@ -44,8 +42,8 @@ std::vector<double> depths(const Mechanism& mechanism) {
   std::vector<double> depth(mechanism.bodies.size(), far);
   depth.front() = 0;
   const auto reach = [&](int from, int to, double step) {
-    double& at = depth[static_cast<std::size_t>(to)];
-    const double by = depth[static_cast<std::size_t>(from)] + step;
+    double& at = depth[to];
+    const double by = depth[from] + step;
     const bool nearer = by < at;
     at = std::min(at, by);
     return nearer;
@@ -124,7 +122,7 @@ std::vector<Ring> rings_from(const PinGraph& graph, int lowest) {
 }
 
 FourBarInMechanism as_four_bar(const Ring& ring, const std::vector<double>& depth) {
-  const auto depth_of = [&](std::size_t i) { return depth[static_cast<std::size_t>(ring.body[i % 4])]; };
+  const auto depth_of = [&](std::size_t i) { return depth[ring.body[i % 4]]; };
   std::size_t ground = 0;
   for (std::size_t i = 1; i < 4; ++i) {
     ground = depth_of(i) < depth_of(ground) ? i : ground;
@@ -189,8 +187,8 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
 
 void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const std::vector<double>& depth,
                   int index, std::vector<SliderCrankInMechanism>& found) {
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
-  const auto depth_of = [&](int body) { return depth[static_cast<std::size_t>(body)]; };
+  const Joint& joint = mechanism.joints[index];
+  const auto depth_of = [&](int body) { return depth[body]; };
   SliderCrankInMechanism known;
   known.joint = index;
   const bool first_guides = depth_of(joint.first.body) <= depth_of(joint.second.body);
@@ -210,9 +208,7 @@ void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const std::
 }  // namespace
 
 AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyMotion>& bodies) {
-  const auto turned = [&](int body, const Vector2d& v_B) {
-    return Vector2d(bodies[static_cast<std::size_t>(body)].X_WB.R_WB * v_B);
-  };
+  const auto turned = [&](int body, const Vector2d& v_B) { return Vector2d(bodies[body].X_WB.R_WB * v_B); };
   const bool ahead = turned(loop.guide, loop.along_G).dot(turned(loop.coupler, loop.coupler_AC)) > 0;
   return ahead ? AssemblyMode::kPlus : AssemblyMode::kMinus;
 }
@@ -236,7 +232,7 @@ std::vector<SliderCrankInMechanism> find_slider_cranks(const Mechanism& mechanis
   const std::vector<double> depth = depths(mechanism);
   std::vector<SliderCrankInMechanism> found;
   for (int i = 0; i < static_cast<int>(mechanism.joints.size()); ++i) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(i)];
+    const Joint& joint = mechanism.joints[i];
     if (joint.type == JointType::kPrismatic) {
       add_of_slide(mechanism, graph, depth, i, found);
     } else if (joint.type == JointType::kSlot) {

@@ -126,7 +126,7 @@ std::vector<int> moving_joints(const SizedMechanism& sized, const Freedom& freed
   std::vector<int> joints;
   for (Eigen::Index i = 0; i < rates.rows(); ++i) {
     if (rates.row(i).norm() > freedom.floor) {
-      joints.push_back(probe.drivers[static_cast<std::size_t>(i)].joint);
+      joints.push_back(probe.drivers[i].joint);
     }
   }
   return joints;
@@ -155,7 +155,7 @@ void judge_drivers(const SizedMechanism& sized, const Freedom& all, const Mechan
     }
   }
   for (const int joint : moving_joints(sized, left, position)) {
-    const Joint& candidate = sized.mechanism.joints[static_cast<std::size_t>(joint)];
+    const Joint& candidate = sized.mechanism.joints[joint];
     if (!is_idle(mobility, candidate.first.body) && !is_idle(mobility, candidate.second.body)) {
       mobility.joints_to_drive.push_back(joint);
     }

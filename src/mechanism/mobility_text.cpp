@@ -29,7 +29,7 @@ template <class Item>
 std::string names_of(const std::vector<Item>& items, const std::vector<int>& indices) {
   std::vector<std::string> names;
   for (const int index : indices) {
-    names.push_back(items[static_cast<std::size_t>(index)].name);
+    names.push_back(items[index].name);
   }
   return joined_words(names);
 }
@@ -184,7 +184,7 @@ std::vector<std::string> idle_texts(const Mechanism& mechanism, const Mobility& 
   std::vector<std::string> sentences;
   for (const IdleFreedom& idle : mobility.idle) {
     sentences.push_back(fmt::format("{} turns freely about its centre and changes nothing else",
-                                    mechanism.bodies[static_cast<std::size_t>(idle.body)].name));
+                                    mechanism.bodies[idle.body].name));
   }
   return sentences;
 }
@@ -214,7 +214,7 @@ std::optional<std::string> surplus_objection(const Mechanism& mechanism, const P
                                              const std::vector<double>& drivers) {
   const bool rolls = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const Group& group) {
     const auto placing = placing_contact(group);
-    return placing && mechanism.contacts[static_cast<std::size_t>(placing->contact)].rolling;
+    return placing && mechanism.contacts[placing->contact].rolling;
   });
   return plan.surplus == 0 || rolls ? std::nullopt : driver_objection(mechanism, drivers);
 }

@@ -49,7 +49,7 @@ double largest_distance(const std::vector<Vector2d>& points) {
 std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
   std::string names;
   for (const LooseBody& body : loose) {
-    names += (names.empty() ? "" : ", ") + mechanism.bodies[static_cast<std::size_t>(body.body)].name +
+    names += (names.empty() ? "" : ", ") + mechanism.bodies[body.body].name +
              (body.turning_only ? " (its turning)" : "");
   }
   return names;
@@ -88,7 +88,7 @@ double size_of(const Mechanism& mechanism) {
   double largest = 0;  // largest coordinate, to which rounding is relative
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
   const auto add = [&](int body, const Vector2d& p_B) {
-    points.push_back(bodies[static_cast<std::size_t>(body)].X_WB * p_B);
+    points.push_back(bodies[body].X_WB * p_B);
     largest = std::max({largest, p_B.norm(), points.back().norm()});
   };
   for (const Joint& joint : mechanism.joints) {
@@ -145,7 +145,7 @@ void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>&
     }
     std::copy_if(group.joints.begin(), group.joints.end(), std::back_inserter(group.ended_joints),
                  [&](int index) {
-                   const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+                   const Joint& joint = mechanism.joints[index];
                    return joint.from || joint.to;
                  });
   }
@@ -155,7 +155,7 @@ void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>&
 std::optional<std::string> cannot_part(const Mechanism& mechanism, const Plan& plan) {
   for (const Group& group : plan.groups) {
     for (const int index : group.contacts) {
-      const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+      const Contact& contact = mechanism.contacts[index];
       if (contact.keep == Keep::kGap && !std::holds_alternative<TouchingBody>(group.kind)) {
         return fmt::format(
             "contacts.{}: with keep = \"gap\" one of the two bodies must hang on a revolute or prismatic "

@@ -32,7 +32,7 @@ public:
                        other_body(tracked.contact, tracked.follower.body), contact_name(tracked.contact));
   }
   std::string operator()(const TouchingBody& touching) const {
-    const bool along = mechanism_.contacts[static_cast<std::size_t>(touching.contact)].by_boundary;
+    const bool along = mechanism_.contacts[touching.contact].by_boundary;
     return fmt::format("touches {} at {}, by {}", other_body(touching.contact, touching.follower.body),
                        contact_name(touching.contact),
                        along ? "Newton's method along both curves" : "osculating circles");
@@ -41,7 +41,7 @@ public:
     return "idle on its pin: nothing sets its turning, it keeps the angle of its pose";
   }
   std::string operator()(const GearedBody& geared) const {
-    return "on its pin, turned by " + mechanism_.joints[static_cast<std::size_t>(geared.gears)].name;
+    return "on its pin, turned by " + mechanism_.joints[geared.gears].name;
   }
   std::string operator()(const CoupledBodies&) const {
     std::string text = "coupled bodies, solved together by Newton's method";
@@ -53,12 +53,12 @@ public:
 
 private:
   [[nodiscard]] const std::string& contact_name(int contact) const {
-    return mechanism_.contacts[static_cast<std::size_t>(contact)].name;
+    return mechanism_.contacts[contact].name;
   }
   [[nodiscard]] const std::string& other_body(int index, int body) const {
-    const Contact& contact = mechanism_.contacts[static_cast<std::size_t>(index)];
+    const Contact& contact = mechanism_.contacts[index];
     const int other = contact.first.body == body ? contact.second.body : contact.first.body;
-    return mechanism_.bodies[static_cast<std::size_t>(other)].name;
+    return mechanism_.bodies[other].name;
   }
 
   const Mechanism& mechanism_;
@@ -70,7 +70,7 @@ private:
 std::string body_names(const Mechanism& mechanism, std::span<const int> bodies) {
   std::string names;
   for (const int body : bodies) {
-    names += (names.empty() ? "" : ", ") + mechanism.bodies[static_cast<std::size_t>(body)].name;
+    names += (names.empty() ? "" : ", ") + mechanism.bodies[body].name;
   }
   return names;
 }

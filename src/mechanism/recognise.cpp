@@ -27,7 +27,7 @@ std::optional<int> grounded_driver(std::span<const Group> before, int body) {
 std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const GroupItems& set,
                                       std::span<const Group> before) {
   const int body = set.bodies.front();
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(set.contacts.front())];
+  const Contact& contact = mechanism.contacts[set.contacts.front()];
   TrackedPair tracked;
   tracked.contact = set.contacts.front();
   tracked.driver_is_first = contact.second.body == body;
@@ -80,7 +80,7 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const GroupIt
   if (set.contacts.size() != 1) {
     return std::nullopt;
   }
-  const Contact& contact = mechanism.contacts[static_cast<std::size_t>(set.contacts.front())];
+  const Contact& contact = mechanism.contacts[set.contacts.front()];
   if (auto tracked = contact.by_boundary ? std::nullopt : tracked_pair(mechanism, set, before)) {
     return tracked;
   }

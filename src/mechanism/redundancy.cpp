@@ -31,8 +31,8 @@ std::vector<int> owners_of_rows(const Mechanism& mechanism) {
 }
 
 int root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    i = parent[static_cast<std::size_t>(i)];
+  while (parent[i] != i) {
+    i = parent[i];
   }
   return i;
 }
@@ -66,7 +66,7 @@ std::vector<Link> links_of(const Mechanism& mechanism, const Redundancy& set,
     std::vector<int> others;
     bool pins_only = true;
     for (const int index : set.joints) {
-      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      const Joint& joint = mechanism.joints[index];
       if (joint.first.body != b && joint.second.body != b) {
         continue;
       }
@@ -80,8 +80,7 @@ std::vector<Link> links_of(const Mechanism& mechanism, const Redundancy& set,
     }
     const std::size_t low = others[0] < others[1] ? 0 : 1;
     const Vector2d along_B = own[1 - low].p_B - own[low].p_B;
-    links.push_back(
-        {b, others[low], others[1 - low], bodies[static_cast<std::size_t>(b)].X_WB.R_WB * along_B});
+    links.push_back({b, others[low], others[1 - low], bodies[b].X_WB.R_WB * along_B});
   }
   return links;
 }
@@ -104,9 +103,8 @@ std::vector<int> parallel_cranks(const std::vector<Link>& links, double size) {
 }
 
 RedundancyCause contact_cause(const Mechanism& mechanism, const Redundancy& set) {
-  const bool rolls = std::any_of(set.contacts.begin(), set.contacts.end(), [&](int contact) {
-    return mechanism.contacts[static_cast<std::size_t>(contact)].rolling;
-  });
+  const bool rolls = std::any_of(set.contacts.begin(), set.contacts.end(),
+                                 [&](int contact) { return mechanism.contacts[contact].rolling; });
   return rolls ? RedundancyCause::kRollingOnPivots : RedundancyCause::kSlidingOnPivots;
 }
 
@@ -114,9 +112,7 @@ void set_cause(const SizedMechanism& sized, const std::vector<Pin>& pins, const 
                Redundancy& set) {
   const Mechanism& mechanism = sized.mechanism;
   const auto is = [&](JointType type) {
-    return [&mechanism, type](int joint) {
-      return mechanism.joints[static_cast<std::size_t>(joint)].type == type;
-    };
+    return [&mechanism, type](int joint) { return mechanism.joints[joint].type == type; };
   };
   if (is_same_pin_twice(pins, set)) {
     set.cause = RedundancyCause::kSamePin;
@@ -154,13 +150,12 @@ std::vector<Redundancy> find_redundancies(const SizedMechanism& sized, const Mec
   std::vector<double> weight(static_cast<std::size_t>(count), 0);
   std::vector<bool> involved(static_cast<std::size_t>(count), false);
   for (Eigen::Index i = 0; i < projector.rows(); ++i) {
-    const int owner = owners[static_cast<std::size_t>(i)];
-    weight[static_cast<std::size_t>(owner)] += projector(i, i);
+    const int owner = owners[i];
+    weight[owner] += projector(i, i);
     for (Eigen::Index k = 0; k <= i; ++k) {
       if (std::abs(projector(i, k)) > kInvolved) {
-        involved[static_cast<std::size_t>(owner)] = true;
-        parent[static_cast<std::size_t>(root(parent, owner))] =
-            root(parent, owners[static_cast<std::size_t>(k)]);
+        involved[owner] = true;
+        parent[root(parent, owner)] = root(parent, owners[k]);
       }
     }
   }
@@ -169,10 +164,10 @@ std::vector<Redundancy> find_redundancies(const SizedMechanism& sized, const Mec
     Redundancy set;
     double trace = 0;
     for (int i = 0; i < count; ++i) {
-      if (!involved[static_cast<std::size_t>(i)] || root(parent, i) != top) {
+      if (!involved[i] || root(parent, i) != top) {
         continue;
       }
-      trace += weight[static_cast<std::size_t>(i)];
+      trace += weight[i];
       const auto joints = static_cast<int>(mechanism.joints.size());
       i < joints ? set.joints.push_back(i) : set.contacts.push_back(i - joints);
     }

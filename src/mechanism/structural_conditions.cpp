@@ -18,9 +18,7 @@ template <class T>
 std::vector<int> by_name(const std::vector<T>& items) {
   std::vector<int> order(items.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto name = [&](int index) -> const std::string& {
-    return items[static_cast<std::size_t>(index)].name;
-  };
+  const auto name = [&](int index) -> const std::string& { return items[index].name; };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return name(a) < name(b); });
   return order;
 }
@@ -42,7 +40,7 @@ public:
   Conditions(const Mechanism& mechanism, const NameOrder& order)
       : mechanism_(mechanism), reference_(mechanism.bodies.size()) {
     for (const int index : order.joints) {
-      const Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+      const Joint& joint = mechanism.joints[index];
       if (joint.type == JointType::kRevolute) {
         choose_reference(joint.first);
         choose_reference(joint.second);
@@ -55,19 +53,19 @@ public:
     const std::vector<int> joint_rows = first_rows(mechanism.joints, rows);
     for (const int index : order.joints) {
       const std::size_t added = conditions_.size();
-      add_joint(mechanism.joints[static_cast<std::size_t>(index)]);
-      number_rows(added, joint_rows[static_cast<std::size_t>(index)]);
+      add_joint(mechanism.joints[index]);
+      number_rows(added, joint_rows[index]);
     }
     const std::vector<int> contact_rows = first_rows(mechanism.contacts, rows);
     for (const int index : order.contacts) {
-      add_contact(mechanism.contacts[static_cast<std::size_t>(index)]);
-      conditions_.back().row = contact_rows[static_cast<std::size_t>(index)];
+      add_contact(mechanism.contacts[index]);
+      conditions_.back().row = contact_rows[index];
     }
     for (const int index : order.contacts) {
-      const Contact& contact = mechanism.contacts[static_cast<std::size_t>(index)];
+      const Contact& contact = mechanism.contacts[index];
       if (contact.rolling) {
         add_slip(contact);
-        conditions_.back().row = contact_rows[static_cast<std::size_t>(index)] + 1;
+        conditions_.back().row = contact_rows[index] + 1;
       }
     }
   }
@@ -82,15 +80,14 @@ private:
   }
 
   void choose_reference(const PointRef& ref) {
-    auto& reference = reference_[static_cast<std::size_t>(ref.body)];
+    auto& reference = reference_[ref.body];
     if (!reference) {
       reference = point_of(mechanism_, ref);
     }
   }
 
   [[nodiscard]] bool is_reference(int body, const Vector2d& p_B) const {
-    const Vector2d reference =
-        reference_[static_cast<std::size_t>(body)].value_or(Vector2d(Vector2d::Zero()));
+    const Vector2d reference = reference_[body].value_or(Vector2d(Vector2d::Zero()));
     return (p_B - reference).norm() <= kSameBodyPoint * (p_B.norm() + reference.norm());
   }
 
@@ -170,7 +167,7 @@ private:
   // the body's angle.
   void enter_curve(Condition& condition, const CurveRef& ref) const {
     const auto middle = round_center(curve_of(mechanism_, ref));
-    if (middle && reference_[static_cast<std::size_t>(ref.body)] && is_reference(ref.body, *middle)) {
+    if (middle && reference_[ref.body] && is_reference(ref.body, *middle)) {
       enter(condition, ref.body, {Coordinate::kX, Coordinate::kY});
     } else {
       enter_all(condition, ref.body);

@@ -31,7 +31,7 @@ public:
     std::vector<int> partners(conditions_.size(), kUnmatched);
     for (std::size_t v = 0; v < owner_.size(); ++v) {
       if (owner_[v] != kUnmatched) {
-        partners[static_cast<std::size_t>(owner_[v])] = static_cast<int>(v);
+        partners[owner_[v]] = static_cast<int>(v);
       }
     }
     return partners;
@@ -39,9 +39,9 @@ public:
 
 private:
   bool augment(int condition, int round) {
-    const std::vector<int>& variables = conditions_[static_cast<std::size_t>(condition)].variables;
+    const std::vector<int>& variables = conditions_[condition].variables;
     for (const int variable : variables) {
-      int& owner = owner_[static_cast<std::size_t>(variable)];
+      int& owner = owner_[variable];
       if (owner == kUnmatched) {
         owner = condition;
         return true;
@@ -141,22 +141,22 @@ Structure analyse_structure(const Mechanism& mechanism) {
   std::vector<BodySet> by_component(bodies);
   for (const int body : order.bodies) {
     if (body != 0) {
-      const int number = component[static_cast<std::size_t>(body)];
-      by_component[static_cast<std::size_t>(number)].bodies.push_back(body);
+      const int number = component[body];
+      by_component[number].bodies.push_back(body);
     }
   }
   // A condition belongs to the last placed of its bodies; ground counts as placed before all others.
   const auto set_of = [&](int first, int second, int third = 0) -> BodySet& {
-    const auto place = [&](int body) { return body == 0 ? 0 : component[static_cast<std::size_t>(body)]; };
-    return by_component[static_cast<std::size_t>(std::max({place(first), place(second), place(third)}))];
+    const auto place = [&](int body) { return body == 0 ? 0 : component[body]; };
+    return by_component[std::max({place(first), place(second), place(third)})];
   };
   for (const int i : order.joints) {
-    const Joint& joint = mechanism.joints[static_cast<std::size_t>(i)];
+    const Joint& joint = mechanism.joints[i];
     const int carrier = couples_turning(joint.type) ? joint.carrier : 0;
     set_of(joint.first.body, joint.second.body, carrier).joints.push_back(i);
   }
   for (const int i : order.contacts) {
-    const Contact& contact = mechanism.contacts[static_cast<std::size_t>(i)];
+    const Contact& contact = mechanism.contacts[i];
     set_of(contact.first.body, contact.second.body).contacts.push_back(i);
   }
   for (const int i : order.drivers) {

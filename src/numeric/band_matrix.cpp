@@ -104,7 +104,7 @@ void BandSolver::eliminate() {
     for (Index row = k + 1; exchanges_ && row <= last; ++row) {
       pivot = std::abs(band_(0, row)) > std::abs(band_(0, pivot)) ? row : pivot;
     }
-    pivots_[static_cast<std::size_t>(k)] = pivot;
+    pivots_[k] = pivot;
     if (!(std::abs(band_(0, pivot)) > 0) || !std::isfinite(band_(0, pivot))) {
       regular_ = false;
       return;
@@ -143,7 +143,7 @@ void BandSolver::solve_inner(MatrixXd& x) const {
   for (Index column = 0; column < x.cols(); ++column) {
     double* b = x.col(column).data();
     for (Index k = 0; k < inner_; ++k) {
-      std::swap(b[k], b[pivots_[static_cast<std::size_t>(k)]]);
+      std::swap(b[k], b[pivots_[k]]);
       if (std::abs(b[k]) < kBandNothing) {
         b[k] = 0;
         continue;

@@ -97,7 +97,7 @@ private:
     const auto n = static_cast<Eigen::Index>(free_.size());
     Eigen::MatrixXd both(fit_.r.size(), n + 1);
     for (Eigen::Index k = 0; k < n; ++k) {
-      const Eigen::Index i = free_[static_cast<std::size_t>(k)];
+      const Eigen::Index i = free_[k];
       both.col(k) = fit_.J.col(i) / scale_(i);
     }
     both.col(n) = fit_.r;
@@ -120,7 +120,7 @@ private:
     const Eigen::VectorXd scaled = LeastNormSolver(A).solve(b);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(fit_.x.size());
     for (Eigen::Index k = 0; k < n; ++k) {
-      const Eigen::Index i = free_[static_cast<std::size_t>(k)];
+      const Eigen::Index i = free_[k];
       step(i) = scaled(k) / scale_(i);
     }
     return step;

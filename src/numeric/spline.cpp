@@ -81,7 +81,7 @@ private:
   void add(Index row, const std::pair<Index, Weights>& condition, double factor = 1) {
     const auto& [interval, weights] = condition;
     for (int j = 0; j <= basis_.degree(); ++j) {
-      system_.add(row, turned(basis_.index(interval, j)), factor * weights[static_cast<std::size_t>(j)]);
+      system_.add(row, turned(basis_.index(interval, j)), factor * weights[j]);
     }
   }
 
@@ -192,7 +192,7 @@ MatrixXd spline_powers(const SplineTask& task) {
     for (Index interval = 0; interval < basis.intervals(); ++interval) {
       Polynomial sum{};
       for (int j = 0; j <= task.degree; ++j) {
-        const Polynomial& own = basis.on(interval)[static_cast<std::size_t>(j)];
+        const Polynomial& own = basis.on(interval)[j];
         const double coefficient = coefficients(basis.index(interval, j), column);
         for (std::size_t k = 0; k < sum.size(); ++k) {
           sum[k] += own[k] * coefficient;

@@ -17,7 +17,7 @@ double taylor(const Polynomial& p, int k, double t) {
     for (int j = 1; j <= k; ++j) {
       choose = choose * (i - k + j) / j;
     }
-    sum = sum * t + choose * p[static_cast<std::size_t>(i)];
+    sum = sum * t + choose * p[i];
   }
   return sum;
 }
@@ -41,7 +41,7 @@ Basis::Basis(const SplineTask& task)
 double Basis::knot(const SplineTask& task, int i) const {
   const auto n = static_cast<int>(task.x.size());
   const double first = task.x.front();
-  const auto point = [&](int k) { return (task.x[static_cast<std::size_t>(k)] - first) / unit_; };
+  const auto point = [&](int k) { return (task.x[k] - first) / unit_; };
   if (periodic_) {
     const int turns = i >= 0 ? i / n : -((n - 1 - i) / n);
     return point(i - turns * n) + turns * static_cast<double>(n);
@@ -74,8 +74,7 @@ template <class F>
 void LocalRows::for_each(const F& f) const {
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     for (int j = 0; j <= basis_.degree(); ++j) {
-      f(static_cast<Index>(row), basis_.index(rows_[row].interval, j),
-        rows_[row].weights[static_cast<std::size_t>(j)]);
+      f(static_cast<Index>(row), basis_.index(rows_[row].interval, j), rows_[row].weights[j]);
     }
   }
 }
@@ -105,8 +104,7 @@ BandMatrix LocalRows::normal_matrix() const {
   for (const auto& [interval, weights] : rows_) {
     for (int i = 0; i <= basis_.degree(); ++i) {
       for (int j = 0; j <= basis_.degree(); ++j) {
-        normal.add(basis_.index(interval, i), basis_.index(interval, j),
-                   weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)]);
+        normal.add(basis_.index(interval, i), basis_.index(interval, j), weights[i] * weights[j]);
       }
     }
   }

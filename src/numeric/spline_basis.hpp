@@ -43,12 +43,10 @@ public:
 
   /// The degree + 1 B-splines that do not vanish on an interval, as powers of t from its beginning; the j-th
   /// belongs to the coefficient index(interval, j).
-  [[nodiscard]] const Splines& on(Index interval) const {
-    return splines_[static_cast<std::size_t>(interval)];
-  }
+  [[nodiscard]] const Splines& on(Index interval) const { return splines_[interval]; }
 
 private:
-  [[nodiscard]] double at(Index i) const { return knots_[static_cast<std::size_t>(i + degree_)]; }
+  [[nodiscard]] double at(Index i) const { return knots_[i + degree_]; }
   [[nodiscard]] double knot(const SplineTask& task, int i) const;
 
   int degree_;

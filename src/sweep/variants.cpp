@@ -52,7 +52,7 @@ std::int64_t grid_count(const SweepVariable& variable) {
 double grid_value(const SweepVariable& variable, std::int64_t k) {
   const Distribution& d = variable.distribution;
   if (variable.count == 0) {
-    return d.values[static_cast<std::size_t>(k)];
+    return d.values[k];
   }
   if (k == variable.count - 1 && k > 0) {
     return d.high;
@@ -149,7 +149,7 @@ double Variants::share(std::int64_t variant, std::size_t variable) const {
 void Variants::correlate(std::int64_t variant, std::span<double> values) const {
   Eigen::VectorXd normal(static_cast<Eigen::Index>(correlated_.size()));
   for (Eigen::Index i = 0; i < normal.size(); ++i) {
-    const std::size_t variable = correlated_[static_cast<std::size_t>(i)];
+    const std::size_t variable = correlated_[i];
     normal(i) = normal_quantile(share(variant, variable));
     const Distribution& d = plan_.variables[variable].distribution;
     values[variable] = d.mean + d.deviation * factor_.row(i).head(i + 1).dot(normal.head(i + 1));
@@ -164,7 +164,7 @@ void Variants::values(std::int64_t variant, std::span<double> values) const {
   }
   if (plan_.method == SweepMethod::kList) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = plan_.variables[i].distribution.values[static_cast<std::size_t>(variant)];
+      values[i] = plan_.variables[i].distribution.values[variant];
     }
     return;
   }

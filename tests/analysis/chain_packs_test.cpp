@@ -108,7 +108,7 @@ std::vector<double> numbers_by(const Fill& fill) {
   const std::vector<char> placed(kBodies, 1);
   std::vector<ChainTurning> turnings(kBodies);
   for (int body = 0; body < kBodies; ++body) {
-    turnings[static_cast<std::size_t>(body)] = {body, body == kCoupler || body == kRocker, 3.0 * body, 0};
+    turnings[body] = {body, body == kCoupler || body == kRocker, 3.0 * body, 0};
   }
   std::vector<ChainWatch<double>> watches(all.size());
   std::vector<OvalRow> ovals(all.size());

@@ -45,9 +45,7 @@ inline std::vector<ChainColumn> all_columns(const Mechanism& mechanism) {
 
 inline double number_of(const ChainColumn& column, const Mechanism& mechanism, const MotionRow& row) {
   const auto body = static_cast<std::size_t>(column.body);
-  const Vector2d p_B = column.point
-                           ? mechanism.bodies[body].points[static_cast<std::size_t>(*column.point)].p_B
-                           : Vector2d(0, 0);
+  const Vector2d p_B = column.point ? mechanism.bodies[body].points[*column.point].p_B : Vector2d(0, 0);
   const PointMotion point = point_motion(row.bodies[body], p_B);
   switch (column.quantity) {
     case ChainColumn::Quantity::kX:

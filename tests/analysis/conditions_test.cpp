@@ -29,8 +29,8 @@ Coordinates<double> coordinates_of(const MotionRow& row, const std::vector<doubl
 std::vector<double> arcs_at(const Dimensions<double>& dimensions, const Coordinates<double>& at) {
   std::vector<double> arcs;
   for (const auto& contact : dimensions.contacts) {
-    const BodyAt<double>& first = at.bodies[static_cast<std::size_t>(contact.first)];
-    const BodyAt<double>& second = at.bodies[static_cast<std::size_t>(contact.second)];
+    const BodyAt<double>& first = at.bodies[contact.first];
+    const BodyAt<double>& second = at.bodies[contact.second];
     const double phi = at.phi[arcs.size()];
     arcs.push_back(arc_difference(contact.curve1, first, contact.curve2, second,
                                   facing_points(contact.curve1, first, contact.curve2, second, phi)));
@@ -58,13 +58,13 @@ ConditionSet all_conditions(const Run& run) {
 Coordinates<double> displaced(const ConditionSystem& system, Coordinates<double> at,
                               const Eigen::VectorXd& change) {
   for (const int index : system.set().bodies) {
-    BodyAt<double>& body = at.bodies[static_cast<std::size_t>(index)];
+    BodyAt<double>& body = at.bodies[index];
     const Eigen::Vector3d step = change.segment<3>(system.body_column(index));
     body.theta += step.z() / system.size();
     body.X_WB = {Rotation<double>::from_angle(body.theta), body.X_WB.p_WB + step.head<2>()};
   }
   for (const int contact : system.set().contacts)
-    at.phi[static_cast<std::size_t>(contact)] += change(system.contact_column(contact)) / system.size();
+    at.phi[contact] += change(system.contact_column(contact)) / system.size();
   return at;
 }
 
@@ -115,7 +115,7 @@ void expect_jacobian_of_differences(const ConditionSystem& system, const Coordin
   }
   for (const int driver : system.set().drivers) {
     Coordinates<double> moved = at;
-    moved.drivers[static_cast<std::size_t>(driver)] += 1;
+    moved.drivers[driver] += 1;
     ASSERT_TRUE(system.evaluate(moved, after));
     const Eigen::VectorXd expected =
         system.by_driver(driver) * Eigen::VectorXd::Unit(values.size(), system.driver_row(driver));

@@ -76,8 +76,7 @@ TwoWays four_bar(Random& random) {
 }
 
 JointMotion motion_at_joint(const Run& run, int joint) {
-  return joint_motion(run.mechanism(), run.mechanism().joints[static_cast<std::size_t>(joint)],
-                      run.row.bodies);
+  return joint_motion(run.mechanism(), run.mechanism().joints[joint], run.row.bodies);
 }
 
 // Drives the easy joint, then the hard one through the positions that it had; compares all bodies.

@@ -21,8 +21,7 @@ using testing::shipped;
 Run started(const Profile& profile) {
   std::vector<double> drivers;
   for (const DriverProgram& program : profile.programs) {
-    const Joint& joint =
-        profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers[drivers.size()].joint)];
+    const Joint& joint = profile.mechanism.joints[profile.mechanism.drivers[drivers.size()].joint];
     const Dimension dimension = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
     drivers.push_back(to_si(dimension, profile.units).apply(program.start));
   }
@@ -68,8 +67,8 @@ joint = "cam_pivot"
     const BodyDerivatives& follower = bodies->at(body_index(run, "follower"));
     for (int k = 1; k <= 6; ++k) {
       const double expected = 0.01 * std::pow(w, k) * std::sin(u + k * kPi / 2);
-      EXPECT_NEAR(follower.p_WB[static_cast<std::size_t>(k)].y(), expected, 1e-15 * std::pow(w, k));
-      EXPECT_NEAR(follower.theta[static_cast<std::size_t>(k)], 0, 1e-13);
+      EXPECT_NEAR(follower.p_WB[k].y(), expected, 1e-15 * std::pow(w, k));
+      EXPECT_NEAR(follower.theta[k], 0, 1e-13);
     }
   }
 }
@@ -174,8 +173,7 @@ TEST(Derivatives, OfAFollowerOfALawAreThoseOfTheLaw) {
     const BodyDerivatives& follower = bodies->at(body_index(run, "follower"));
     for (int k = 2; k <= 6; ++k) {
       const double expected = -h / b * std::pow(w, k - 1) * std::cos(w * u + (k - 1) * kPi / 2);
-      EXPECT_NEAR(follower.p_WB[static_cast<std::size_t>(k)].y(), expected, 1e-10 * h * std::pow(w, k))
-          << u << " " << k;
+      EXPECT_NEAR(follower.p_WB[k].y(), expected, 1e-10 * h * std::pow(w, k)) << u << " " << k;
     }
   }
 }

@@ -39,9 +39,7 @@ TEST(StrokeEnds, OfAFlatFaceOnAnEccentricDiscAreAQuarterTurnFromTheCentre) {
     ASSERT_EQ(events.size(), 2U) << steps;
     EXPECT_NEAR(events[0].driver, kPi / 2, 1e-14);
     EXPECT_NEAR(events[1].driver, 3 * kPi / 2, 1e-14);
-    EXPECT_EQ(
-        shipped("flat_faced_translating").mechanism.joints[static_cast<std::size_t>(*events[0].joint)].name,
-        "slide");
+    EXPECT_EQ(shipped("flat_faced_translating").mechanism.joints[*events[0].joint].name, "slide");
   }
 }
 

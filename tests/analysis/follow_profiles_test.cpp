@@ -51,7 +51,7 @@ Profile followed(const std::string& name) {
 
 double to_profile_units(const Profile& profile, double driver) {
   const Mechanism& mechanism = profile.mechanism;
-  const Joint& joint = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+  const Joint& joint = mechanism.joints[mechanism.drivers.front().joint];
   return from_si(has_angle(joint.type) ? dimension::kAngle : dimension::kLength, profile.units).apply(driver);
 }
 

@@ -134,7 +134,7 @@ Mechanism with_circles(const Run& run) {
   }
   const auto replace = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
     const auto body = static_cast<std::size_t>(ref.body);
-    Curve& curve = mechanism.bodies[body].curves[static_cast<std::size_t>(ref.curve)].curve;
+    Curve& curve = mechanism.bodies[body].curves[ref.curve].curve;
     if (is_conic(curve)) {
       const Vector2d center_B = run.row.bodies[body].X_WB.inverse_times(p_W - rho * n_W);
       curve = make_circle(center_B, std::abs(rho), rho > 0 ? Side::kInside : Side::kOutside).value();

@@ -92,14 +92,13 @@ public:
   }
 
   [[nodiscard]] double coordinate(int joint) const {
-    return joint_motion(mechanism, mechanism.joints[static_cast<std::size_t>(joint)], posed_bodies(mechanism))
-        .position;
+    return joint_motion(mechanism, mechanism.joints[joint], posed_bodies(mechanism)).position;
   }
 
   Mechanism mechanism;
 
 private:
-  Body& at(int index) { return mechanism.bodies[static_cast<std::size_t>(index)]; }
+  Body& at(int index) { return mechanism.bodies[index]; }
   std::string name() { return fmt::format("j{}", mechanism.joints.size()); }
 
   Vector2d turned_back(int index, const Vector2d& v_W) {

@@ -169,7 +169,7 @@ Shuffled shuffled(const Mechanism& mechanism, unsigned seed) {
   std::mt19937 engine(seed);
   Shuffled result{mechanism, permutation(mechanism.bodies.size(), 1, engine)};
   Mechanism& copy = result.mechanism;
-  const auto move = [&](int& body) { body = static_cast<int>(result.place[static_cast<std::size_t>(body)]); };
+  const auto move = [&](int& body) { body = static_cast<int>(result.place[body]); };
   for (Joint& joint : copy.joints) {
     move(joint.first.body);
     move(joint.second.body);
@@ -179,8 +179,7 @@ Shuffled shuffled(const Mechanism& mechanism, unsigned seed) {
     move(contact.second.body);
   }
   const auto joint_places = permutation(copy.joints.size(), 0, engine);
-  for (Driver& driver : copy.drivers)
-    driver.joint = static_cast<int>(joint_places[static_cast<std::size_t>(driver.joint)]);
+  for (Driver& driver : copy.drivers) driver.joint = static_cast<int>(joint_places[driver.joint]);
   copy.bodies = reordered(copy.bodies, result.place);
   copy.joints = reordered(copy.joints, joint_places);
   copy.contacts = reordered(copy.contacts, permutation(copy.contacts.size(), 0, engine));
@@ -286,7 +285,7 @@ TEST(RandomMechanisms, HaveMirroredMovedAndScaledCopiesWithTheImageOfTheirMotion
     const Similarity map{scale, seed % 2 == 0 ? 1.0 : -1.0, random.angle(),
                          scale * Vector2d(random.between(-1, 1), random.between(-1, 1))};
     const Mechanism image = image_of(mechanism, map);
-    const Joint& driven = mechanism.joints[static_cast<std::size_t>(mechanism.drivers[0].joint)];
+    const Joint& driven = mechanism.joints[mechanism.drivers[0].joint];
     const bool turns = driven.type == JointType::kRevolute;
     auto run = start_run(image, {turns ? map.sense * start + map.angle : scale * start});
     ASSERT_TRUE(run) << seed_name(seed) << run.error().reason;

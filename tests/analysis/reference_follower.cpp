@@ -170,8 +170,8 @@ private:
     return origin(body) + turned(theta(body), p_B);
   }
   [[nodiscard]] RealVector point(const PointRef& ref) const {
-    const Body& owner = mechanism_.bodies[static_cast<std::size_t>(ref.body)];
-    return in_ground(ref.body, owner.points[static_cast<std::size_t>(ref.point)].p_B.cast<Real>());
+    const Body& owner = mechanism_.bodies[ref.body];
+    return in_ground(ref.body, owner.points[ref.point].p_B.cast<Real>());
   }
   [[nodiscard]] Face face_of(const CurveRef& ref, bool first) const;
   [[nodiscard]] Eigen::Index normal_column(std::size_t contact) const {
@@ -226,7 +226,7 @@ Conditions::Conditions(const Mechanism& mechanism, const std::vector<double>& fr
                        const std::vector<double>& to)
     : mechanism_(scaled(mechanism, size_of_points(mechanism))), size_(size_of_points(mechanism)) {
   for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
-    const Joint& joint = mechanism_.joints[static_cast<std::size_t>(mechanism_.drivers[i].joint)];
+    const Joint& joint = mechanism_.joints[mechanism_.drivers[i].joint];
     const Real unit = joint.type == JointType::kRevolute ? 1 : size_;
     from_.push_back(static_cast<Real>(from[i]) / unit);
     change_.push_back((static_cast<Real>(to[i]) - static_cast<Real>(from[i])) / unit);
@@ -247,8 +247,7 @@ Conditions::Conditions(const Mechanism& mechanism, const std::vector<double>& fr
 }
 
 Face Conditions::face_of(const CurveRef& ref, bool first) const {
-  const Curve& curve =
-      mechanism_.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)].curve;
+  const Curve& curve = mechanism_.bodies[ref.body].curves[ref.curve].curve;
   const bool outside = curve.side == Side::kOutside;
   Face face;
   face.curve = &curve;
@@ -345,7 +344,7 @@ void Conditions::add_joint(std::size_t index) {
 }
 
 void Conditions::add_driver(std::size_t index) {
-  const Joint& joint = mechanism_.joints[static_cast<std::size_t>(mechanism_.drivers[index].joint)];
+  const Joint& joint = mechanism_.joints[mechanism_.drivers[index].joint];
   const Real rate = path_ > 0 ? change_[index] / path_ : 0;
   const Real target = from_[index] + rate * at_[share_index()];
   if (joint.type == JointType::kRevolute) {
@@ -482,7 +481,7 @@ void Conditions::fix_turns() {
     }
   }
   for (std::size_t i = 0; i < from_.size(); ++i) {
-    const Joint& joint = mechanism_.joints[static_cast<std::size_t>(mechanism_.drivers[i].joint)];
+    const Joint& joint = mechanism_.joints[mechanism_.drivers[i].joint];
     driver_turns_[i] = whole(theta(joint.second.body) - theta(joint.first.body) - from_[i]);
   }
   for (std::size_t i = 0; i < touches_.size(); ++i) {

@@ -92,8 +92,7 @@ TEST_P(ScaledProfiles, HaveTheSameEvents) {
   const DriverSchedule schedule = DriverSchedule::analyze(profile).value();
   std::vector<double> positions;
   for (std::int64_t k = 0; k < schedule.size(); ++k) positions.push_back(schedule.state(k, 0).si.position);
-  const bool slides = !has_angle(
-      profile.mechanism.joints[static_cast<std::size_t>(profile.mechanism.drivers.front().joint)].type);
+  const bool slides = !has_angle(profile.mechanism.joints[profile.mechanism.drivers.front().joint].type);
   const auto wanted = events_over(profile.mechanism, positions);
   for (const double scale : {1e-6, 1e6}) {
     std::vector<double> moved = positions;

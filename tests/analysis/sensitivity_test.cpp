@@ -74,7 +74,7 @@ std::vector<double> details_of(const higherpair::Run& run) {
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const Contact& contact = run.mechanism().contacts[i];
     const auto side = [&](const CurveRef& ref) -> ContactBody {
-      return {curve_of(run.mechanism(), ref), run.row.bodies[static_cast<std::size_t>(ref.body)], nullptr};
+      return {curve_of(run.mechanism(), ref), run.row.bodies[ref.body], nullptr};
     };
     const ContactDetails details = higherpair::details_of(side(contact.first), side(contact.second),
                                                           run.row.contacts[i].at, run.row.contacts[i].phi);

@@ -268,8 +268,7 @@ TEST(MotionLaw, DerivativesAreThoseOfDifferences) {
     double factorial = 1;
     for (int k = 0; k < 8; ++k) {
       const double exact = all.derivative(k, x);
-      EXPECT_NEAR(factorial * c[static_cast<std::size_t>(k)], exact,
-                  1e-13 * (std::abs(exact) + std::pow(20, k)));
+      EXPECT_NEAR(factorial * c[k], exact, 1e-13 * (std::abs(exact) + std::pow(20, k)));
       factorial *= k + 1;
     }
   }

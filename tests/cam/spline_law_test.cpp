@@ -39,7 +39,7 @@ double ellipse(double x, int k) {
   t.c[1] = 1;
   const auto h = sqrt(4.0 * sin(t) * sin(t) + cos(t) * cos(t));
   const double factorials[] = {1, 1, 2, 6, 24};
-  return factorials[k] * h.c[static_cast<std::size_t>(k)];
+  return factorials[k] * h.c[k];
 }
 
 std::array<double, 4> largest_errors(const MotionLaw& law, const std::function<double(double, int)>& exact) {
@@ -47,7 +47,7 @@ std::array<double, 4> largest_errors(const MotionLaw& law, const std::function<d
   for (int i = 0; i < 3601; ++i) {
     const double x = law.begin() + (law.end() - law.begin()) * i / 3600.3;
     for (int k = 0; k < 4; ++k) {
-      double& error = largest[static_cast<std::size_t>(k)];
+      double& error = largest[k];
       error = std::max(error, std::abs(law.derivative(k, x) - exact(x, k)));
     }
   }
@@ -177,16 +177,16 @@ TEST(SplineLaw, SmoothingIsTheSameInOtherUnits) {
   const double per_degree = kPi / 180;
   std::array<double, 4> largest{};
   for (int k = 0; k < 4; ++k) {
-    largest[static_cast<std::size_t>(k)] = std::abs(one.extremes(k).peak());
+    largest[k] = std::abs(one.extremes(k).peak());
   }
   double farthest = 0;
   for (int i = 0; i < 3600; ++i) {
     const double x = i / 10.0;
-    EXPECT_LE(std::abs(one(x) - degrees.points[static_cast<std::size_t>(i)].y()), 1e-6 * (1 + 1e-6));
-    farthest = std::max(farthest, std::abs(one(x) - degrees.points[static_cast<std::size_t>(i)].y()));
+    EXPECT_LE(std::abs(one(x) - degrees.points[i].y()), 1e-6 * (1 + 1e-6));
+    farthest = std::max(farthest, std::abs(one(x) - degrees.points[i].y()));
     for (int k = 0; k < 4; ++k) {
       EXPECT_NEAR(one.derivative(k, x), 1000 * std::pow(per_degree, k) * other.derivative(k, x * per_degree),
-                  1e-6 * largest[static_cast<std::size_t>(k)])
+                  1e-6 * largest[k])
           << k << " at " << x;
     }
   }

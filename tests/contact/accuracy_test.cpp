@@ -27,7 +27,7 @@ constexpr std::array<const char*, 5> kColumns = {"position", "velocity", "accele
 
 std::string name_of_pair(const ContactPair& pair) {
   const auto [a, b] = std::minmax({static_cast<int>(pair.curve1.kind), static_cast<int>(pair.curve2.kind)});
-  return std::string(kKinds[static_cast<std::size_t>(a)]) + ", " + kKinds[static_cast<std::size_t>(b)];
+  return std::string(kKinds[a]) + ", " + kKinds[b];
 }
 
 // A row of the table: bounds in the order of kColumns, negative where there is no such case.

@@ -58,7 +58,7 @@ void expect_all_contacts(const ContactPair& pair, const ContactMap& map, double 
     }
     ++listed;
     const auto same = std::count_if(mapped.begin(), mapped.end(), [&](const MapContact& at) {
-      return map.branches[static_cast<std::size_t>(at.branch)].opposed == contact.opposed &&
+      return map.branches[at.branch].opposed == contact.opposed &&
              follower_difference(pair, at.point.q, contact.q) <= 1e-10 &&
              (at.point.n_W - contact.n_W).norm() <= 1e-7;
     });

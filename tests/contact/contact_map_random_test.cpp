@@ -33,8 +33,8 @@ void expect_all_contacts(const ContactMap& map, double u) {
   EXPECT_EQ(mapped.size(), list.contacts.size()) << "u = " << u;
   for (const CurveContact& contact : list.contacts) {
     const auto same = std::count_if(mapped.begin(), mapped.end(), [&](const MapContact& at) {
-      return map.branches[static_cast<std::size_t>(at.branch)].opposed == contact.opposed &&
-             at.point.free == contact.free && follower_difference(map.pair, at.point.q, contact.q) <= 1e-9 &&
+      return map.branches[at.branch].opposed == contact.opposed && at.point.free == contact.free &&
+             follower_difference(map.pair, at.point.q, contact.q) <= 1e-9 &&
              (at.point.n_W - contact.n_W).norm() <= 1e-7;
     });
     EXPECT_EQ(same, 1) << "u = " << u << ", q = " << contact.q;

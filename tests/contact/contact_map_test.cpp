@@ -82,7 +82,7 @@ TEST(ContactMap, JoinsTheTwoBranchesThatMergeAtAFold) {
       ASSERT_GE(end.other, 0);
       EXPECT_NE(end.other, static_cast<int>(i));
     }
-    EXPECT_EQ(map.branches[static_cast<std::size_t>(branch.begin.other)].begin.other, static_cast<int>(i));
+    EXPECT_EQ(map.branches[branch.begin.other].begin.other, static_cast<int>(i));
     EXPECT_EQ(branch.points.front().u, branch.begin.u);
     EXPECT_EQ(branch.points.back().q, branch.end.q);
   }
@@ -124,9 +124,8 @@ TEST(ContactMap, SaysHowFarTheOtherBranchIs) {
     const double coupler = discs.rho1 + discs.rho2;
     const double half = std::acos((discs.r * discs.r + d * d - coupler * coupler) / (2 * discs.r * d));
     const auto contact = contacts_at(map, u);
-    const auto own = std::find_if(contact.begin(), contact.end(), [&](const MapContact& c) {
-      return map.branches[static_cast<std::size_t>(c.branch)].opposed;
-    });
+    const auto own = std::find_if(contact.begin(), contact.end(),
+                                  [&](const MapContact& c) { return map.branches[c.branch].opposed; });
     ASSERT_NE(own, contact.end());
     const auto near = neighbour_at(map, own->branch, u);
     ASSERT_TRUE(near);
@@ -284,7 +283,7 @@ TEST(ContactMap, GoesStraightOnWhereBranchesCross) {
   EXPECT_TRUE(map.complete);
   const auto parallel = branch_of(map, 0.3, 0.3, Vector2d(1, 0));
   ASSERT_TRUE(parallel);
-  const MapBranch& branch = map.branches[static_cast<std::size_t>(*parallel)];
+  const MapBranch& branch = map.branches[*parallel];
   EXPECT_EQ(branch.turns, 1);
   for (const MapPoint& point : branch.points) {
     EXPECT_NEAR(point.q, point.u, 1e-12);

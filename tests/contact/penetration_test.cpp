@@ -155,8 +155,8 @@ TEST(Penetration, OfADiscInAHollowPolygonIsNoneWhereItIsAsFarFromItAsItsRadius) 
     double distance = std::numeric_limits<double>::infinity();
     int crossings = 0;  // of the boundary by a ray from the centre
     for (int i = 0; i < corners; ++i) {
-      const Vector2d& a = points[static_cast<std::size_t>(i)];
-      const Vector2d& b = points[static_cast<std::size_t>((i + 1) % corners)];
+      const Vector2d& a = points[i];
+      const Vector2d& b = points[(i + 1) % corners];
       spans.push_back(face_span(a, b));
       const double share = std::clamp((center - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
       distance = std::min(distance, (center - a - share * (b - a)).norm());

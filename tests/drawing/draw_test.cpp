@@ -59,7 +59,7 @@ TEST_P(DrawnProfile, HasItsPinsAndContactsWhereTheMotionSays) {
         if (element.role != "joint" || element.name != joint.name || joint.type != JointType::kRevolute)
           continue;
         const auto body = static_cast<std::size_t>(joint.second.body);
-        const Vector2d p_B = mechanism.bodies[body].points[static_cast<std::size_t>(joint.second.point)].p_B;
+        const Vector2d p_B = mechanism.bodies[body].points[joint.second.point].p_B;
         EXPECT_LT((drawn - 1000 * (rows[k].bodies[body].X_WB * p_B)).norm(), 1e-4 * scene.unit) << joint.name;
         ++pins;
       }

@@ -313,7 +313,7 @@ TEST(MapPlot, HasTheBranchesAndFoldsOfTheMap) {
   const auto own = std::find_if(plots[0].series.begin(), plots[0].series.end(),
                                 [](const PlotSeries& line) { return line.line == PlotLine::kEmphasis; });
   ASSERT_NE(own, plots[0].series.end());
-  const MapBranchReport& branch = contact.branches[static_cast<std::size_t>(contact.own->branch - 1)];
+  const MapBranchReport& branch = contact.branches[contact.own->branch - 1];
   const auto points = points_of(series(drawn, own->name));
   EXPECT_NEAR(points.front().x(), x.px(branch.rows.front().driver), kHundredth);
   EXPECT_NEAR(points.back().y(), y.px(branch.rows.back().position), kHundredth);

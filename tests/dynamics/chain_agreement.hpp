@@ -38,7 +38,7 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
   for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
     columns.push_back({j, std::nullopt, Q::kForceX});
     columns.push_back({j, std::nullopt, Q::kForceY});
-    if (has_moment(mechanism.joints[static_cast<std::size_t>(j)].type)) {
+    if (has_moment(mechanism.joints[j].type)) {
       columns.push_back({j, std::nullopt, Q::kMoment});
     }
   }
@@ -54,9 +54,9 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
 inline double force_of(const ChainColumn& column, const Reactions& reactions) {
   using Q = ChainColumn::Quantity;
   if (column.quantity == Q::kContactForce) {
-    return reactions.contacts[static_cast<std::size_t>(column.body)].force.value_or(NAN);
+    return reactions.contacts[column.body].force.value_or(NAN);
   }
-  const JointReaction& joint = reactions.joints[static_cast<std::size_t>(column.body)];
+  const JointReaction& joint = reactions.joints[column.body];
   const DriverEffort& driver = reactions.drivers.front();
   switch (column.quantity) {
     case Q::kForceX:
@@ -217,12 +217,12 @@ inline void add_random_loads(Mechanism& mechanism, Random& random) {
   const auto chance = [&] { return random.between(0, 1) < 0.5; };
   const auto body_count = static_cast<int>(mechanism.bodies.size());
   const auto any_point = [&](int body) {
-    const auto& points = mechanism.bodies[static_cast<std::size_t>(body)].points;
+    const auto& points = mechanism.bodies[body].points;
     return PointRef{body, random.index(static_cast<int>(points.size()))};
   };
   for (int b = 1; b < body_count; ++b) {
     if (random.between(0, 1) < 0.8) {
-      mechanism.bodies[static_cast<std::size_t>(b)].mass =
+      mechanism.bodies[b].mass =
           MassProperties{random.between(0.1, 3), random.vector(0.5), random.between(0.01, 0.5)};
     }
     if (chance()) {

@@ -234,7 +234,7 @@ struct Tappet {
     b.prismatic(0, tappet, {0, y}, {0, 1}, y);
     b.contact(b.circle(cam, {e, 0}, 0.6 * reach), b.circle(tappet, {0, y}, 0.4 * reach));
     b.mechanism.loads.push_back({"spring", tappet, Vector2d(0, y), Vector2d(0, -force), 0, {}});
-    b.mechanism.bodies[static_cast<std::size_t>(tappet)].mass = MassProperties{mass, Vector2d(0, y), 0};
+    b.mechanism.bodies[tappet].mass = MassProperties{mass, Vector2d(0, y), 0};
     return b.mechanism;
   }
 };

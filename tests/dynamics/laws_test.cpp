@@ -137,7 +137,7 @@ const Kind kKinds[] = {{"FourBar", four_bar},
                        {"CouplerDrivenFourBar", coupler_driven_four_bar}};
 
 const Vector2d& p_of(const Mechanism& mechanism, const PointRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
+  return mechanism.bodies[ref.body].points[ref.point].p_B;
 }
 
 // Force and moment about the centre of mass that act on one body, summed independently.
@@ -158,7 +158,7 @@ class BodyBalance {
 public:
   BodyBalance(const Run& run, const Reactions& reactions, int body)
       : run_(run), mechanism_(run.mechanism()), body_(body) {
-    const auto& mass = mechanism_.bodies[static_cast<std::size_t>(body)].mass;
+    const auto& mass = mechanism_.bodies[body].mass;
     const PointMotion G = point_motion(motion(body), mass ? mass->center_of_mass_B : Vector2d(0.1, 0));
     G_ = G.p_W;
     if (mass) {
@@ -176,9 +176,7 @@ public:
   }
 
 private:
-  [[nodiscard]] const BodyMotion& motion(int body) const {
-    return run_.row.bodies[static_cast<std::size_t>(body)];
-  }
+  [[nodiscard]] const BodyMotion& motion(int body) const { return run_.row.bodies[body]; }
 
   // A force on the second of two bodies, and its reaction on the first.
   void act(int first, int second, const Vector2d& force, const Vector2d& p) {
@@ -217,7 +215,7 @@ private:
   void add_springs() {
     for (const Spring& spring : mechanism_.springs) {
       if (spring.joint) {
-        const Joint& joint = mechanism_.joints[static_cast<std::size_t>(*spring.joint)];
+        const Joint& joint = mechanism_.joints[*spring.joint];
         const JointMotion at = joint_motion_by_hand(joint);
         drive(joint, -spring.stiffness * (at.position - spring.free) - spring.damping * at.velocity);
         continue;
@@ -265,8 +263,7 @@ private:
       turn(joint.first.body, joint.second.body, reaction.moment.value_or(0));
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
-      drive(mechanism_.joints[static_cast<std::size_t>(mechanism_.drivers[i].joint)],
-            reactions.drivers[i].effort.value());
+      drive(mechanism_.joints[mechanism_.drivers[i].joint], reactions.drivers[i].effort.value());
     }
   }
 
@@ -393,7 +390,7 @@ double power(const Run& run, const std::vector<DriverMotion>& drivers, const Rea
     sum += reactions.drivers[i].effort.value() * drivers[i].velocity;
   }
   for (const Load& load : run.mechanism().loads) {
-    const BodyMotion& body = run.row.bodies[static_cast<std::size_t>(load.body)];
+    const BodyMotion& body = run.row.bodies[load.body];
     const Vector2d force = load.frame == LoadFrame::kBody ? body.X_WB.R_WB * load.force : load.force;
     sum += force.dot(point_motion(body, load.p_B).v_W) + load.torque * body.omega;
   }

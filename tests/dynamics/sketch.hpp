@@ -37,7 +37,7 @@ public:
   }
 
   PointRef point(int body, const Vector2d& p) {
-    auto& points = mechanism.bodies[static_cast<std::size_t>(body)].points;
+    auto& points = mechanism.bodies[body].points;
     points.push_back({fmt::format("p{}", points.size()), p});
     return {body, static_cast<int>(points.size()) - 1};
   }
@@ -60,7 +60,7 @@ public:
   }
 
   CurveRef curve(int body, const CurveResult& curve) {
-    auto& curves = mechanism.bodies[static_cast<std::size_t>(body)].curves;
+    auto& curves = mechanism.bodies[body].curves;
     curves.push_back({"c", curve.value()});
     return {body, static_cast<int>(curves.size()) - 1};
   }
@@ -89,8 +89,7 @@ public:
     const int bodies = std::min(first_roller_, static_cast<int>(mechanism.bodies.size()));
     for (int i = 1; i < bodies; ++i) {
       if (number(0, 1) < 0.8) {
-        mechanism.bodies[static_cast<std::size_t>(i)].mass =
-            MassProperties{number(0.1, 2), near(0.1, 0, 0.1), number(1e-4, 1e-2)};
+        mechanism.bodies[i].mass = MassProperties{number(0.1, 2), near(0.1, 0, 0.1), number(1e-4, 1e-2)};
       }
       Load load;
       load.body = i;

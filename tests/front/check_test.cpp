@@ -373,7 +373,7 @@ poisson_ratio = 0.3
 
 TEST(Check, TakesLimitsOfAProgram) {
   auto limits = std::make_shared<CheckLimits>();
-  limits->all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)] = GivenLimit{10 * kDeg, {}, "mine", {}};
+  limits->all[LimitKey::kMaxPressureAngle] = GivenLimit{10 * kDeg, {}, "mine", {}};
   CheckSettings settings;
   settings.limits = limits;
   const CheckReport report = checked(model_of(four_quarters(kRoller, 2)), settings);

@@ -55,7 +55,7 @@ bool has_kink(DesignEvaluator& evaluator, std::vector<double> x, std::size_t i, 
   std::array<double, 5> values{};
   for (int k = -2; k <= 2; ++k) {
     x[i] = at + k * h;
-    values[static_cast<std::size_t>(k + 2)] = worth(evaluator, x, branch)(row);
+    values[k + 2] = worth(evaluator, x, branch)(row);
   }
   const double near = std::abs(values[1] - 2 * values[2] + values[3]);
   const double far = std::abs(values[0] - 2 * values[2] + values[4]);

@@ -125,8 +125,7 @@ TEST(Fit, ACamsEccentricityComesFromItsLift) {
   double square = 0;
   for (int k = 0; k < n; ++k) {
     const double theta = 2 * kPi * k / n;
-    square += std::pow(
-        values[static_cast<std::size_t>(k)] - sum - sine * std::sin(theta) - cosine * std::cos(theta), 2);
+    square += std::pow(values[k] - sum - sine * std::sin(theta) - cosine * std::cos(theta), 2);
   }
   const double s = std::sqrt(square / (n - 3));
   const FitReport report = fitted(model_of(kCamFit), table_of(text));

@@ -87,7 +87,7 @@ TEST(Measures, AgreeWithTheColumnsOfTheWholeRun) {
     const ColumnValues v = motion.column(name);
     const std::size_t row = 31;
     const auto m = measured(model, every_measure(name, driver[row]));
-    const auto at = [&](auto found) { return driver[static_cast<std::size_t>(found - v.begin())]; };
+    const auto at = [&](auto found) { return driver[found - v.begin()]; };
     const auto [low, high] =
         std::pair(std::min_element(v.begin(), v.end()), std::max_element(v.begin(), v.end()));
     const auto farther = [](double a, double b) { return std::abs(a) < std::abs(b); };

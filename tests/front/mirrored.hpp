@@ -41,7 +41,7 @@ inline Boundary mirrored(const Boundary& boundary) {
   int first = 0;
   bool has_edges = false;
   for (int i = 0; i < static_cast<int>(boundary.spans().size()); ++i) {
-    const SpanPtr& span = boundary.spans()[static_cast<std::size_t>(i)];
+    const SpanPtr& span = boundary.spans()[i];
     has_edges = has_edges || is_edge(boundary, i);
     if (!span->is_corner()) {
       spans.push_back(std::make_shared<MirroredSpan>(span));
@@ -91,10 +91,10 @@ inline Mechanism mirrored(Mechanism mechanism) {
   for (Joint& joint : mechanism.joints) {
     joint.direction_A = mirrored(joint.direction_A);
     joint.relative_angle *= -1;
-    turns[static_cast<std::size_t>(joint.second.body)] = joint.type == JointType::kRevolute;
+    turns[joint.second.body] = joint.type == JointType::kRevolute;
   }
   for (Contact& contact : mechanism.contacts) {
-    if (contact.approach != Approach::kNearest && turns[static_cast<std::size_t>(contact.second.body)]) {
+    if (contact.approach != Approach::kNearest && turns[contact.second.body]) {
       contact.approach = contact.approach == Approach::kPositive ? Approach::kNegative : Approach::kPositive;
     }
   }
@@ -104,8 +104,7 @@ inline Mechanism mirrored(Mechanism mechanism) {
     load.torque *= -1;
   }
   for (Spring& spring : mechanism.springs) {
-    const bool is_angle =
-        spring.joint && has_angle(mechanism.joints[static_cast<std::size_t>(*spring.joint)].type);
+    const bool is_angle = spring.joint && has_angle(mechanism.joints[*spring.joint].type);
     spring.free *= is_angle ? -1 : 1;
   }
   return mechanism;
@@ -117,7 +116,7 @@ inline Model mirrored(const Model& model) {
   std::vector<DriverProgram> programs = profile.programs;
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const int joint = profile.mechanism.drivers[i].joint;
-    if (profile.mechanism.joints[static_cast<std::size_t>(joint)].type == JointType::kRevolute) {
+    if (profile.mechanism.joints[joint].type == JointType::kRevolute) {
       DriverProgram& program = programs[i];
       program.start *= -1;
       program.end = -program.end.value_or(360 - program.start);

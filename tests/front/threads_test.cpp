@@ -57,7 +57,7 @@ TEST_P(OneModel, IsChangedOnSeveralThreads) {
   std::vector<std::string> alone;
   for (int i = 0; i < kThreads; ++i) alone.push_back(run(i));
   std::vector<std::string> together(kThreads);
-  on_threads([&](int i) { together[static_cast<std::size_t>(i)] = run(i); });
+  on_threads([&](int i) { together[i] = run(i); });
   EXPECT_EQ(together, alone);
 }
 

@@ -46,7 +46,7 @@ TEST(GearOutline, HasTeethOfTheThicknessOfTheTextbook) {
   const auto spans = gear_outline(gear);
   for (const int tooth : {0, 7, 22}) {
     const auto at = [&](int span, double t) {
-      const Vector2d p = spans[static_cast<std::size_t>(6 * tooth + span)]->at(t).p_B - gear.center_B;
+      const Vector2d p = spans[6 * tooth + span]->at(t).p_B - gear.center_B;
       EXPECT_NEAR(p.norm(), pitch, 1e-15);
       return std::atan2(p.y(), p.x());
     };

@@ -77,9 +77,7 @@ TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
               ::testing::IsSupersetOf({"2 ground-with_a_name_that_is_too_", "2 b", "0 CIRCLE", "8 b"}));
   EXPECT_THAT(text, Not(HasSubstr("long")));
   const auto at = std::find(pairs.begin(), pairs.end(), "0 CIRCLE") - pairs.begin();
-  const auto number = [&](std::ptrdiff_t i) {
-    return std::stod(pairs[static_cast<std::size_t>(at + i)].substr(3));
-  };
+  const auto number = [&](std::ptrdiff_t i) { return std::stod(pairs[at + i].substr(3)); };
   EXPECT_NEAR(number(2), 10, 1e-14);
   EXPECT_NEAR(number(3), 10, 1e-14);
   EXPECT_NEAR(number(5), 20, 1e-14);

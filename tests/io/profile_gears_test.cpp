@@ -43,7 +43,7 @@ TEST(ProfileGears, FindTheArmThatCarriesBothWheels) {
       testing::read(planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 1.5\n"));
   const Joint& joint = profile.mechanism.joints.front();
   EXPECT_EQ(joint.type, JointType::kGears);
-  EXPECT_EQ(profile.mechanism.bodies[static_cast<std::size_t>(joint.carrier)].name, "arm");
+  EXPECT_EQ(profile.mechanism.bodies[joint.carrier].name, "arm");
   EXPECT_EQ(joint.turning_ratio, -1.5);
   // As in the poses.
   EXPECT_NEAR(joint.relative_angle, 10 * kPi / 180, 1e-16);

@@ -81,8 +81,8 @@ TEST(FourBar, ReproducesTheTextbookCouplerPoint) {
                            motion.rates->alpha3};
   const PointMotion E = point_motion(coupler, {2, 1});
   for (int i = 0; i < 2; ++i) {
-    EXPECT_AT_MOST(relative_error(E.v_W[i], number(expected["v"][static_cast<std::size_t>(i)])), 1e-15);
-    EXPECT_AT_MOST(relative_error(E.a_W[i], number(expected["a"][static_cast<std::size_t>(i)])), 1e-14);
+    EXPECT_AT_MOST(relative_error(E.v_W[i], number(expected["v"][i])), 1e-15);
+    EXPECT_AT_MOST(relative_error(E.a_W[i], number(expected["a"][i])), 1e-14);
   }
 }
 
@@ -286,7 +286,7 @@ TEST(FourBar, LimitAnglesAgreeWithTheLawOfCosines) {
     const DriverRange range = four_bar_crank_range(linkage);
     EXPECT_GE(2 * range.count, static_cast<int>(range.count > 0 ? expected.size() : 0));
     for (int k = 0; k < range.count; ++k) {
-      const DriverInterval& interval = range.intervals[static_cast<std::size_t>(k)];
+      const DriverInterval& interval = range.intervals[k];
       EXPECT_TRUE(interval.begin > -kPi - 1e-15 && interval.begin <= kPi);
       EXPECT_LE(interval.end - interval.begin, 2 * kPi);
       if (expected.size() != 2 * static_cast<std::size_t>(range.count)) continue;

@@ -190,8 +190,8 @@ TEST(InvertedSliderCrank, SlotLimitsAgreeWithTheSine) {
     const DriverRange range = inverted_slider_crank_slot_range(linkage);
     ASSERT_EQ(expected.size(), 2 * static_cast<std::size_t>(range.count));
     for (int k = 0; k < range.count; ++k) {
-      worst.see(distance_to_nearest(range.intervals[static_cast<std::size_t>(k)].begin, expected));
-      worst.see(distance_to_nearest(range.intervals[static_cast<std::size_t>(k)].end, expected));
+      worst.see(distance_to_nearest(range.intervals[k].begin, expected));
+      worst.see(distance_to_nearest(range.intervals[k].end, expected));
     }
   }
   EXPECT_AT_MOST(worst.value(), 1e-14);

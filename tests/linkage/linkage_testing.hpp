@@ -134,7 +134,7 @@ template <class F>
 void expect_limits_bound(const DriverRange& range, const F& status_at) {
   const double margin = 2e-14;
   for (int i = 0; i < range.count; ++i) {
-    const DriverInterval& interval = range.intervals[static_cast<std::size_t>(i)];
+    const DriverInterval& interval = range.intervals[i];
     if (!(interval.end - interval.begin > 4 * margin)) continue;
     EXPECT_EQ(status_at(interval.begin), LinkageStatus::kSingular);
     EXPECT_EQ(status_at(interval.end), LinkageStatus::kSingular);

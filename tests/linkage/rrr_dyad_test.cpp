@@ -56,8 +56,8 @@ TEST_F(WattSixBar, BothLoopsAgreeWithTheReferenceOverTheWholeTurn) {
       const RrrMotion second = rrr_dyad(H, F, length("DH"), length("DF"), mode_of(branch["s2"]));
       ASSERT_TRUE(second.rates);
       for (int i = 0; i < 2; ++i) {
-        place.see(std::abs(H.p_W[i] - number(row["H"][static_cast<std::size_t>(i)])));
-        place.see(std::abs(second.p_WC[i] - number(row["D"][static_cast<std::size_t>(i)])));
+        place.see(std::abs(H.p_W[i] - number(row["H"][i])));
+        place.see(std::abs(second.p_WC[i] - number(row["D"][i])));
       }
       angle.see(angle_error(angle_of(second.u_a) + kPi, number(row["theta5"])));
       angle.see(angle_error(angle_of(second.u_b) + kPi, number(row["theta6"])));

@@ -250,8 +250,8 @@ TEST(SliderCrank, LimitsAgreeWithTheSineAndWithPythagoras) {
     if (near_top) continue;  // asin itself loses its digits there
     ASSERT_EQ(expected.size(), 2 * static_cast<std::size_t>(crank.count));
     for (int k = 0; k < crank.count; ++k) {
-      worst_angle.see(distance_to_nearest(crank.intervals[static_cast<std::size_t>(k)].begin, expected));
-      worst_angle.see(distance_to_nearest(crank.intervals[static_cast<std::size_t>(k)].end, expected));
+      worst_angle.see(distance_to_nearest(crank.intervals[k].begin, expected));
+      worst_angle.see(distance_to_nearest(crank.intervals[k].end, expected));
     }
 
     const DriverRange slider = slider_crank_slider_range(linkage);

@@ -17,7 +17,7 @@ int DrawnMechanism::body(const std::string& name) {
 }
 
 PointRef DrawnMechanism::point(int body, const Vector2d& p_W) {
-  auto& points = mechanism.bodies[static_cast<std::size_t>(body)].points;
+  auto& points = mechanism.bodies[body].points;
   points.push_back({fmt::format("P{}", points.size()), p_W});
   return {body, static_cast<int>(points.size()) - 1};
 }
@@ -53,7 +53,7 @@ int DrawnMechanism::slot(int first, int second, const Vector2d& p_W, const Vecto
 
 int DrawnMechanism::touch(int first, const Curve& curve1, int second, const Curve& curve2, bool rolling) {
   const auto add_curve = [&](int body, const Curve& curve) {
-    auto& curves = mechanism.bodies[static_cast<std::size_t>(body)].curves;
+    auto& curves = mechanism.bodies[body].curves;
     curves.push_back({fmt::format("c{}", curves.size()), curve});
     return CurveRef{body, static_cast<int>(curves.size()) - 1};
   };

@@ -88,8 +88,8 @@ TEST(Gears, OfAPlanetaryGearTurnByWillisEquation) {
   for (const double sun : {0.3, 2.9, 7.1, -4.4}) {
     move_to(*run, {{sun, 1.7, -0.6}});
     ASSERT_EQ(run->row.status, RowStatus::kOk);
-    const BodyMotion& arm = run->row.bodies[static_cast<std::size_t>(gear.arm)];
-    const BodyMotion& planet = run->row.bodies[static_cast<std::size_t>(gear.planet)];
+    const BodyMotion& arm = run->row.bodies[gear.arm];
+    const BodyMotion& planet = run->row.bodies[gear.planet];
     EXPECT_NEAR(arm.theta, arm_per_sun * sun, 1e-13);
     EXPECT_NEAR(arm.omega, arm_per_sun * 1.7, 1e-13);
     EXPECT_NEAR(arm.alpha, arm_per_sun * -0.6, 1e-13);
@@ -109,7 +109,7 @@ TEST(Gears, OfADifferentialAddTheTurningOfBothDrivers) {
   ASSERT_TRUE(run) << run.error().reason;
   move_to(*run, {{1.3, 2.1, 0}, {-0.4, 0.7, 0.2}});
   ASSERT_EQ(run->row.status, RowStatus::kOk);
-  const BodyMotion& ring = run->row.bodies[static_cast<std::size_t>(gear.ring)];
+  const BodyMotion& ring = run->row.bodies[gear.ring];
   const double k = -kSun / kRing;
   EXPECT_NEAR(ring.theta, -0.4 + k * (1.3 + 0.4), 1e-13);
   EXPECT_NEAR(ring.omega, 0.7 + k * (2.1 - 0.7), 1e-13);

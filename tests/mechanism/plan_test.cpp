@@ -32,8 +32,7 @@ std::vector<std::string> groups_of(const Mechanism& mechanism) {
   if (!plan) return {plan.error()};
   for (const Group& group : plan->groups) {
     std::vector<std::string> names;
-    for (const int body : group.bodies)
-      names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
+    for (const int body : group.bodies) names.push_back(mechanism.bodies[body].name);
     std::sort(names.begin(), names.end());
     std::string text = name_of(group.kind) + ":";
     for (const std::string& name : names) text += " " + name;
@@ -134,7 +133,7 @@ TEST(Plan, NamesTheRollerWhoseTurningIsIdle) {
   const auto plan = make_plan(mechanism);
   ASSERT_TRUE(plan) << plan.error();
   ASSERT_EQ(plan->idle_bodies.size(), 1U);
-  EXPECT_EQ(mechanism.bodies[static_cast<std::size_t>(plan->idle_bodies[0])].name, "roller");
+  EXPECT_EQ(mechanism.bodies[plan->idle_bodies[0]].name, "roller");
   EXPECT_THAT(groups_of(mechanism), ElementsAre("driven: cam", "coupled: arm roller"));
   const auto rolling = make_plan(shipped("roller_body", {"contacts.touch.rolling=true"}));
   ASSERT_TRUE(rolling) << rolling.error();
@@ -213,7 +212,7 @@ TEST(Plan, DoesNotPlaceThreeParallelCranksOnTheirOwn) {
   b.drive(b.revolute(0, crank, {-3, 0}));
   b.revolute(crank, rod, {-2.5, 0});
   for (const int index : cranks) {
-    const double x = b.mechanism.bodies[static_cast<std::size_t>(index)].guess_p_WB.x();
+    const double x = b.mechanism.bodies[index].guess_p_WB.x();
     b.revolute(0, index, {x, 0});
     b.revolute(index, coupler, {x + 0.6, 0.8});
   }

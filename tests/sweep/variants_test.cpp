@@ -92,7 +92,7 @@ TEST(Variants, AreFunctionsOfTheirNumber) {
     for (int i = 0; i < 5000; ++i) points.push_back(at(forward, i));
     const Variants backward(plan);
     for (int i = 4999; i >= 0; --i) {
-      ASSERT_EQ(at(backward, i), points[static_cast<std::size_t>(i)]);
+      ASSERT_EQ(at(backward, i), points[i]);
     }
   }
 }

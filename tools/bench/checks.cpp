@@ -24,8 +24,8 @@ Derivatives differentiate(const F& value, double at, double h) {
   for (int k = 1; k <= 3; ++k) {
     const double after = value(at + k * h) - middle;
     const double before = value(at - k * h) - middle;
-    odd[static_cast<std::size_t>(k - 1)] = after - before;
-    even[static_cast<std::size_t>(k - 1)] = after + before;
+    odd[k - 1] = after - before;
+    even[k - 1] = after + before;
   }
   return {(45 * odd[0] - 9 * odd[1] + odd[2]) / (60 * h),
           (270 * even[0] - 27 * even[1] + 2 * even[2]) / (180 * h * h)};

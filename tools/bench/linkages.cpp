@@ -27,7 +27,7 @@ const BodyMotion& body_of(const Run& run, const std::string& name) {
   const auto found =
       std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.name == name; });
   require(found != bodies.end(), "no body " + name);
-  return run.row.bodies[static_cast<std::size_t>(found - bodies.begin())];
+  return run.row.bodies[found - bodies.begin()];
 }
 
 void require_turn(const Run& run, const std::string& name, double theta, double omega, double alpha) {
@@ -71,7 +71,7 @@ void check_sixbar_forces(const SixBarByHand& bar, const SixBarByHand::Motion& ha
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const Joint& joint) { return joint.name == kNames[i]; });
     require(found != joints.end(), "no such pin");
-    const JointReaction& pin = reactions.joints[static_cast<std::size_t>(found - joints.begin())];
+    const JointReaction& pin = reactions.joints[found - joints.begin()];
     require((Vector2d(pin.fx.value(), pin.fy.value()) - forces.pins[i]).norm() <= 1e-9,
             fmt::format("the force at pin {} differs from the one by hand", kNames[i]));
   }

@@ -152,7 +152,7 @@ void register_rows(const Case& reference, double floor) {
   add("scene/" + reference.name, [=](benchmark::State& state) { run_scenes(state, reference, floor); });
   static constexpr std::array kLevels{"move_to/", "move_to_and_cells/", "move_to_and_csv/"};
   for (int level = 0; level < 3; ++level) {
-    add(kLevels[static_cast<std::size_t>(level)] + reference.name,
+    add(kLevels[level] + reference.name,
         [=](benchmark::State& state) { run_rows(state, reference, floor, level); });
   }
 }

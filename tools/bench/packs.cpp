@@ -54,7 +54,7 @@ PackCase checked_packs(const std::string& name, const Run& start) {
   }
   return checked(name, start, columns, 1e-10, [&](const Run& run, std::vector<double>& expected) {
     for (const int body : {last - 1, last}) {
-      const BodyMotion& motion = run.row.bodies[static_cast<std::size_t>(body)];
+      const BodyMotion& motion = run.row.bodies[body];
       expected.insert(expected.end(), {motion.theta, motion.omega, motion.alpha});
     }
   });

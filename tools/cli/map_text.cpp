@@ -99,7 +99,7 @@ std::string own_text(const ContactMapReport& contact) {
     return "\nthe mechanism is on none of these branches\n";
   }
   const OwnBranch& own = *contact.own;
-  const MapBranchReport& branch = contact.branches[static_cast<std::size_t>(own.branch - 1)];
+  const MapBranchReport& branch = contact.branches[own.branch - 1];
   std::string text = fmt::format("\n* the mechanism is on branch {}, at {} {} with {} = {} {}\n", own.branch,
                                  rounded(own.driver), contact.driver_unit, contact.position_joint,
                                  rounded(own.position), contact.position_unit);

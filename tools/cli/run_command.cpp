@@ -46,7 +46,7 @@ std::string quoted(const std::string& text) {
 
 std::string driver_unit(const Model& model) {
   const Mechanism& mechanism = model.mechanism();
-  const Joint& driven = mechanism.joints[static_cast<std::size_t>(mechanism.drivers.front().joint)];
+  const Joint& driven = mechanism.joints[mechanism.drivers.front().joint];
   return unit_text(has_angle(driven.type) ? dimension::kAngle : dimension::kLength, model.units());
 }
 
@@ -66,7 +66,7 @@ std::string value_text(const Event& event, const Model& model) {
   if (!event.value || !event.joint) {
     return "";
   }
-  const Joint& joint = model.mechanism().joints[static_cast<std::size_t>(*event.joint)];
+  const Joint& joint = model.mechanism().joints[*event.joint];
   const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
   return fmt::format(" = {:.10g} {}", *event.value, unit_text(of, model.units()));
 }

@@ -129,16 +129,13 @@ Sketch random_open_face(std::uint64_t seed) {
 Sketch with_offset(Sketch cam, std::uint64_t seed) {
   Draw draw(seed);
   Sketch::Contact& contact = cam.contacts.front();
-  auto& outlines = cam.bodies[static_cast<std::size_t>(contact.first.body)].outlines;
-  Shape& roller = cam.bodies[static_cast<std::size_t>(contact.second.body)]
-                      .curves[static_cast<std::size_t>(contact.second.item)];
+  auto& outlines = cam.bodies[contact.first.body].outlines;
+  Shape& roller = cam.bodies[contact.second.body].curves[contact.second.item];
   const double by = outlines.front().fillet * draw.between(0.2, 0.8) * (draw.chance(0.5) ? 1 : -1);
   roller.kind = CurveKind::kCircle;
   roller.a = std::max(roller.a, 0.1) + std::abs(by);
   Sketch twin = cam;
-  twin.bodies[static_cast<std::size_t>(contact.second.body)]
-      .curves[static_cast<std::size_t>(contact.second.item)]
-      .a += by;
+  twin.bodies[contact.second.body].curves[contact.second.item].a += by;
   outlines.push_back({{}, false, 0, fmt::format(R"({{ type = "offset", of = "K0", by = {} }})", by)});
   contact.first.item = 1;
   cam.twin = {twin};

@@ -42,7 +42,7 @@ Lift random_lift(Draw& draw, double height) {
     }
     const double rise = reached != 0 ? -reached : height * draw.between(0.5, 1);
     reached += rise;
-    const char* law = kLaws[static_cast<std::size_t>(draw.pick(static_cast<int>(kLaws.size())))];
+    const char* law = kLaws[draw.pick(static_cast<int>(kLaws.size()))];
     lift.segments += fmt::format("  {{ over = {}, law = \"{}\", rise = {} }},\n", over, law, rise);
     // Bounds of the steepest of these laws, polynomial-4567 (see docs/laws.md).
     lift.fastest = std::max(lift.fastest, 2.1875 * std::abs(rise) / over);
@@ -87,8 +87,7 @@ Sketch random_law_cam(std::uint64_t seed) {
   mount(sketch, pivot, turned, swings, out);
   sketch.drivers.front().velocity = 1;
   Shape shape;
-  shape.kind =
-      std::array{CurveKind::kCircle, CurveKind::kLine, CurveKind::kPoint}[static_cast<std::size_t>(face)];
+  shape.kind = std::array{CurveKind::kCircle, CurveKind::kLine, CurveKind::kPoint}[face];
   const Vector2d p = Rotation<double>::from_angle(-turned) * Vector2d(touch - pivot);
   shape.x = p.x();
   shape.y = p.y();

@@ -50,7 +50,7 @@ private:
     return {x, between(-1, 1)};
   }
 
-  Sketch::Body& at(int body) { return sketch_.bodies[static_cast<std::size_t>(body)]; }
+  Sketch::Body& at(int body) { return sketch_.bodies[body]; }
   Vector2d in_body(int body, const Vector2d& p_W) {
     return turned(-at(body).angle, p_W - Vector2d(at(body).x, at(body).y));
   }
@@ -64,7 +64,7 @@ private:
   Face face();
   void touch(int a, int b, bool rolling);
 
-  int known() { return known_[static_cast<std::size_t>(pick(static_cast<int>(known_.size())))]; }
+  int known() { return known_[pick(static_cast<int>(known_.size()))]; }
   int moving();
   void know(int body) { known_.push_back(body); }
   std::array<int, 2> two_known();
@@ -139,10 +139,9 @@ void Drawing::gears(int wheel1, int wheel2, int carrier, const Vector2d& p1_W, c
 Face Drawing::face() {
   Face made;
   Shape& s = made.shape;
-  s.kind = std::array{
-      CurveKind::kCircle,    CurveKind::kCircle,  CurveKind::kEllipse,
-      CurveKind::kEllipse,   CurveKind::kEllipse, CurveKind::kParabola,
-      CurveKind::kHyperbola, CurveKind::kLine,    CurveKind::kPoint}[static_cast<std::size_t>(pick(9))];
+  s.kind = std::array{CurveKind::kCircle,    CurveKind::kCircle,  CurveKind::kEllipse,
+                      CurveKind::kEllipse,   CurveKind::kEllipse, CurveKind::kParabola,
+                      CurveKind::kHyperbola, CurveKind::kLine,    CurveKind::kPoint}[pick(9)];
   s.a = between(0.08, 0.8);
   s.a *= chance(0.2) ? 2.5 : 1;
   s.b = s.a * between(0.3, 1.5);
@@ -263,7 +262,7 @@ void Drawing::drive(int on) {
   const int made = body();
   const bool turns = chance(0.75);
   const int index = joint(turns ? JointKind::kRevolute : JointKind::kPrismatic, made, on);
-  const Sketch::Joint& driven = sketch_.joints[static_cast<std::size_t>(index)];
+  const Sketch::Joint& driven = sketch_.joints[index];
   Sketch::Driver driver;
   driver.joint = index;
   const Sketch::Body& first = at(driven.first.body);
@@ -272,7 +271,7 @@ void Drawing::drive(int on) {
     driver.start = second.angle - first.angle;
   } else {
     const auto p_of = [](const Sketch::Body& owner, int item) {
-      const Sketch::Point& p = owner.points[static_cast<std::size_t>(item)];
+      const Sketch::Point& p = owner.points[item];
       return Vector2d(Vector2d(owner.x, owner.y) + turned(owner.angle, {p.x, p.y}));
     };
     driver.start = heading(first.angle + driven.direction)
@@ -296,7 +295,7 @@ void Drawing::dyad() {
   const int b = body();
   std::array<JointKind, 3> kinds{kind(), kind(), kind()};
   if (std::count(kinds.begin(), kinds.end(), JointKind::kPrismatic) == 3) {
-    kinds[static_cast<std::size_t>(pick(3))] = JointKind::kRevolute;
+    kinds[pick(3)] = JointKind::kRevolute;
   }
   joint(kinds[0], a, k1);
   joint(kinds[1], a, b);
@@ -403,7 +402,7 @@ std::vector<int> Drawing::holders(const std::vector<int>& parents, int root_free
       bool whole = true;  // contains the carrier of every body in it
       for (int i = 0; i < count; ++i) {
         freedoms += has(i) ? 1 : 0;
-        whole = whole && (!has(i) || i == 0 || has(parents[static_cast<std::size_t>(i)]));
+        whole = whole && (!has(i) || i == 0 || has(parents[i]));
       }
       good = good && (!whole || std::count_if(chosen.begin(), chosen.end(), has) <= freedoms);
     }
@@ -424,13 +423,13 @@ void Drawing::coupled(int bodies) {
   for (int i = 1; i < bodies; ++i) {
     parents.push_back(pick(i));
     made.push_back(body());
-    join(made.back(), made[static_cast<std::size_t>(parents.back())]);
+    join(made.back(), made[parents.back()]);
   }
   std::vector<int> chosen = holders(parents, joined ? 1 : 3);
   while (!chosen.empty()) {
     const int one = chosen.back();
     chosen.pop_back();
-    const int held = made[static_cast<std::size_t>(one)];
+    const int held = made[one];
     const auto twin = std::find(chosen.begin(), chosen.end(), one);
     if (chance(0.3)) {
       joint(JointKind::kSlot, held, base());
@@ -448,10 +447,9 @@ void Drawing::coupled(int bodies) {
 
 // A wheel in mesh with the crank, or a planet on it. \pre the crank is driven about a pivot on ground
 void Drawing::wheels() {
-  const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
+  const Sketch::Joint& pivot = sketch_.joints[sketch_.drivers.front().joint];
   const int crank = pivot.first.body == 0 ? pivot.second.body : pivot.first.body;
-  const Sketch::Point o =
-      at(0).points[static_cast<std::size_t>(pivot.first.body == 0 ? pivot.first.item : pivot.second.item)];
+  const Sketch::Point o = at(0).points[pivot.first.body == 0 ? pivot.first.item : pivot.second.item];
   const Vector2d O(o.x, o.y);
   const int wheel = body();
   const Vector2d p = place();
@@ -468,11 +466,10 @@ void Drawing::wheels() {
 // A star-shaped outline about the crank's pivot, possibly a spline if `any`, and a follower on a slide or
 // lever that touches it. \pre the crank is driven about a pivot on ground
 void Drawing::outlined_cam(bool any) {
-  const Sketch::Joint& pivot = sketch_.joints[static_cast<std::size_t>(sketch_.drivers.front().joint)];
+  const Sketch::Joint& pivot = sketch_.joints[sketch_.drivers.front().joint];
   const bool ground_first = pivot.first.body == 0;
   const int crank = ground_first ? pivot.second.body : pivot.first.body;
-  const Sketch::Point o =
-      at(0).points[static_cast<std::size_t>((ground_first ? pivot.first : pivot.second).item)];
+  const Sketch::Point o = at(0).points[(ground_first ? pivot.first : pivot.second).item];
   const Vector2d O(o.x, o.y);
   const double size = between(0.2, 0.8);
   std::array<double, 3> wave{}, phase{};
@@ -633,7 +630,7 @@ std::vector<SketchKind> all_kinds() {
 }
 
 std::string_view name_of(SketchKind kind) {
-  return kKindNames[static_cast<std::size_t>(kind)].name;
+  return kKindNames[kind].name;
 }
 
 std::optional<SketchKind> kind_named(std::string_view name) {

@@ -59,9 +59,9 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
   for (const RunEvent& event : run.events) {
     Happening happening{std::string(name_of(event.type)), "", 0, event.driver};
     if (event.contact) {
-      happening.item = profile_.mechanism.contacts[static_cast<std::size_t>(*event.contact)].name;
+      happening.item = profile_.mechanism.contacts[*event.contact].name;
     } else if (event.joint) {
-      happening.item = profile_.mechanism.joints[static_cast<std::size_t>(*event.joint)].name;
+      happening.item = profile_.mechanism.joints[*event.joint].name;
     }
     const double share = std::lerp(from, to, event.share);
     happening.share = (static_cast<double>(k - 1) + share) / rows;
@@ -339,7 +339,7 @@ public:
     Failure failure = Comparison(at_once, among_others).rows(false);
     if (failure) {
       failure.law = "at events: " + failure.law;
-      failure.detail += fmt::format(", driver at {}", places[static_cast<std::size_t>(failure.row)]);
+      failure.detail += fmt::format(", driver at {}", places[failure.row]);
     }
     return failure;
   }

@@ -38,7 +38,7 @@ std::optional<Sketch> without(const Sketch& sketch, int first, int last) {
     }
   }
   for (Sketch::Driver& driver : rest.drivers) {
-    driver.joint = places[static_cast<std::size_t>(driver.joint)];
+    driver.joint = places[driver.joint];
     if (driver.joint < 0) {
       return std::nullopt;
     }

@@ -162,11 +162,11 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
 }
 
 const Vector2d& point(const Mechanism& m, const PointRef& at) {
-  return m.bodies[static_cast<std::size_t>(at.body)].points[static_cast<std::size_t>(at.point)].p_B;
+  return m.bodies[at.body].points[at.point].p_B;
 }
 
 const BodyMotion& body(const MotionRow& row, int index) {
-  return row.bodies[static_cast<std::size_t>(index)];
+  return row.bodies[index];
 }
 
 // Both points of a joint coincide and move alike; in a slide or slot only across its line.
@@ -195,13 +195,13 @@ Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row,
 }
 
 testing::Standing stand(const Mechanism& m, const CurveRef& at, const MotionRow& row) {
-  const Body& owner = m.bodies[static_cast<std::size_t>(at.body)];
+  const Body& owner = m.bodies[at.body];
   const BodyMotion& motion = body(row, at.body);
   OneFreedom fixed;
   fixed.turns = false;
   fixed.p_WO = motion.X_WB.p_WB;
   fixed.theta = motion.theta;
-  return {owner.curves[static_cast<std::size_t>(at.curve)].curve, fixed, 0};
+  return {owner.curves[at.curve].curve, fixed, 0};
 }
 
 // The contact point is on both curves, and both bodies have the same normal velocity there.

@@ -31,8 +31,7 @@ Result<Model> stepping(const Model& model, const ShortMotion& motion) {
   for (std::size_t i = 0; i < programs.size(); ++i) {
     DriverProgram& program = programs[i];
     const Driver& driver = model.mechanism().drivers[i];
-    const bool turns =
-        model.mechanism().joints[static_cast<std::size_t>(driver.joint)].type == JointType::kRevolute;
+    const bool turns = model.mechanism().joints[driver.joint].type == JointType::kRevolute;
     const double step =
         from_si(turns ? dimension::kAngle : dimension::kLength, model.units()).apply(motion.step);
     const double start = program.positions.empty() ? program.start : program.positions.front();

@@ -38,7 +38,7 @@ Measured measure(PeerRun& run, const Exact& exact, bool turns) {
     measured.microseconds = std::min(measured.microseconds, time.count() / kStepsPerTurn);
     for (int k = 0; turn > 0 && k < kStepsPerTurn; ++k) {  // engines settle in the first turn
       const Output expected = exact(2 * kPi * (k + 1) / kStepsPerTurn);
-      const Output& output = outputs[static_cast<std::size_t>(k)];
+      const Output& output = outputs[k];
       const double error = output.position - expected.position;
       measured.position =
           std::max(measured.position, std::abs(turns ? std::remainder(error, 2 * kPi) : error));

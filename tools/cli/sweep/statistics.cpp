@@ -169,7 +169,7 @@ std::string SweepSummary::text(const std::string& title) const {
   text += ":";
   const auto words = sweep_.columns().back().words;
   for (const auto& [status, count] : statuses_) {
-    text += fmt::format(" {} {}", count, words[static_cast<std::size_t>(status)]);
+    text += fmt::format(" {} {}", count, words[status]);
   }
   text += "\n";
   if (!good()) {

@@ -32,7 +32,7 @@ public:
   /// \param drivers  cosine and sine of the angle of each driver
   bool place(std::span<const Rotation<double>> drivers);
 
-  [[nodiscard]] const Pose<double>& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] const Pose<double>& pose(int body) const { return poses_[body]; }
   /// Position of a point in ground [m].
   [[nodiscard]] Vector2d place_of(const PointRef& point) const { return in_ground(end_of(point)); }
 
@@ -96,8 +96,7 @@ private:
   void differentiate(const Dyad& dyad);
 
   [[nodiscard]] End end_of(const PointRef& point) const {
-    return {point.body,
-            point_numbers_[static_cast<std::size_t>(point.body)] + 2 * static_cast<std::size_t>(point.point)};
+    return {point.body, point_numbers_[point.body] + 2 * static_cast<std::size_t>(point.point)};
   }
   [[nodiscard]] Vector2d in_body(const End& end) const {
     return {numbers_[end.number], numbers_[end.number + 1]};

@@ -10,7 +10,7 @@ namespace higherpair {
 
 /// The parameter range of a span.
 [[nodiscard]] inline Bounds range_of(const Boundary& boundary, int span) {
-  return boundary.spans()[static_cast<std::size_t>(span)]->range();
+  return boundary.spans()[span]->range();
 }
 
 /// The beginning or the end of a span.

@@ -128,14 +128,14 @@ struct ConditionLabel {
 template <class T, class D>
 bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set, const Coordinates<T>& at,
                        double size, std::vector<T>& values) {
-  const auto body = [&](int index) -> const BodyAt<T>& { return at.bodies[static_cast<std::size_t>(index)]; };
+  const auto body = [&](int index) -> const BodyAt<T>& { return at.bodies[index]; };
   bool exist = true;
   const auto append = [&](const ConditionValues<T>& some) {
     exist = exist && some.exist;
     values.insert(values.end(), some.value.begin(), some.value.begin() + some.count);
   };
   for (const int index : set.joints) {
-    const auto& joint = dimensions.joints[static_cast<std::size_t>(index)];
+    const auto& joint = dimensions.joints[index];
     append(joint_conditions(joint.of, body(joint.first), body(joint.second), body(joint.carrier), size));
   }
   for (const int index : set.contacts) {
@@ -147,11 +147,11 @@ bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set,
   }
   for (const int index : set.drivers) {
     const auto i = static_cast<std::size_t>(index);
-    const auto& joint = dimensions.joints[static_cast<std::size_t>(dimensions.drivers[i])];
+    const auto& joint = dimensions.joints[dimensions.drivers[i]];
     values.push_back(driver_condition(joint.of, body(joint.first), body(joint.second), at.drivers[i], size));
   }
   for (const int idle : set.idle_bodies) {
-    values.push_back(size * (body(idle).theta - at.held_angles[static_cast<std::size_t>(idle)]));
+    values.push_back(size * (body(idle).theta - at.held_angles[idle]));
   }
   return exist;
 }
@@ -177,17 +177,11 @@ public:
   /// What each row belongs to.
   [[nodiscard]] const std::vector<ConditionLabel>& labels() const { return labels_; }
   /// Column of x of a body; -1 if it is not in the set.
-  [[nodiscard]] Eigen::Index body_column(int body) const {
-    return body_columns_[static_cast<std::size_t>(body)];
-  }
+  [[nodiscard]] Eigen::Index body_column(int body) const { return body_columns_[body]; }
   /// Column of φ of a contact; -1 if it is not in the set.
-  [[nodiscard]] Eigen::Index contact_column(int contact) const {
-    return contact_columns_[static_cast<std::size_t>(contact)];
-  }
+  [[nodiscard]] Eigen::Index contact_column(int contact) const { return contact_columns_[contact]; }
   /// The row of a driver, the only one that depends on its position; -1 if the driver is not in the set.
-  [[nodiscard]] Eigen::Index driver_row(int driver) const {
-    return driver_rows_[static_cast<std::size_t>(driver)];
-  }
+  [[nodiscard]] Eigen::Index driver_row(int driver) const { return driver_rows_[driver]; }
   /// The derivative of that row with respect to the driver's position: -size [m/rad] or -1.
   [[nodiscard]] double by_driver(int driver) const;
 

@@ -64,7 +64,7 @@ struct ConditionValues {
   int count = 0;
   bool exist = true;  ///< false: a curve has no point with the normal of φ, and the values are meaningless
 
-  void add(const T& v) { value[static_cast<std::size_t>(count++)] = v; }
+  void add(const T& v) { value[count++] = v; }
 };
 
 /// Coordinate of a joint: [rad], or [m] along its line (see JointType).

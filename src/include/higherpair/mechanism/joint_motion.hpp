@@ -30,7 +30,7 @@ struct JointMotion {
 /// The joint that a driver moves.
 /// \param driver  index of Mechanism::drivers
 [[nodiscard]] inline const Joint& driven_joint(const Mechanism& mechanism, std::size_t driver = 0) {
-  return mechanism.joints[static_cast<std::size_t>(mechanism.drivers[driver].joint)];
+  return mechanism.joints[mechanism.drivers[driver].joint];
 }
 
 /// The poses of the description as motions at rest.
@@ -38,12 +38,12 @@ struct JointMotion {
 
 /// The point denoted by a reference, in its body's frame [m].
 [[nodiscard]] inline const Vector2d& point_of(const Mechanism& mechanism, const PointRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].points[static_cast<std::size_t>(ref.point)].p_B;
+  return mechanism.bodies[ref.body].points[ref.point].p_B;
 }
 
 /// The curve denoted by a reference as the mechanism describes it, with its name.
 [[nodiscard]] inline const NamedCurve& described_curve(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[static_cast<std::size_t>(ref.body)].curves[static_cast<std::size_t>(ref.curve)];
+  return mechanism.bodies[ref.body].curves[ref.curve];
 }
 
 /// The boundary of a curve that has one.
