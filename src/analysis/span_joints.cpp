@@ -3,6 +3,7 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/newton_root.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
@@ -174,7 +175,9 @@ struct JointAt {
   bool solved = false;  // run.work.trial is there
 };
 
-// Where a contact reaches the joint between `from` and `to`. \pre run.work.trial is at `to`
+// Where a contact reaches the joint between `from` and `to`. Over a kink that is too small for a corner it
+// jumps by the turn of the kink times its distance from the centre of curvature of the other curve. \pre
+// run.work.trial is at `to`
 std::optional<JointAt> joint_between(Run& run, const Path& path, const Exit& exit, double s, double from,
                                      double to) {
   double solved = kNoValue;
@@ -185,9 +188,10 @@ std::optional<JointAt> joint_between(Run& run, const Path& path, const Exit& exi
   };
   const double after = beyond_joint(run, exit, run.work.trial).value;
   const ValueAndSlope before = from != 0 ? beyond(from) : beyond_joint(run, exit, run.at.state);
-  const auto left = before.value >= 0 ? std::optional(0.0)
-                                      : newton_root_between([&](double x) { return beyond(from + x); },
-                                                            before, to - from, after);
+  const auto left = before.value >= 0
+                        ? std::optional(0.0)
+                        : newton_root_between([&](double x) { return beyond(from + x); }, before, to - from,
+                                              after, kSameJointDirection * run.plan().size);
   if (!left) {
     return std::nullopt;
   }

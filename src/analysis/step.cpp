@@ -62,8 +62,10 @@ public:
     mismatch_ += std::abs(turn - half_ * (a.rates.phi_dot + b.rates.phi_dot));
   }
 
-  [[nodiscard]] bool holds() const {
-    return mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + kNoMismatch &&
+  // \param kinks  whether a contact may have begun the step at a joint with a kink too small for a corner
+  [[nodiscard]] bool holds(bool kinks) const {
+    const double rest = kNoMismatch + (kinks ? kTurnOfKink + kVelocityOfKink * step_ : 0);
+    return mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + rest &&
            farthest_turn_ <= kFarthestBodyTurn;
   }
 
@@ -83,8 +85,10 @@ private:
   double farthest_turn_ = 0;  // of one body
 };
 
-bool is_smooth(const Group& group, const State& from, const State& to, double h, double size) {
-  Smoothness smoothness(h, size);
+bool is_smooth(const Run& run, const Group& group, double h) {
+  const State& from = run.at.state;
+  const State& to = run.work.trial;
+  Smoothness smoothness(h, run.plan().size);
   for (const int body : group.bodies) {
     const auto i = static_cast<std::size_t>(body);
     smoothness.add(from.bodies[i], to.bodies[i]);
@@ -93,7 +97,9 @@ bool is_smooth(const Group& group, const State& from, const State& to, double h,
     const auto i = static_cast<std::size_t>(contact);
     smoothness.add(from.contacts[i], to.contacts[i]);
   }
-  return smoothness.holds();
+  const auto& contacts = run.mechanism().contacts;
+  return smoothness.holds(
+      std::any_of(contacts.begin(), contacts.end(), [](const Contact& one) { return one.by_boundary; }));
 }
 
 // Needed because a body that jumped to a neighbouring contact would hardly move.
@@ -112,8 +118,7 @@ bool keeps_contacts(const Run& run, const Group& group) {
 // Whether the motion of a group in run.work.trial continues that in run.at.state.
 bool goes_on(const Run& run, std::size_t g, double h) {
   const Group& group = run.plan().groups[g];
-  return keeps_branch(run, g) ||
-         (is_smooth(group, run.at.state, run.work.trial, h, run.plan().size) && keeps_contacts(run, group));
+  return keeps_branch(run, g) || (is_smooth(run, group, h) && keeps_contacts(run, group));
 }
 
 // The mode of a group at s: that of `from`, reversed beyond a change point of the present step.

@@ -48,6 +48,11 @@ inline constexpr double kFarthestBodyTurn = 2;
 inline constexpr double kSmoothStep = 0.04;
 /// Mismatch of a step that is accepted as rounding [rad, of the size].
 inline constexpr double kNoMismatch = 1e-9;
+/// Jumps of the normal, and of velocities per unit of the path, at a joint of two spans whose directions
+/// differ by too little for a corner (kSameJointDirection): of bodies at rest beyond it nothing else is to be
+/// seen.
+inline constexpr double kTurnOfKink = 2e-7;
+inline constexpr double kVelocityOfKink = 1e-6;
 /// Drivers that are off the line ahead by no more than this are on it; relative to the driver's scale plus
 /// its coordinate.
 inline constexpr double kOnLineAhead = 1e-9;

@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -12,35 +13,118 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxBoundaryPasses = 40;
-constexpr double kFlat = 1e12;  // [m per rad] z of two flat curves: a turn takes a contact as far as allowed
 
-struct End {
-  SpanPoint point;
-  bool corner = false;
-  Vector2d p_W, n_W;
+// A joint of two spans whose directions differ by too little for a corner, as rounded numbers of a drawing
+// have them. Normals between the two are on neither span.
+struct Kink {
+  Bounds normals;  // angles of the normals on both sides, in the body's frame [rad]
+  BoundaryPlace before, after;
+  double normal = 0;  // angle of the present normal
 };
 
-End end_at(const Boundary& boundary, const BoundaryPlace& place, const Pose<double>& X_WB) {
-  const SpanPoint point = boundary.at(place);
-  return {point, boundary.is_corner(place), X_WB * point.p_B, X_WB.R_WB * point.n_B};
+// The kink of a joint that the iteration has crossed to and fro; none if the spans have the same direction
+// there.
+std::optional<Kink> kink_between(const Boundary& boundary, int span, int other) {
+  const int before = boundary.next_span(span, true) == other ? span : other;
+  const int after = before == span ? other : span;
+  const BoundaryPlace end = end_of(boundary, before, true), begin = end_of(boundary, after, false);
+  const Vector2d n0 = boundary.at(end).n_B, n1 = boundary.at(begin).n_B;
+  const double turn = std::atan2(cross(n0, n1), n0.dot(n1));
+  if (boundary.is_corner(end) || boundary.is_corner(begin) ||
+      !(turn > 4 * kEps && turn <= kSameJointDirection)) {
+    return std::nullopt;
+  }
+  return Kink{{angle_of(n0), angle_of(n0) + turn}, end, begin, angle_of(n0) + turn / 2};
 }
 
-bool are_flat(const End& end1, const End& end2) {
-  return !end1.corner && !end2.corner && end1.point.kappa == 0 && end2.point.kappa == 0;
+// A place on a body's boundary, and what update() has found there.
+class PairSide {
+public:
+  const Boundary& boundary;
+  Pose<double> X_WB;
+  BoundaryPlace place;
+  SpanPoint point;
+  bool corner = false;  // also at a kink, which is one for the iteration
+  Vector2d p_W, n_W;
+
+  PairSide(const Boundary& of, const Pose<double>& X, const BoundaryPlace& at)
+      : boundary(of), X_WB(X), place(at) {}
+
+  void update() {
+    point = boundary.at(place);
+    corner = kink_ || boundary.is_corner(place);
+    p_W = X_WB * point.p_B;
+    n_W = X_WB.R_WB * (kink_ ? unit_vector(kink_->normal) : point.n_B);
+  }
+
+  // Moves by ds along the tangent, or turns by dphi on a corner. Whether an end stops it.
+  bool advance(double ds, double dphi) {
+    if (kink_) {
+      turn_at_kink(dphi);
+      return false;
+    }
+    const auto next = boundary.advance(place, ds, dphi);
+    if (next.place.span != place.span) {
+      if (next.place.span == came_from_ && !was_at_kink_) {
+        kink_ = kink_between(boundary, place.span, came_from_);
+      }
+      came_from_ = place.span;
+    }
+    place = kink_ ? kink_->before : next.place;
+    return next.stopped;
+  }
+
+  // Of the span, at a kink that of the one before it.
+  [[nodiscard]] double radius() const { return radius_of(point, boundary.is_corner(place)); }
+
+private:
+  void turn_at_kink(double dphi) {
+    kink_->normal += dphi;
+    if (!kink_->normals.contains(kink_->normal)) {
+      place = kink_->normal < kink_->normals.low ? kink_->before : kink_->after;
+      kink_.reset();
+      was_at_kink_ = true;
+    }
+  }
+
+  std::optional<Kink> kink_;
+  bool was_at_kink_ = false;
+  int came_from_ = -1;  // the span before the last joint that was crossed
+};
+
+// On flat curves κ is 0; a turn takes a contact of two of them as far as allowed. \pre not both corners
+EquivalentLink link_between(const PairSide& one, const PairSide& two, double scale) {
+  const double kappa1 = one.point.kappa;
+  const double kappa2 = two.point.kappa;
+  if (one.corner) {
+    return {1, 0, kappa2, 0};
+  }
+  if (two.corner) {
+    return {0, 1, kappa1, 0};
+  }
+  if (kappa1 == 0 && kappa2 == 0) {
+    return {0.5, 0.5, 0, kSlideOfFlats * scale};
+  }
+  const double z = 1 / (kappa1 + kappa2);
+  return {kappa1 * z, kappa2 * z, kappa1 * kappa2 * z, z};
 }
 
-// Position of two ends relative to each other, with t = n1 turned +90°.
+bool are_flat(const PairSide& one, const PairSide& two) {
+  return !one.corner && !two.corner && one.point.kappa == 0 && two.point.kappa == 0;
+}
+
+// Position of two sides relative to each other, with t = n1 turned +90°.
 struct Offset {
   Vector2d n_W, t_W;
   double g = 0, s = 0;  // [m]
   double epsilon = 0;   // angle from n1 to -n2 [rad]
 };
 
-Offset offset_of(const End& end1, const End& end2) {
-  const Vector2d t = perp(end1.n_W);
-  const Vector2d distance = end2.p_W - end1.p_W;
-  return {end1.n_W, t, distance.dot(end1.n_W), distance.dot(t),
-          std::atan2(-cross(end1.n_W, end2.n_W), -end1.n_W.dot(end2.n_W))};
+Offset offset_of(const PairSide& one, const PairSide& two) {
+  const Vector2d t = perp(one.n_W);
+  const Vector2d distance = two.p_W - one.p_W;
+  return {one.n_W, t, distance.dot(one.n_W), distance.dot(t),
+          std::atan2(-cross(one.n_W, two.n_W), -one.n_W.dot(two.n_W))};
 }
 
 double limited(double x, double most) {
@@ -65,14 +149,8 @@ private:
   double last_ = kInf;
 };
 
-BoundaryContact contact_of(const End& end1, const End& end2, const Offset& offset, double q,
-                           const BoundaryPlace& place1, const BoundaryPlace& place2) {
-  return {{offset.n_W, end1.p_W, end2.p_W, radius_of(end1.point, end1.corner),
-           radius_of(end2.point, end2.corner)},
-          q,
-          place1,
-          place2,
-          0};
+BoundaryContact contact_of(const PairSide& one, const PairSide& two, double q) {
+  return {{one.n_W, one.p_W, two.p_W, one.radius(), two.radius()}, q, one.place, two.place, 0};
 }
 
 // The nearer end of a flat span that leads on to a span that is not flat, as a place on that one; none if
@@ -92,20 +170,19 @@ std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const Boundar
 // comes first in that direction, and on the other boundary to the opposite place. A step of any other length
 // might jump across a small fillet to the next flat part, and from there back again. False where the curves
 // end.
-bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundary& boundary2,
-                 BoundaryPlace& place2, double turn, double slip) {
+bool leave_flats(PairSide& one, PairSide& two, double turn, double slip) {
   const bool forward = turn > 0;  // along t
   const double sense = forward ? 1 : -1;
-  const auto end1 = end_ahead(boundary1, place1, forward);
-  const auto end2 = end_ahead(boundary2, place2, !forward);
+  const auto end1 = end_ahead(one.boundary, one.place, forward);
+  const auto end2 = end_ahead(two.boundary, two.place, !forward);
   if (end1 && !(end2 && end2->way < end1->way)) {
-    place1 = end1->behind;
-    place2 = boundary2.advance(place2, slip - sense * end1->way, 0).place;
+    one.place = end1->behind;
+    two.advance(slip - sense * end1->way, 0);
     return true;
   }
   if (end2) {
-    place2 = end2->behind;
-    place1 = boundary1.advance(place1, slip + sense * end2->way, 0).place;
+    two.place = end2->behind;
+    one.advance(slip + sense * end2->way, 0);
     return true;
   }
   return false;
@@ -113,36 +190,35 @@ bool leave_flats(const Boundary& boundary1, BoundaryPlace& place1, const Boundar
 
 // One pass along both boundaries; `turn` is E, `slip` is Σ. Returns which one was stopped by an end: 0
 // (neither), 1 or 2.
-int step_along(const Boundary& boundary1, const End& end1, BoundaryPlace& place1, const Boundary& boundary2,
-               const End& end2, BoundaryPlace& place2, double turn, double slip, double longest) {
-  if (are_flat(end1, end2) && leave_flats(boundary1, place1, boundary2, place2, turn, slip)) {
+int step_along(PairSide& one, PairSide& two, double turn, double slip, double scale) {
+  if (are_flat(one, two) && leave_flats(one, two, turn, slip)) {
     return 0;
   }
-  const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
+  const EquivalentLink link = link_between(one, two, scale);
+  const double longest = kLongestPass * scale;
   const double ds1 = link.z * turn + link.w2 * slip;
   const double ds2 = link.z * turn - link.w1 * slip;
-  const auto next1 = boundary1.advance(place1, limited(ds1, longest),
-                                       limited(link.w1 * turn + link.w * slip, kMostTurnOfPass));
-  const auto next2 = boundary2.advance(place2, limited(-ds2, longest),
-                                       limited(-(link.w2 * turn - link.w * slip), kMostTurnOfPass));
-  place1 = next1.place;
-  place2 = next2.place;
-  return next1.stopped ? 1 : next2.stopped ? 2 : 0;
+  const bool stopped1 =
+      one.advance(limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurnOfPass));
+  const bool stopped2 =
+      two.advance(limited(-ds2, longest), limited(-(link.w2 * turn - link.w * slip), kMostTurnOfPass));
+  return stopped1 ? 1 : stopped2 ? 2 : 0;
 }
 
 // Two flat curves that lie on each other touch along a stretch: the contact is held at the end of one of
 // them, where all of its quantities are defined.
-void hold_at_end_of_flat(const Boundary& boundary1, BoundaryPlace& place1, const Pose<double>& X_W1,
-                         const Boundary& boundary2, BoundaryPlace& place2, const Pose<double>& X_W2) {
+void hold_at_end_of_flat(PairSide& one, PairSide& two) {
   const auto along = [&] {
-    return offset_of(end_at(boundary1, place1, X_W1), end_at(boundary2, place2, X_W2)).s;
+    one.update();
+    two.update();
+    return offset_of(one, two).s;
   };
-  if (const auto end1 = end_of_flat(boundary1, place1)) {
-    place1 = *end1;
-    place2 = boundary2.advance(place2, along(), 0).place;
-  } else if (const auto end2 = end_of_flat(boundary2, place2)) {
-    place2 = *end2;
-    place1 = boundary1.advance(place1, along(), 0).place;
+  if (const auto end1 = end_of_flat(one.boundary, one.place)) {
+    one.place = *end1;
+    two.advance(along(), 0);
+  } else if (const auto end2 = end_of_flat(two.boundary, two.place)) {
+    two.place = *end2;
+    one.advance(along(), 0);
   }
 }
 
@@ -153,66 +229,46 @@ double length_scale(const Boundary& boundary1, const Boundary& boundary2) {
 
 }  // namespace
 
-EquivalentLink link_between(const SpanPoint& point1, bool corner1, const SpanPoint& point2, bool corner2) {
-  if (corner1) {
-    return {1, 0, point2.kappa, 0};
-  }
-  if (corner2) {
-    return {0, 1, point1.kappa, 0};
-  }
-  if (point1.kappa == 0 && point2.kappa == 0) {
-    return {0.5, 0.5, 0, kFlat};
-  }
-  const double z = 1 / (point1.kappa + point2.kappa);
-  return {point1.kappa * z, point2.kappa * z, point1.kappa * point2.kappa * z, z};
-}
-
 BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double q,
                                       const BoundaryPlace& place1, const BoundaryPlace& place2, int branch) {
-  const Boundary& boundary1 = *pair.boundary1;
-  const Boundary& boundary2 = *pair.boundary2;
-  const Pose<double> X_W1 = pose_at(pair.motion1, u);
-  const double scale = length_scale(boundary1, boundary2);
-  const double longest = kLongestPass * scale;
+  PairSide one(*pair.boundary1, pose_at(pair.motion1, u), place1);
+  PairSide two(*pair.boundary2, {}, place2);
+  const double scale = length_scale(one.boundary, two.boundary);
+  const double most = pair.motion2.turns ? kMostTurnOfPass : kLongestPass * scale;
   BoundaryResult result;
-  BoundaryPlace p1 = place1;
-  BoundaryPlace p2 = place2;
-  const double arm = (pair.motion1.p_WO - pair.motion2.p_WO).norm() + boundary1.size() + scale;
-  Closure closure(arm);
+  Closure closure((pair.motion1.p_WO - pair.motion2.p_WO).norm() + one.boundary.size() + scale);
   int ended_before = 0;
   bool held = false;
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
-    const Pose<double> X_W2 = pose_at(pair.motion2, q);
-    const End end1 = end_at(boundary1, p1, X_W1);
-    const End end2 = end_at(boundary2, p2, X_W2);
-    const Offset offset = offset_of(end1, end2);
-    const Vector2d per_q = velocity_per_q(pair.motion2, end2.p_W);
+    two.X_WB = pose_at(pair.motion2, q);
+    one.update();
+    two.update();
+    const Offset offset = offset_of(one, two);
+    const Vector2d per_q = velocity_per_q(pair.motion2, two.p_W);
     const double gap_q = per_q.dot(offset.n_W);
     const double error = std::abs(offset.g) + std::abs(offset.s) + std::abs(offset.epsilon) * scale;
-    if (!std::isfinite(error) || (end1.corner && end2.corner)) {
+    if (!std::isfinite(error) || (one.corner && two.corner)) {
       result.status = ContactStatus::kNoContact;
       return result;
     }
     if (closure.is_reached(error, ended_before != 0)) {
-      if (!held && are_flat(end1, end2)) {
-        hold_at_end_of_flat(boundary1, p1, X_W1, boundary2, p2, X_W2);
+      if (!held && are_flat(one, two)) {
+        hold_at_end_of_flat(one, two);
         held = true;
         continue;
       }
-      result.contact = contact_of(end1, end2, offset, q, p1, p2);
+      result.contact = contact_of(one, two, q);
       result.contact.gap_q = gap_q;
       result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;
       return result;
     }
-    const double most = pair.motion2.turns ? kMostTurnOfPass : longest;
     const double dq = limited(-offset.g / gap_q, most);
     if (!std::isfinite(dq)) {
       result.status = ContactStatus::kNoContact;
       return result;
     }
     const double turn = offset.epsilon + (pair.motion2.turns ? dq : 0);
-    const int ended = step_along(boundary1, end1, p1, boundary2, end2, p2, turn,
-                                 offset.s + per_q.dot(offset.t_W) * dq, longest);
+    const int ended = step_along(one, two, turn, offset.s + per_q.dot(offset.t_W) * dq, scale);
     q += dq;
     if (ended != 0 && ended == ended_before && std::abs(dq) <= kNoStepAtEnd * most) {
       result.status = ContactStatus::kNoContact;
@@ -230,27 +286,25 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
                                                     const Boundary& boundary2, const Pose<double>& X_W2,
                                                     const BoundaryPlace& place1,
                                                     const BoundaryPlace& place2) {
+  PairSide one(boundary1, X_W1, place1);
+  PairSide two(boundary2, X_W2, place2);
   const double scale = length_scale(boundary1, boundary2);
-  BoundaryPlace p1 = place1;
-  BoundaryPlace p2 = place2;
   Closure closure(boundary1.size() + scale);
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
-    const End end1 = end_at(boundary1, p1, X_W1);
-    const End end2 = end_at(boundary2, p2, X_W2);
-    const Offset offset = offset_of(end1, end2);
+    one.update();
+    two.update();
+    const Offset offset = offset_of(one, two);
     const double error = std::abs(offset.s) + std::abs(offset.epsilon) * scale;
-    if (!std::isfinite(error) || (end1.corner && end2.corner)) {
+    if (!std::isfinite(error) || (one.corner && two.corner)) {
       return std::nullopt;
     }
     if (closure.is_reached(error)) {
-      return contact_of(end1, end2, offset, 0, p1, p2);
+      return contact_of(one, two, 0);
     }
     // Across a gap g a turn of the normal by δφ1 = w1 ε + w Σ shifts the points by g δφ1: Σ = σ - g δφ1.
-    const EquivalentLink link = link_between(end1.point, end1.corner, end2.point, end2.corner);
+    const EquivalentLink link = link_between(one, two, scale);
     const double slip = (offset.s - offset.g * link.w1 * offset.epsilon) / (1 + offset.g * link.w);
-    if (step_along(boundary1, end1, p1, boundary2, end2, p2, offset.epsilon, slip, kLongestPass * scale) !=
-            0 &&
-        pass > 3) {
+    if (step_along(one, two, offset.epsilon, slip, scale) != 0 && pass > 3) {
       return std::nullopt;
     }
   }
@@ -260,6 +314,7 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
 std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const BoundaryPlace& from,
                                                const Vector2d& n_B) {
   BoundaryPlace place = from;
+  int came_from = -1;
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
     const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
@@ -274,6 +329,12 @@ std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const B
     const auto next = boundary.advance(place, step, limited(turn, kMostTurnOfPass));
     if (next.stopped) {
       return std::nullopt;
+    }
+    if (next.place.span != place.span) {
+      if (next.place.span == came_from && std::abs(turn) <= kSameJointDirection) {
+        return place;  // at a kink, see above
+      }
+      came_from = place.span;
     }
     place = next.place;
   }

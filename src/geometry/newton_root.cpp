@@ -61,8 +61,9 @@ public:
   }
 
   // The near end, if f falls to 0 there.
-  [[nodiscard]] std::optional<double> end() const {
-    const bool is_root = std::abs(at_near_.value / at_near_.slope) <= kNewtonRootNear * std::abs(h_);
+  [[nodiscard]] std::optional<double> end(double nothing) const {
+    const bool is_root = std::abs(at_near_.value) <= nothing ||
+                         std::abs(at_near_.value / at_near_.slope) <= kNewtonRootNear * std::abs(h_);
     return is_root ? std::optional(near_) : std::nullopt;
   }
 
@@ -81,7 +82,7 @@ private:
 }  // namespace
 
 std::optional<double> newton_root_between(const std::function<ValueAndSlope(double)>& f,
-                                          const ValueAndSlope& at_0, double h, double at_h) {
+                                          const ValueAndSlope& at_0, double h, double at_h, double nothing) {
   constexpr int kMostCalls = 100;
   if (at_0.value == 0) {
     return 0.0;
@@ -104,7 +105,7 @@ std::optional<double> newton_root_between(const std::function<ValueAndSlope(doub
       return x;
     }
   }
-  return search.end();
+  return search.end(nothing);
 }
 
 }  // namespace higherpair

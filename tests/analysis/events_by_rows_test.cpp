@@ -2,6 +2,8 @@
 // are asked for.
 #include "analysis/run_testing.hpp"
 
+#include <random>
+
 #include <fmt/core.h>
 
 namespace higherpair {
@@ -224,6 +226,53 @@ TEST(EventsByRows, AFlatOfALeverComesToLieOnAFlatOfACam) {
       polygon(
           {{-66.624, -0.985}, {-77.177, 5.609}, {-92.648, 5.317}, {-87.015, -6.105}, {-78.659, -13.565}}));
   expect_same_for_all_rows(text, {EventType::kOverlap, EventType::kRelease});
+}
+
+// Lines and arcs whose ends are rounded to some decimals, as drawings have them, meet in kinks of 1e-9 to
+// 1e-5.
+TEST(EventsByRows, AnOutlineOfRoundedNumbersIsFollowedOverItsJoints) {
+  std::mt19937 random(5);
+  for (const int decimals : {4, 6, 7, 9}) {
+    for (int trial = 0; trial < 5; ++trial) {
+      const auto between = [&](double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(random);
+      };
+      const auto rounded = [&](double x) { return fmt::format("{:.{}f}", x, decimals); };
+      const double base = between(15, 30), nose = between(4, base - 3);
+      const double apart = std::max(between(12, 30), base - nose + 4), turned = between(0, 6);
+      const double half = std::acos((base - nose) / apart);
+      const auto place = [&](double radius, double angle, double along) {
+        const Vector2d p = radius * unit_vector(turned + angle) + along * unit_vector(turned);
+        return fmt::format("[{}, {}]", rounded(p.x()), rounded(p.y()));
+      };
+      const auto arc = [&](double radius, double along, double from, double to) {
+        return fmt::format(R"({{ type = "arc", center = {}, radius = {}, from = {}, to = {} }}, )",
+                           place(0, 0, along), rounded(radius), rounded(kTurn * (turned + from)),
+                           rounded(kTurn * (turned + to)));
+      };
+      const auto segment = [](const std::string& from, const std::string& to) {
+        return fmt::format(R"({{ type = "segment", from = {}, to = {} }}, )", from, to);
+      };
+      const std::string spans =
+          arc(nose, apart, -half, half) + segment(place(nose, half, apart), place(base, half, 0)) +
+          arc(base, 0, half, 2 * kPi - half) + segment(place(base, -half, 0), place(nose, -half, apart));
+      std::string text =
+          sliding({{1, 0}, {0, 1}, {-1, 0}}, 0, R"({ type = "circle", center = [0, 0], radius = 8 })");
+      text = replaced(text, polygon({{1, 0}, {0, 1}, {-1, 0}}),
+                      fmt::format(R"({{ type = "chain", tolerance = 0.01, spans = [{}] }})", spans));
+      const Profile profile = profile_of(text);
+      const std::size_t events = events_of(run_with(profile, 37)).size();
+      for (const std::int64_t rows : {2, 73, 181, 361, 1000}) {
+        const RunTable motion = run_with(profile, rows);
+        expect_all_ok(motion);
+        EXPECT_EQ(count_of(motion, EventType::kLimitPosition), 0U) << decimals << ' ' << trial << ' ' << rows;
+        // With 4 there are notches, in which a second place touches for less than rounding tells.
+        if (decimals > 4) {
+          EXPECT_EQ(events_of(motion).size(), events) << decimals << ' ' << trial << ' ' << rows;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

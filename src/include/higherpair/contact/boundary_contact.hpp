@@ -33,11 +33,7 @@ struct BoundaryResult {
   int ended = 0;
 };
 
-/// The equivalent link at two places; on flat ones κ is 0. \pre not both corners
-[[nodiscard]] EquivalentLink link_between(const SpanPoint& point1, bool corner1, const SpanPoint& point2,
-                                          bool corner2);
-
-/// The same for a contact, from its radii; +∞ means flat.
+/// The equivalent link of a contact, from its radii; +∞ means flat.
 [[nodiscard]] inline EquivalentLink link_at(const CommonNormal& at) {
   return equivalent_link(std::isinf(at.rho1), at.rho1, std::isinf(at.rho2), at.rho2);
 }

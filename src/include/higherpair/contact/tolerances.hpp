@@ -179,6 +179,8 @@ inline constexpr double kLeastFootStretch = 0.1;
 
 // The iteration towards a contact.
 inline constexpr double kLongestPass = 0.25;  // longest step of one pass, relative to the size of the pair
+// How far a turn takes the contact of two flat parts [sizes per rad]: as far as one pass may go.
+inline constexpr double kSlideOfFlats = 1e12;
 // Largest turn of the follower, or of the normal at a corner, in one pass [rad].
 inline constexpr double kMostTurnOfPass = 0.5;
 // Error, relative to the extent, at which the iteration may stall.

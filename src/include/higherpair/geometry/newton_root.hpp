@@ -15,7 +15,9 @@ struct ValueAndSlope {
 /// may also jump or have no value (not finite): then the root is approached from the side of 0 alone. None
 /// where the values at the two ends have the same sign, or f does not fall to 0 before it jumps.
 /// \param at_0, at_h  f at both ends
+/// \param nothing     a value of f before a jump that counts as 0
 [[nodiscard]] std::optional<double> newton_root_between(const std::function<ValueAndSlope(double)>& f,
-                                                        const ValueAndSlope& at_0, double h, double at_h);
+                                                        const ValueAndSlope& at_0, double h, double at_h,
+                                                        double nothing = 0);
 
 }  // namespace higherpair
