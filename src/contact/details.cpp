@@ -38,20 +38,6 @@ std::optional<double> transmission(const ContactSide& side, const ContactBody& b
   return arm.norm() > kDirectionless * lengths ? std::optional(acute_angle(n_W, arm)) : std::nullopt;
 }
 
-std::optional<double> pressure(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W) {
-  Vector2d direction;
-  double size = 1;
-  if (body.grounded != nullptr) {
-    direction = velocity_per_q(*body.grounded, p_W);
-    size = body.grounded->turns ? p_W.norm() + body.grounded->p_WO.norm() : 1;
-  } else {
-    const Vector2d turning = body.motion.omega * perp(Vector2d(p_W - body.motion.X_WB.p_WB));
-    direction = body.motion.v_WB + turning;
-    size = body.motion.v_WB.norm() + turning.norm();
-  }
-  return direction.norm() > kDirectionless * size ? std::optional(acute_angle(n_W, direction)) : std::nullopt;
-}
-
 std::optional<double> arm(const ContactSide& side, const ContactBody& body) {
   if (!turns(body) || !side.center_W) {
     return std::nullopt;
@@ -107,13 +93,28 @@ double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p
                                          : arc_to_normal(curve, normal_angle - body.theta);
 }
 
+std::optional<double> pressure_angle(const BodyMotion& body, const OneFreedom* grounded, const Vector2d& p_W,
+                                     const Vector2d& n_W) {
+  Vector2d direction;
+  double size = 1;
+  if (grounded != nullptr) {
+    direction = velocity_per_q(*grounded, p_W);
+    size = grounded->turns ? p_W.norm() + grounded->p_WO.norm() : 1;
+  } else {
+    const Vector2d turning = body.omega * perp(Vector2d(p_W - body.X_WB.p_WB));
+    direction = body.v_WB + turning;
+    size = body.v_WB.norm() + turning.norm();
+  }
+  return direction.norm() > kDirectionless * size ? std::optional(acute_angle(n_W, direction)) : std::nullopt;
+}
+
 ContactDetails details_of(const ContactBody& body1, const ContactBody& body2, const CommonNormal& at,
                           double phi) {
   ContactDetails details;
   const Vector2d n = at.n_W;
   details.side1 = side_of(body1, at.p1_W, n, at.rho1, phi, 1);
   details.side2 = side_of(body2, at.p2_W, -n, at.rho2, phi + kPi, -1);
-  details.pressure = pressure(body2, at.p2_W, n);
+  details.pressure = pressure_angle(body2.motion, body2.grounded, at.p2_W, n);
   details.transmission = transmission(details.side2, body2, n);
   add_linkage(body1, body2, details);
   return details;

@@ -4,6 +4,7 @@
 #include "higherpair/contact/details.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -17,10 +18,6 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-bool contains(const std::vector<int>& items, int item) {
-  return std::find(items.begin(), items.end(), item) != items.end();
-}
-
 // Whether the body that a contact moves, the later one in the order of solution, is its second one.
 bool moves_second(const Run& run, int index) {
   const Contact& contact = run.mechanism().contacts[index];
@@ -33,6 +30,22 @@ bool moves_second(const Run& run, int index) {
     }
   }
   return true;
+}
+
+// A body that carries a round one on a pin at its centre: of a roller, what holds its pin.
+std::optional<int> carrier_of_roller(const Mechanism& mechanism, const CurveRef& ref) {
+  const auto center = round_center(named_curve(mechanism, ref).curve);
+  for (const Joint& joint : mechanism.joints) {
+    const bool first = joint.first.body == ref.body;
+    if (!center || joint.type != JointType::kRevolute || (!first && joint.second.body != ref.body)) {
+      continue;
+    }
+    const Vector2d pin_B = point_of(mechanism, first ? joint.first : joint.second);
+    if ((pin_B - *center).norm() <= kPinAtCenter * size_of(mechanism)) {
+      return first ? joint.second.body : joint.first.body;
+    }
+  }
+  return std::nullopt;
 }
 
 // One contact: its geometry and its speeds.
@@ -53,6 +66,10 @@ public:
     idle_follower_ = contains(idle, follower_.body);
     const Curve& curve = named_curve(run.mechanism(), follower_).curve;
     swings_roller_ = freedom_ && freedom_->turns && round_center(curve) && !is_point(curve);
+    if (const auto carrier = freedom_ ? std::nullopt : carrier_of_roller(run.mechanism(), follower_)) {
+      roller_center_B_ = round_center(curve);
+      freedom_ = grounded_freedom(run.mechanism(), *carrier);
+    }
     for (const std::size_t side : {0U, 1U}) {
       const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
       const Curve& own = named_curve(run.mechanism(), ref).curve;
@@ -78,6 +95,8 @@ public:
             angle,
             curvature,
             curvature,
+            kGreatest,
+            kGreatest,
             above(kBoth, rounding),
             above(kBoth, rounding),
             above(kLeast, rounding),
@@ -110,7 +129,8 @@ public:
   void read_curves(const PathRanges& ranges, CheckFigures& figures) const {
     for (const std::size_t side : {0U, 1U}) {
       figures.about("contacts." + contact_.name, names_[side]);
-      read_curvature(side, ranges[side == 0 ? kCurvature1 : kCurvature2], figures);
+      read_curvature(side, ranges[side == 0 ? kCurvature1 : kCurvature2],
+                     ranges[side == 0 ? kCorner1 : kCorner2], figures);
       if (flat_[side]) {
         read_face(ranges[side == 0 ? kFace1 : kFace2], figures);
       }
@@ -125,6 +145,8 @@ private:
     kCenterBack,
     kCurvature1,
     kCurvature2,
+    kCorner1,  // 1 on a corner, 0 otherwise
+    kCorner2,
     kSliding,
     kEntrainment,
     kLeastEntrainment,
@@ -142,8 +164,8 @@ private:
                    {curve_of(run.mechanism(), follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
                    second_ ? motion.phi : motion.phi + kPi);
     const bool back = split_ && goes_back(row, at);
-    if (details.pressure) {
-      out[back ? kBack : kOut] = *details.pressure;
+    if (const auto pressure = roller_center_B_ ? pressure_of_roller(follower, at) : details.pressure) {
+      out[back ? kBack : kOut] = *pressure;
     }
     if (details.transmission) {
       out[back ? kCenterBack : kCenterOut] = kPi / 2 - *details.transmission;
@@ -155,10 +177,20 @@ private:
         const BodyMotion& body = row.bodies[ref.body];
         const Vector2d along = perp(named_curve(run.mechanism(), ref).curve.axis_B);
         out[side == 0 ? kFace1 : kFace2] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
-      } else if (rho != 0) {
+        continue;
+      }
+      out[side == 0 ? kCorner1 : kCorner2] = rho == 0 ? 1 : 0;
+      if (rho != 0) {
         out[side == 0 ? kCurvature1 : kCurvature2] = 1 / rho;
       }
     }
+  }
+
+  // At the centre of a roller on a pin, whose rolling does not move the follower.
+  [[nodiscard]] std::optional<double> pressure_of_roller(const BodyMotion& roller,
+                                                         const CommonNormal& at) const {
+    const Vector2d center_W = roller.X_WB * *roller_center_B_;
+    return pressure_angle(roller, freedom_ ? &*freedom_ : nullptr, center_W, at.n_W);
   }
 
   // Whether the follower moves back, against the outward normal of the other body, faster than rounding.
@@ -196,12 +228,16 @@ private:
     }
   }
 
-  void read_curvature(std::size_t side, const PathRange& range, CheckFigures& figures) const {
+  void read_curvature(std::size_t side, const PathRange& range, const PathRange& corner,
+                      CheckFigures& figures) const {
     if (flat_[side] || point_[side]) {
       return;
     }
     const double straight = kStraightContact / size_;
-    if (range.greatest && range.greatest->value > straight) {
+    if (corner.greatest && corner.greatest->value > 0) {
+      figures.add("convex_radius", dimension::kLength, 0.0, corner.greatest->driver,
+                  figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
+    } else if (range.greatest && range.greatest->value > straight) {
       figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
                   figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
     }
@@ -247,10 +283,11 @@ private:
   bool second_;  // the follower is the contact's second body
   Contact contact_;
   CurveRef follower_, other_;
-  std::optional<OneFreedom> freedom_;  // of the follower
-  double size_;                        // of the mechanism
-  std::array<std::string, 2> names_;   // of the curves
-  bool idle_ = false;                  // one of the bodies turns freely
+  std::optional<OneFreedom> freedom_;  // of the follower; of what carries it, if it is a roller on a pin
+  std::optional<Vector2d> roller_center_B_;
+  double size_;                       // of the mechanism
+  std::array<std::string, 2> names_;  // of the curves
+  bool idle_ = false;                 // one of the bodies turns freely
   bool idle_follower_ = false;
   bool swings_roller_ = false;
   std::array<bool, 2> flat_{}, point_{};

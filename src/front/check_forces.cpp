@@ -5,11 +5,12 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace higherpair {
@@ -17,7 +18,7 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-constexpr Dimension kPressure = dimension::kForce / (dimension::kLength * dimension::kLength);
+constexpr Dimension kPressureUnit = dimension::kForce / (dimension::kLength * dimension::kLength);
 
 class CheckedForces {
 public:
@@ -28,11 +29,11 @@ public:
     }
   }
 
-  // Force and pressure of each contact, then the effort of each driver.
+  // Of each contact, then the effort of each driver.
   [[nodiscard]] std::vector<Sought> sought() const {
-    std::vector<Sought> all(2 * mechanism_.contacts.size(), kGreatest);
+    std::vector<Sought> all(kOfContact * mechanism_.contacts.size(), kGreatest);
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
-      all[2 * i] = mechanism_.contacts[i].both_sides ? kBoth : kGreatest;
+      all[kOfContact * i + kForce] = mechanism_.contacts[i].both_sides ? kBoth : kGreatest;
     }
     all.insert(all.end(), mechanism_.drivers.size(), kBoth);
     return all;
@@ -45,34 +46,36 @@ public:
       if (!force || !run.row.contacts[i].touches) {
         continue;
       }
-      out[2 * i] = *force;
-      const double curvature = curvature_of(run, i);
-      if (pressures_[i] && curvature > 0) {
-        out[2 * i + 1] = line_pressure(*force / pressures_[i]->width, curvature, pressures_[i]->modulus);
+      out[kOfContact * i + kForce] = *force;
+      const bool pulls = mechanism_.contacts[i].both_sides && *force < 0;
+      const double load = std::max(pulls ? -*force : *force, 0.0);
+      const double curvature = curvature_of(run, i, pulls);
+      const bool sharp = std::isinf(curvature);
+      if (pressures_[i]) {
+        out[kOfContact * i + kSharp] = sharp && load > 0 ? 1 : 0;
+      }
+      if (pressures_[i] && curvature > 0 && !sharp) {
+        out[kOfContact * i + kPressure] =
+            line_pressure(load / pressures_[i]->width, curvature, pressures_[i]->modulus);
       }
     }
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       if (reactions.drivers[i].effort) {
-        out[2 * mechanism_.contacts.size() + i] = *reactions.drivers[i].effort;
+        out[kOfContact * mechanism_.contacts.size() + i] = *reactions.drivers[i].effort;
       }
     }
   }
 
   void read_contact(std::size_t i, const PathRanges& ranges, CheckFigures& figures) const {
     figures.about("contacts." + mechanism_.contacts[i].name);
-    if (const auto most = peak_of(ranges[2 * i])) {
+    if (const auto most = peak_of(ranges[kOfContact * i + kForce])) {
       mark_growing(figures.add("contact_force", dimension::kForce, most->value, most->driver,
                                figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost),
                    *most);
     }
     read_least(i, figures);
-    const auto& pressure = ranges[2 * i + 1].greatest;
-    if (pressure && pressures_[i]) {
-      figures.add("contact_pressure", kPressure, pressure->value, pressure->driver,
-                  figures.of_contact(i, LimitKey::kMaxContactPressure), Bound::kMost);
-      for (const GivenLimit* given : pressures_[i]->given) {
-        figures.use(given);
-      }
+    if (pressures_[i]) {
+      read_pressure(i, ranges, figures);
     }
   }
 
@@ -81,7 +84,7 @@ public:
       const Driver& driver = mechanism_.drivers[i];
       const auto joint = static_cast<std::size_t>(driver.joint);
       const bool turns = has_angle(mechanism_.joints[joint].type);
-      const auto peak = peak_of(ranges[2 * mechanism_.contacts.size() + i]);
+      const auto peak = peak_of(ranges[kOfContact * mechanism_.contacts.size() + i]);
       if (peak) {
         figures.about(driver.name.empty() ? "driver" : "drivers." + driver.name);
         CheckFigure& figure = figures.add(
@@ -94,6 +97,32 @@ public:
   }
 
 private:
+  enum OfContact : std::size_t {
+    kForce,
+    kPressure,
+    kSharp,  // 1 while a corner is pressed, 0 otherwise
+    kOfContact
+  };
+
+  void read_pressure(std::size_t i, const PathRanges& ranges, CheckFigures& figures) const {
+    const GivenLimit* most = figures.of_contact(i, LimitKey::kMaxContactPressure);
+    const auto& sharp = ranges[kOfContact * i + kSharp].greatest;
+    const auto& pressure = ranges[kOfContact * i + kPressure].greatest;
+    if (sharp && sharp->value > 0) {
+      CheckFigure& figure =
+          figures.add("contact_pressure", kPressureUnit, std::nullopt, sharp->driver, most, Bound::kMost);
+      figure.verdict = most != nullptr ? Verdict::kExceeded : figure.verdict;
+      figure.remark = "unbounded at a sharp corner";
+    } else if (pressure) {
+      figures.add("contact_pressure", kPressureUnit, pressure->value, pressure->driver, most, Bound::kMost);
+    } else {
+      return;
+    }
+    for (const GivenLimit* given : pressures_[i]->given) {
+      figures.use(given);
+    }
+  }
+
   // What the pressure of a contact depends on besides its force.
   struct Pressure {
     double modulus = 0;  // E*
@@ -126,20 +155,27 @@ private:
     return pressure;
   }
 
-  static bool contains_null(const std::vector<const GivenLimit*>& given) {
-    return std::find(given.begin(), given.end(), nullptr) != given.end();
-  }
+  static bool contains_null(const std::vector<const GivenLimit*>& given) { return contains(given, nullptr); }
 
-  // κ1 + κ2; NaN at corners.
-  [[nodiscard]] double curvature_of(const Run& run, std::size_t i) const {
+  // κ1 + κ2, +∞ at corners. A contact held on both sides that pulls presses the round body against the wall
+  // opposite, which is farther out by its diameter and curved the other way; NaN where neither body is round.
+  [[nodiscard]] double curvature_of(const Run& run, std::size_t i, bool pulls) const {
     const Contact& contact = mechanism_.contacts[i];
     const CommonNormal& at = run.row.contacts[i].at;
-    const auto side = [&](const CurveRef& ref, double rho) {
-      return is_line(named_curve(mechanism_, ref).curve) ? 0.0
-             : rho == 0                                  ? std::numeric_limits<double>::quiet_NaN()
-                                                         : 1 / rho;
-    };
-    return side(contact.first, at.rho1) + side(contact.second, at.rho2);
+    const Curve& first = named_curve(mechanism_, contact.first).curve;
+    const Curve& second = named_curve(mechanism_, contact.second).curve;
+    const double rho1 = is_line(first) ? kInf : at.rho1;
+    const double rho2 = is_line(second) ? kInf : at.rho2;
+    if (!pulls) {
+      return 1 / std::abs(rho1) == kInf || 1 / std::abs(rho2) == kInf ? kInf : 1 / rho1 + 1 / rho2;
+    }
+    const auto opposite = [](double round, double wall) { return 1 / round - 1 / (wall + 2 * round); };
+    const bool round1 = first.kind == CurveKind::kCircle && rho1 > 0;
+    const bool round2 = second.kind == CurveKind::kCircle && rho2 > 0;
+    if (round1 && (!round2 || rho1 < rho2)) {
+      return opposite(rho1, rho2);
+    }
+    return round2 ? opposite(rho2, rho1) : kNoValue;
   }
 
   void read_least(std::size_t i, CheckFigures& figures) const {

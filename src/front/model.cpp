@@ -167,10 +167,12 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
   if (!fault.empty()) {
     return wrong(*data_, std::move(fault));
   }
-  return Model(
-      planned(data_->name, std::nullopt,
-              profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->name),
-              data_.get()));
+  Profile profile =
+      profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->name);
+  if (same_structure(data_->profile.mechanism, profile.mechanism)) {
+    profile.limits = data_->profile.limits;
+  }
+  return Model(planned(data_->name, std::nullopt, std::move(profile), data_.get()));
 }
 
 std::vector<Parameter> Model::parameters() const {

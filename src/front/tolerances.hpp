@@ -9,6 +9,11 @@
 
 namespace higherpair {
 
+// Shapes.
+
+/// A pin this close to the centre of a round curve is at it.
+inline constexpr double kPinAtCenter = 1e-9;
+
 // Rows and events.
 
 /// Fraction of the path between two rows: an event this close to the end is at the row.

@@ -237,6 +237,10 @@ width = 10
 )";
   const CheckReport report = checked(text);
   const double normal = 1000 / std::sqrt(1 - 0.04);
+  // Pulled against the other wall of a groove, of radius -(20 + 2·10): 1/10 - 1/40 in place of 1/20 + 1/10.
+  const CheckReport pulled = checked(text, {"contacts.touch.both_sides=true", "loads.push.force.1=1000"});
+  EXPECT_NEAR(value(pulled, "contacts.touch", "contact_pressure"),
+              735.1375547 * std::sqrt(normal / 1000) * std::sqrt(0.5), 1e-6);
   const CheckFigure& pressure = figure(report, "contacts.touch", "contact_pressure");
   EXPECT_NEAR(pressure.value.value(), 735.1375547 * std::sqrt(normal / 1000), 1e-6);
   EXPECT_EQ(pressure.verdict, Verdict::kExceeded);
@@ -247,6 +251,36 @@ width = 10
   EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.disc").value, 20);
   EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "follower.roller").value, 10);
   EXPECT_THAT(report.notes, IsEmpty());
+}
+
+TEST(Check, OfACornerHasNoRadiusAndNoBoundForThePressure) {
+  const std::string text = profile_of(
+      {"curves.square = { type = \"chain\", spans = [{ type = \"segment\", from = [20, -20], to = [20, 20] "
+       "}, "
+       "{ type = \"segment\", from = [20, 20], to = [-20, 20] }, { type = \"segment\", from = [-20, 20], to "
+       "= "
+       "[-20, -20] }, { type = \"segment\", from = [-20, -20], to = [20, -20] }] }",
+       "pose = { x = 0, y = 45 }\ncurves.roller = { type = \"circle\", center = [0, 0], radius = 10 }",
+       "direction = [0, 1]", "between = [\"cam.square\", \"follower.roller\"]\napproach = \"-\"",
+       "end = 360\n[loads]\npush = { body = \"follower\", point = \"P\", force = [0, -100] }\n[limits]\n"
+       "max_contact_pressure = \"740 MPa\"\nmin_convex_radius = 3\nelastic_modulus = \"206 GPa\"\n"
+       "poisson_ratio = 0.3\nwidth = 10"});
+  const CheckReport report = checked(text);
+  const CheckFigure& radius = figure(report, "contacts.touch", "convex_radius", "cam.square");
+  EXPECT_EQ(radius.value, 0);
+  EXPECT_EQ(radius.verdict, Verdict::kExceeded);
+  const CheckFigure& pressure = figure(report, "contacts.touch", "contact_pressure");
+  EXPECT_EQ(pressure.value, std::nullopt);
+  EXPECT_EQ(pressure.verdict, Verdict::kExceeded);
+  EXPECT_FALSE(report.good);
+}
+
+// A search for better numbers works on mechanisms of a model: their limits and materials remain.
+TEST(Check, OfTheModelsOtherMechanismsHasTheSameLimits) {
+  const Model model = shipped_model("checked_cam");
+  const Model other = model.with_mechanism(model.mechanism()).value();
+  EXPECT_EQ(value(checked(other), "contacts.touch", "contact_pressure"),
+            value(checked(model), "contacts.touch", "contact_pressure"));
 }
 
 // Cycloidal rise of 10 mm in 120 degrees at 1000 rpm, 1.8 kg, 15 N/mm preloaded by 2.5 mm.
@@ -373,7 +407,7 @@ poisson_ratio = 0.3
 
 TEST(Check, TakesLimitsOfAProgram) {
   auto limits = std::make_shared<CheckLimits>();
-  limits->all[LimitKey::kMaxPressureAngle] = GivenLimit{10 * kDeg, {}, "mine", {}};
+  limits->all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)] = GivenLimit{10 * kDeg, {}, "mine", {}};
   CheckSettings settings;
   settings.limits = limits;
   const CheckReport report = checked(model_of(four_quarters(kRoller, 2)), settings);
@@ -389,6 +423,15 @@ TEST(Check, OfAFreelyTurningRollerHasNoSliding) {
     rolls = rolls || one.quantity == "entrainment_speed";
   }
   EXPECT_TRUE(rolls);
+}
+
+// Rolling turns the roller; the angle is that of what carries its pin all the same.
+TEST(Check, OfARollerOnAPinHasThePressureAngleOfItsArm) {
+  const double slips = value(checked(shipped_model("roller_body")), "contacts.touch", "pressure_angle");
+  const double rolls = value(checked(shipped_model("roller_body", {"contacts.touch.rolling=true"})),
+                             "contacts.touch", "pressure_angle");
+  EXPECT_LT(slips, 80);
+  EXPECT_NEAR(rolls, slips, 1e-9);
 }
 
 TEST(Check, OfALinkageHasAccelerationsAlone) {

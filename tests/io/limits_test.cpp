@@ -23,7 +23,7 @@ std::vector<std::string> messages_with(const std::string& limits) {
 }
 
 double value_of(const LimitSet& set, LimitKey key) {
-  return set[key].value().value;
+  return set[static_cast<std::size_t>(key)].value().value;
 }
 
 TEST(Limits, AreReadInTheProfilesUnitsOrTheirOwn) {
@@ -49,10 +49,10 @@ width = "1.2 cm"
   EXPECT_DOUBLE_EQ(value_of(all, LimitKey::kMinSpeedFactor), 1.25);
   EXPECT_DOUBLE_EQ(value_of(all, LimitKey::kElasticModulus), 206e9);
   EXPECT_DOUBLE_EQ(value_of(all, LimitKey::kWidth), 0.012);
-  EXPECT_FALSE(all[LimitKey::kMaxJerk]);
-  EXPECT_EQ(all[LimitKey::kMaxPressureAngle]->path, "limits.max_pressure_angle");
-  EXPECT_EQ(all[LimitKey::kMaxPressureAngle]->place.source, "test.toml");
-  EXPECT_GT(all[LimitKey::kMaxPressureAngle]->place.line, 60);
+  EXPECT_FALSE(all[static_cast<std::size_t>(LimitKey::kMaxJerk)]);
+  EXPECT_EQ(all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)]->path, "limits.max_pressure_angle");
+  EXPECT_EQ(all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)]->place.source, "test.toml");
+  EXPECT_GT(all[static_cast<std::size_t>(LimitKey::kMaxPressureAngle)]->place.line, 60);
 }
 
 TEST(Limits, OfOneThingTakeThePlaceOfThoseOfAll) {

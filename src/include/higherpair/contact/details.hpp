@@ -36,6 +36,12 @@ struct ContactBody {
   const OneFreedom* grounded = nullptr;  ///< its joint to ground, if it has one
 };
 
+/// Angle between n_W and the direction in which the joint of a body to ground lets a point p_W of it move; of
+/// its velocity where `grounded` is null [rad], 0 … π/2. None for a body at rest without such a joint, and
+/// for a point at the pivot.
+[[nodiscard]] std::optional<double> pressure_angle(const BodyMotion& body, const OneFreedom* grounded,
+                                                   const Vector2d& p_W, const Vector2d& n_W);
+
 /// \param phi  angle of at.n_W, continuous over the run [rad]: the arc coordinates follow it over whole turns
 /// Lengths: r1 = O1O2, or the offset of the pivot from the path of the sliding body's centre (positive on the
 /// side of the slide's direction turned +90°); r2, r4 the arms O1C1, O2C2 (of a slider-crank r2 is the
