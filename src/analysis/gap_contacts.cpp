@@ -230,6 +230,7 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     }
     const auto contact = static_cast<std::size_t>(touching.contact);
     run.at.watches[contact].overlaps = false;
+    run.at.watches[contact].interrupted = true;
     report_contact(run, EventType::kEngage, path, s + x, contact,
                    fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
                                rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));

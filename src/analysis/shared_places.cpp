@@ -284,6 +284,7 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
   const auto places = shared_places(run, i, run.at.state, kOverlapOfBoundaries * run.plan().size);
   for (const NearPlace& place : places) {
     if (const auto change = go_on_at(run, path, g, s, place)) {
+      run.at.watches[i].interrupted = true;
       report_contact(
           run, EventType::kRelease, path, s, i,
           fmt::format(
@@ -313,6 +314,7 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   if (!change) {
     return false;
   }
+  run.at.watches[i].interrupted = run.at.watches[i].interrupted || passage->notch;
   const std::string& body = body_of_side(run, i, passage->side);
   const std::string jump = rate_jump_text(run, *touching, *change);
   const auto& place = run.at.state.contacts[i].place[passage->side];

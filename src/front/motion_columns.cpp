@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 
 #include <fmt/core.h>
@@ -167,13 +168,12 @@ void put_linkage(const ContactDetails& details, double* out) {
   }
 }
 
-void put_ways(const RowSource& source, std::size_t contact, const ContactDetails& details, double* out) {
-  if (source.history == nullptr) {
-    return;
-  }
-  if (const auto ways = source.history->ways(source.run, contact, {details.side1.arc, details.side2.arc})) {
-    out[0] = (*ways)[0];
-    out[1] = (*ways)[1];
+void put_ways(const RowSource& source, std::size_t contact, const ContactDetails& details,
+              const ContactArcs& arcs, double* out) {
+  const ArcPoint* start = source.history != nullptr ? source.history->start_of(source.run, contact) : nullptr;
+  if (start != nullptr) {
+    const auto ways = arcs.between(*start, arc_point(source.run, contact, details));
+    std::copy(ways.begin(), ways.end(), out);
   }
 }
 
@@ -201,7 +201,8 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
   columns.push_back({name + ".arc2", dimension::kLength});
   columns.push_back({name + ".pressure", dimension::kAngle});
   columns.push_back({name + ".transmission", dimension::kAngle});
-  set.add(columns, [index, sides = Sides(mechanism, contact)](const RowSource& source, double* out) {
+  const auto arcs = std::make_shared<const ContactArcs>(mechanism, contact);
+  set.add(columns, [index, arcs, sides = Sides(mechanism, contact)](const RowSource& source, double* out) {
     const MotionRow& row = source.run.row;
     if (!row.contacts[index].touches) {
       return;
@@ -212,7 +213,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
     if (row.has_rates[own.first.body] && row.has_rates[own.second.body]) {
       out[11] = row.contacts[index].rates.sliding;
     }
-    put_ways(source, index, details, out + 12);
+    put_ways(source, index, details, *arcs, out + 12);
     put(details.pressure, out + 14);
     put(details.transmission, out + 15);
   });

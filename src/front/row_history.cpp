@@ -33,22 +33,17 @@ void RowHistory::note(const Run& run) {
   const bool assembled = run.row.status != RowStatus::kNotAssemblable;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Arcs& arcs = arcs_[i];
-    arcs.broken = arcs.broken || !assembled || contacts[i].by_boundary;
+    arcs.broken = arcs.broken || !assembled;
     const ContactMotion& motion = run.row.contacts[i];
     if (!arcs.start && !arcs.broken && motion.touches && run.row.arcs_hold[i]) {
-      const ContactDetails details = details_in(run, contacts[i], motion);
-      arcs.start = {details.side1.arc, details.side2.arc};
+      arcs.start = arc_point(run, i, details_in(run, contacts[i], motion));
     }
   }
 }
 
-std::optional<std::array<double, 2>> RowHistory::ways(const Run& run, std::size_t contact,
-                                                      const std::array<double, 2>& arcs) const {
-  const Arcs& from = arcs_[contact];
-  if (from.broken || !from.start || !run.row.arcs_hold[contact]) {
-    return std::nullopt;
-  }
-  return std::array{arcs[0] - (*from.start)[0], arcs[1] - (*from.start)[1]};
+const ArcPoint* RowHistory::start_of(const Run& run, std::size_t contact) const {
+  const Arcs& arcs = arcs_[contact];
+  return !arcs.broken && arcs.start && run.row.arcs_hold[contact] ? &*arcs.start : nullptr;
 }
 
 bool RowHistory::may_change_by(const Run& run) const {
@@ -61,9 +56,12 @@ bool RowHistory::is_like(const RowHistory& other, double size) const {
     if (a.broken != b.broken || a.start.has_value() != b.start.has_value()) {
       return false;
     }
-    return a.broken || !a.start ||
-           (std::abs((*a.start)[0] - (*b.start)[0]) <= kSameRowArc * size &&
-            std::abs((*a.start)[1] - (*b.start)[1]) <= kSameRowArc * size);
+    const auto same = [&](std::size_t side) {
+      return std::abs(a.start->arcs[side] - b.start->arcs[side]) <= kSameRowArc * size &&
+             std::abs(a.start->normal_angle[side] - b.start->normal_angle[side]) <= kSameRowArc &&
+             a.start->place[side].span == b.start->place[side].span;
+    };
+    return a.broken || !a.start || (same(0) && same(1));
   };
   return std::equal(arcs_.begin(), arcs_.end(), other.arcs_.begin(), other.arcs_.end(), alike);
 }

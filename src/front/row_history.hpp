@@ -1,8 +1,8 @@
 #pragma once
 
+#include "contact_arcs.hpp"
 #include "higherpair/analysis/run.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,11 +14,9 @@ public:
   /// Call with every row, in order, before its columns are filled.
   void note(const Run& run);
 
-  /// The distance of the contact point along both curves from the first row in which the contact touched [m];
-  /// none in and after a row that interrupts the path, and for contacts by_boundary.
-  /// \param arcs  present values, from ContactDetails
-  [[nodiscard]] std::optional<std::array<double, 2>> ways(const Run& run, std::size_t contact,
-                                                          const std::array<double, 2>& arcs) const;
+  /// Where a contact was in the first row in which it touched; null in and after a row that interrupts the
+  /// path.
+  [[nodiscard]] const ArcPoint* start_of(const Run& run, std::size_t contact) const;
 
   /// Whether one of the rows on the path to the present position of `run` could have changed the history; if
   /// not, none of them needs to be noted.
@@ -30,7 +28,7 @@ public:
 
 private:
   struct Arcs {
-    std::optional<std::array<double, 2>> start;
+    std::optional<ArcPoint> start;
     bool broken = false;
   };
 

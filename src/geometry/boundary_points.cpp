@@ -1,5 +1,7 @@
 #include "higherpair/geometry/boundary_points.hpp"
 
+#include "higherpair/geometry/boundary_arcs.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -11,22 +13,6 @@ namespace {
 
 constexpr int kProbesOfChord = 8;  // between two points, to measure the distance from the straight line
 constexpr int kMostHalvings = 30;
-
-// Half of the nodes and weights on (-1, 1), which are symmetric.
-constexpr std::array<std::pair<double, double>, 4> kGauss = {{{0.18343464249564980, 0.36268378337836198},
-                                                              {0.52553240991632899, 0.31370664587788729},
-                                                              {0.79666647741362674, 0.22238103445337447},
-                                                              {0.96028985649753623, 0.10122853629037626}}};
-
-double arc_between(const Span& span, double from, double to) {
-  const double half = (to - from) / 2;
-  const double middle = from + half;
-  double sum = 0;
-  for (const auto& [place, weight] : kGauss) {
-    sum += weight * (span.at(middle - half * place).speed + span.at(middle + half * place).speed);
-  }
-  return half * sum;
-}
 
 // Arc lengths up to the end of each part of a span; 0 throughout on a corner.
 std::vector<double> arcs_of(const Span& span) {
