@@ -285,16 +285,20 @@ private:
         lost = lost || (std::abs(place.gap) > depth_ && place.gap < -place.rate * h);
       }
     }
-    if (halvings < (inside ? kHalvingsToTouch : lost ? kStepHalvings : 0)) {
-      return split(a, b, halvings + 1);
-    }
-    return first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};
+    const auto found = first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};
+    return halvings < (inside ? kHalvingsToTouch
+                       : lost ? kStepHalvings
+                              : 0)
+               ? split(a, b, halvings + 1, found)
+               : found;
   }
 
-  [[nodiscard]] std::optional<Meeting> split(const Pairing& a, const Pairing& b, int halvings) {
+  // The first in both halves; what has been found already if there is no position in the middle.
+  [[nodiscard]] std::optional<Meeting> split(const Pairing& a, const Pairing& b, int halvings,
+                                             const std::optional<Meeting>& found) {
     const auto middle = pairing_at((a.x + b.x) / 2);
     if (!middle) {
-      return std::nullopt;
+      return found;
     }
     const auto first = between(a, *middle, halvings);
     return first ? first : between(*middle, b, halvings);

@@ -126,14 +126,15 @@ bool is_beside_limit(const State& state) {
 
 // The branch at a position of the drivers, placed in run.work.trial, followed back towards `from`: to where
 // this stretch of it begins. None if it is next to a limit, unless it is a row.
-std::optional<Run> followed_back(const Run& run, const std::vector<double>& at,
-                                 const std::vector<double>& from, bool is_row) {
+std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const std::vector<double>& from,
+                                 bool is_row) {
   if (!is_row && is_beside_limit(run.work.trial)) {
     return std::nullopt;
   }
+  std::vector<RunEvent> events = std::exchange(run.events, {});  // not to copy as many as there may be
   Run back = run;
+  run.events = std::move(events);
   std::swap(back.at.state, back.work.trial);
-  back.events.clear();
   back.at.held = true;
   back.at.beside.reset();
   back.at.drivers = at;
@@ -404,24 +405,32 @@ Taken StretchSearch::take_up_first(double from) {
   return arrived ? Taken::kArrived : Taken::kNot;
 }
 
-}  // namespace
-
-bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+// Takes the motion up again where it first can be behind `from`.
+Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
   if (is_stopped(run) || run.at.lost.for_good) {
-    return false;
+    return Taken::kNot;
   }
   const bool comes_back = has_come_back(run, drivers);
   if (comes_back && come_back(run, drivers)) {
-    return true;
+    return Taken::kArrived;
   }
   // The motion may have been lost again on the way to the drivers, or at once.
   if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
-    return false;
+    return Taken::kNot;
   }
   const std::vector<double> behind = comes_back ? run.at.lost.at : from;
   const LineAhead line(run, behind, drivers);
-  const Taken taken = StretchSearch(run, line, drivers).take_up_first(line.x_of(behind));
-  return taken == Taken::kArrived || (taken == Taken::kLost && resume(run, drivers, run.at.lost.at));
+  return StretchSearch(run, line, drivers).take_up_first(line.x_of(behind));
+}
+
+}  // namespace
+
+bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  Taken taken = take_up_again(run, drivers, from);
+  while (taken == Taken::kLost) {
+    taken = take_up_again(run, drivers, run.at.lost.at);
+  }
+  return taken == Taken::kArrived;
 }
 
 }  // namespace higherpair

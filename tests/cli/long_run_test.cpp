@@ -245,5 +245,18 @@ TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
   }
 }
 
+// A motion that is lost once a turn: the stack does not grow with the number of turns.
+TEST_F(LongRun, IsTakenUpAgainAThousandTimesBetweenTwoRows) {
+  const Outcome outcome = run_script(
+      fmt::format("ulimit -s 512\n{} analyze four_bar.toml --set bodies.coupler.points.B.0=1 --set "
+                  "bodies.rocker.points.B.0=1.3 --set bodies.coupler.pose.angle=30 --set "
+                  "bodies.rocker.pose.angle=30 --set "
+                  "driver.end=360000 --samples 2 --events t.events --quiet --csv t.csv\n",
+                  HIGHERPAIR_PROGRAM));
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  const std::string events = file("t.events");
+  EXPECT_GE(std::count(events.begin(), events.end(), '\n'), 1000);
+}
+
 }  // namespace
 }  // namespace higherpair::testing
