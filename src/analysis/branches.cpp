@@ -4,6 +4,7 @@
 #include "group_solver.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
   }
   // With as many pins as bodies there is no loop if every body is attached by them.
   std::vector<int> loose = group.bodies;
-  const auto is_loose = [&](int body) { return std::find(loose.begin(), loose.end(), body) != loose.end(); };
+  const auto is_loose = [&](int body) { return contains(loose, body); };
   for (std::size_t left = loose.size() + 1; loose.size() < left;) {
     left = loose.size();
     for (const int index : pins) {

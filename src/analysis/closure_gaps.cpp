@@ -72,7 +72,7 @@ std::vector<std::optional<double>> first_closure_gaps(RunModel model, const std:
 std::optional<double> transmission_sine(const Plan& plan, int joint, const std::vector<BodyMotion>& bodies) {
   for (const Group& group : plan.groups) {
     const auto* dyad = std::get_if<RrrDyad>(&group.kind);
-    if (dyad == nullptr || std::find(group.joints.begin(), group.joints.end(), joint) == group.joints.end()) {
+    if (dyad == nullptr || dyad->pin_C != joint) {
       continue;
     }
     const Vector2d A = in_ground(dyad->A, bodies);

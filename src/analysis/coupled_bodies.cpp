@@ -5,6 +5,7 @@
 #include "group_solver.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/lu_solver.hpp"
 #include "series_motion.hpp"
@@ -78,7 +79,7 @@ void predict(const Group& group, const State& from, double h, State& to) {
 
 bool is_idle(const Planned& model, int body) {
   const std::vector<int>& idle = model.plan.idle_bodies;
-  return std::find(idle.begin(), idle.end(), body) != idle.end();
+  return contains(idle, body);
 }
 
 // Removes the turn of idle bodies that rounding has left.

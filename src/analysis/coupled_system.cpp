@@ -74,7 +74,7 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
     const auto i = static_cast<std::size_t>(index);
     append_driver_row(mechanism, driven_joint(mechanism, i), drivers[i], state.bodies, size, rows);
   }
-  hold_angles(condition_set(model.plan, group).idle_bodies, state, state, size, rows);
+  hold_angles(idle_bodies_of(model.plan, group), state, state, size, rows);
   return rows;
 }
 

@@ -153,8 +153,9 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
   };
   // Values at 0 … 4 steps to either side.
   std::array<std::array<Eigen::VectorXd, 5>, 2> samples;
+  samples[0][0] = samples[1][0] = values_at(0);
   for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t k = 0; k < 5; ++k) {
+    for (std::size_t k = 1; k < 5; ++k) {
       samples[side][k] = values_at((side == 0 ? h : -h) * static_cast<double>(k));
     }
   }

@@ -6,6 +6,7 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "start_failures.hpp"
 #include "tolerances.hpp"
 
@@ -119,9 +120,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   }
   std::vector<int> held;
   std::copy_if(run_.plan().phase_bodies.begin(), run_.plan().phase_bodies.end(), std::back_inserter(held),
-               [&](int body) {
-                 return std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end();
-               });
+               [&](int body) { return contains(group.bodies, body); });
   const GroupStatus status =
       place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.drivers, state_, held);
   begin_arcs(group);
@@ -258,7 +257,7 @@ void FirstPosition::start_coupled(const Group& group) {
     const Contact& contact = contact_of(run_.mechanism(), index);
     const auto pose = [&](const CurveRef& ref) {
       const auto body = static_cast<std::size_t>(ref.body);
-      const bool placed = std::find(group.bodies.begin(), group.bodies.end(), ref.body) == group.bodies.end();
+      const bool placed = !contains(group.bodies, ref.body);
       return (placed ? state_ : posed_).bodies[body].X_WB;
     };
     if (contact.by_boundary) {

@@ -3,6 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
@@ -78,8 +79,7 @@ bool group_system(const Planned& model, const Group& group, const std::vector<Dr
   Coordinates<double> at = coordinates_of(model.mechanism, state.bodies, state.contacts);
   Coordinates<Moving> known = constant<Moving>(at);
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-    const bool is_known =
-        std::find(group.bodies.begin(), group.bodies.end(), static_cast<int>(i)) == group.bodies.end();
+    const bool is_known = !contains(group.bodies, static_cast<int>(i));
     known.bodies[i] = is_known ? series_of_body<1>(state.bodies[i]) : known.bodies[i];
   }
   for (std::size_t i = 0; i < drivers.size(); ++i) {

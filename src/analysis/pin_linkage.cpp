@@ -86,7 +86,7 @@ bool PinLinkage::add_dyad(const Mechanism& mechanism, const Group& group, const 
   Dyad added;
   added.link_a = dyad.link_a;
   added.link_b = dyad.link_b;
-  added.joints = group.joints;
+  added.pin_C = dyad.pin_C;
   int found = 0;
   for (const int index : group.joints) {
     const auto at_a = ends_at(joint_at(mechanism, index), dyad.link_a);
@@ -182,9 +182,8 @@ bool PinLinkage::place(Dyad& dyad) {
 }
 
 std::optional<std::size_t> PinLinkage::dyad_at(int joint) const {
-  const auto found = std::find_if(dyads_.begin(), dyads_.end(), [&](const Dyad& dyad) {
-    return std::find(dyad.joints.begin(), dyad.joints.end(), joint) != dyad.joints.end();
-  });
+  const auto found =
+      std::find_if(dyads_.begin(), dyads_.end(), [&](const Dyad& dyad) { return dyad.pin_C == joint; });
   return found == dyads_.end() ? std::nullopt
                                : std::optional(static_cast<std::size_t>(found - dyads_.begin()));
 }

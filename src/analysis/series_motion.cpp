@@ -124,13 +124,7 @@ bool is_regular(const Eigen::MatrixXd& J) {
 }
 
 ConditionSet condition_set(const Plan& plan, const Group& group) {
-  ConditionSet set{group.bodies, group.joints, group.contacts, group.drivers, {}};
-  for (const int body : plan.idle_bodies) {
-    if (std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end()) {
-      set.idle_bodies.push_back(body);
-    }
-  }
-  return set;
+  return {group.bodies, group.joints, group.contacts, group.drivers, idle_bodies_of(plan, group)};
 }
 
 Coordinates<double> coordinates_of(const Mechanism& mechanism, const std::vector<BodyMotion>& bodies,

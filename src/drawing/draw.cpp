@@ -1,5 +1,6 @@
 #include "draw_foot.hpp"
 #include "higherpair/drawing/picture.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "labels.hpp"
 #include "svg_writer.hpp"
 
@@ -127,8 +128,7 @@ public:
 private:
   [[nodiscard]] bool is_shown(const Shape& shape, bool ghost) const {
     const bool moves = shape.role == Role::kBody || shape.role == Role::kLink || shape.role == Role::kJoint;
-    return !shape.numbers.empty() && (!ghost || (moves && shape.body > 0)) &&
-           std::find(layers_.begin(), layers_.end(), shape.role) != layers_.end();
+    return !shape.numbers.empty() && (!ghost || (moves && shape.body > 0)) && contains(layers_, shape.role);
   }
 
   void draw(const Scene& scene, const Shape& shape, bool ghost) {

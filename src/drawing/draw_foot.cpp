@@ -1,6 +1,7 @@
 #include "draw_foot.hpp"
 
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "text_layout.hpp"
 #include "ticks.hpp"
 
@@ -33,7 +34,7 @@ std::string quantity(double value, const PictureUnit& unit) {
 }
 
 bool has(const std::vector<Role>& layers, Role role) {
-  return std::find(layers.begin(), layers.end(), role) != layers.end();
+  return contains(layers, role);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "polygon_nodes.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ private:
   }
 
   void discover(int body) {
-    if (body != 0 && std::find(order_.begin(), order_.end(), body) == order_.end()) order_.push_back(body);
+    if (body != 0 && !contains(order_, body)) order_.push_back(body);
   }
 
   [[nodiscard]] std::size_t rank(int body) const {

@@ -2,6 +2,7 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "outline.hpp"
 #include "sketch.hpp"
 
@@ -116,22 +117,25 @@ bool is_joined(const Mechanism& mechanism, int body, int point) {
   });
 }
 
+// In pieces where rows without a position are between.
 void add_trace(Sketch& sketch, const PointRef& ref) {
   const Body& body = sketch.mechanism.bodies[ref.body];
   const NamedPoint& point = body.points[ref.point];
   std::vector<double> path;
-  for (const MotionRow* row : sketch.rows) {
-    append(path, body_in(*row, ref.body).X_WB * point.p_B);
+  for (std::size_t i = 0; i < sketch.rows.size(); ++i) {
+    append(path, body_in(*sketch.rows[i], ref.body).X_WB * point.p_B);
+    if (i + 1 == sketch.rows.size() || sketch.rows[i + 1] != sketch.rows[i] + 1) {
+      sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::exchange(path, {}));
+      sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;
+    }
   }
-  sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::move(path));
-  sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;
 }
 
 void add_traces(Sketch& sketch, const std::vector<PointRef>& wanted) {
   for (std::size_t b = 1; b < sketch.mechanism.bodies.size(); ++b) {
     for (std::size_t p = 0; p < sketch.mechanism.bodies[b].points.size(); ++p) {
       const PointRef ref{static_cast<int>(b), static_cast<int>(p)};
-      const bool asked = std::find(wanted.begin(), wanted.end(), ref) != wanted.end();
+      const bool asked = contains(wanted, ref);
       if (!asked && sketch.point_look(ref.body, p).hide) continue;
       if (asked || !is_joined(sketch.mechanism, ref.body, ref.point)) {
         add_trace(sketch, ref);

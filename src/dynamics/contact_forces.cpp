@@ -2,6 +2,7 @@
 
 #include "force_fit.hpp"
 #include "force_watch.hpp"
+#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
@@ -162,6 +163,27 @@ DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotio
     }
   };
   return path;
+}
+
+double DriverPath::place_of(double share, double from, double to) const {
+  const std::vector<DriverMotion> first = at(from), last = at(to);
+  const auto way = [&](std::size_t i) { return last[i].position - first[i].position; };
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < first.size(); ++i) {
+    most = std::abs(way(i)) > std::abs(way(most)) ? i : most;
+  }
+  const double target = first[most].position + share * way(most);
+  std::vector<DriverMotion> there;
+  const auto ahead = [&](double x) {
+    motion(from + x, there);
+    return there[most].position - target;
+  };
+  const double guess = std::lerp(from, to, share);
+  const double before = ahead(0), after = ahead(to - from);
+  if (!(before * after < 0) || ahead(guess - from) == 0) {
+    return guess;
+  }
+  return from + root_between(ahead, before, to - from, after).value_or(guess - from);
 }
 
 ContactForces follow_contact_forces(const Run& start, const DriverPath& path, std::vector<Preload> preloads) {

@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <utility>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 namespace higherpair {
 namespace {
 
@@ -128,12 +126,11 @@ void ForceFitter::converge(ForceFit& fit) {
 
 // Moves the run to `to`. Records the first break on the way that lies within the fit's piece.
 void ForceFitter::move(double to, ForceFit& fit) {
-  path_.motion(position_.at, was_);
   path_.motion(to, drivers_);
   move_to(position_.run, drivers_);
   for (const RunEvent& event : position_.run.events) {
     if (!fit.event && breaks_forces(event)) {
-      const double at = place_of(event.share, to);
+      const double at = path_.place_of(event.share, position_.at, to);
       const double near = kAtPieceEnd * longest_;
       const bool again =
           last_break_ == event.type && std::abs(at - last_break_at_) < kShortestForcePiece * longest_;
@@ -145,31 +142,6 @@ void ForceFitter::move(double to, ForceFit& fit) {
     }
   }
   position_.at = to;
-}
-
-// The parameter at which the drivers have covered a fraction of their straight path from here to `to`.
-double ForceFitter::place_of(double share, double to) {
-  std::size_t most = 0;
-  const auto way = [&](std::size_t i) { return drivers_[i].position - was_[i].position; };
-  for (std::size_t i = 1; i < drivers_.size(); ++i) {
-    most = std::abs(way(i)) > std::abs(way(most)) ? i : most;
-  }
-  const double target = was_[most].position + share * way(most);
-  const double sense = way(most) < 0 ? -1 : 1;
-  std::vector<DriverMotion> there;
-  const auto ahead = [&](double at) {
-    path_.motion(at, there);
-    return sense * (there[most].position - target);
-  };
-  const double guess = position_.at + share * (to - position_.at);
-  const double at_from = ahead(position_.at), at_to = ahead(to);
-  if (!(at_from < 0) || !(at_to > 0) || ahead(guess) == 0) {
-    return guess;
-  }
-  std::uintmax_t calls = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(ahead, position_.at, to, at_from, at_to,
-                                                        boost::math::tools::eps_tolerance<double>(52), calls);
-  return (a + b) / 2;
 }
 
 bool ForceFitter::sample(double at, ForceFit& fit) {

@@ -61,7 +61,6 @@ private:
   [[nodiscard]] ForceFit start_fit(const ForceStretch& stretch);
   void converge(ForceFit& fit);
   void move(double to, ForceFit& fit);
-  [[nodiscard]] double place_of(double share, double to);
   [[nodiscard]] bool sample(double at, ForceFit& fit);
 
   const DriverPath& path_;
@@ -74,7 +73,6 @@ private:
   std::vector<double> floor_;   // lower bounds of `scales_`
   std::vector<double> scales_;  // largest values of the columns in a fit
   std::vector<DriverMotion> drivers_;
-  std::vector<DriverMotion> was_;
 };
 
 }  // namespace higherpair

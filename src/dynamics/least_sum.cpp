@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -23,7 +25,8 @@ void pivot(Eigen::MatrixXd& tableau, Eigen::Index row, Eigen::Index column) {
   }
 }
 
-// Bland's rule, which cannot cycle: the first column that improves the objective.
+// Bland's rule, which cannot cycle: the first column that improves the objective, and of the rows that limit
+// it alike the one with the first basic variable.
 Eigen::Index gaining_column(const Eigen::MatrixXd& tableau) {
   const Eigen::Index last = tableau.rows() - 1;
   for (Eigen::Index j = 0; j + 1 < tableau.cols(); ++j) {
@@ -34,12 +37,14 @@ Eigen::Index gaining_column(const Eigen::MatrixXd& tableau) {
   return -1;
 }
 
-Eigen::Index leaving_row(const Eigen::MatrixXd& tableau, Eigen::Index column) {
-  const Eigen::Index right = tableau.cols() - 1;
+Eigen::Index leaving_row(const Eigen::MatrixXd& tableau, const std::vector<Eigen::Index>& basis,
+                         Eigen::Index column) {
+  const auto limit = [&](Eigen::Index i) {
+    return std::pair(tableau(i, tableau.cols() - 1) / tableau(i, column), basis[i]);
+  };
   Eigen::Index best = -1;
   for (Eigen::Index i = 0; i + 1 < tableau.rows(); ++i) {
-    if (tableau(i, column) > kTableauNothing &&
-        (best < 0 || tableau(i, right) / tableau(i, column) < tableau(best, right) / tableau(best, column))) {
+    if (tableau(i, column) > kTableauNothing && (best < 0 || limit(i) < limit(best))) {
       best = i;
     }
   }
@@ -86,14 +91,20 @@ std::optional<std::vector<double>> solve(const LeastSum& programme) {
   tableau.row(2 * n) /= unit;
   tableau.block(0, m, 2 * n, 2 * n).setIdentity();
   tableau.col(m + 2 * n).head(2 * n).setOnes();
+  std::vector<Eigen::Index> basis(2 * n);
+  std::iota(basis.begin(), basis.end(), m);
   Eigen::Index column = gaining_column(tableau);
   for (int i = 0; i < kMostPivots && column >= 0; ++i) {
-    const Eigen::Index row = leaving_row(tableau, column);
+    const Eigen::Index row = leaving_row(tableau, basis, column);
     if (row < 0) {
       return std::nullopt;
     }
     pivot(tableau, row, column);
+    basis[row] = column;
     column = gaining_column(tableau);
+  }
+  if (column >= 0) {
+    return std::nullopt;
   }
   for (Eigen::Index j = 0; j < n; ++j) {
     const double difference = tableau(2 * n, m + j) - tableau(2 * n, m + n + j);

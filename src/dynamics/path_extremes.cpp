@@ -142,7 +142,7 @@ private:
     const Run& run = mover.move(at);
     bool skip = false;
     for (const RunEvent& event : run.events) {
-      const double place = std::lerp(was, at, event.share);
+      const double place = path_.place_of(event.share, was, at);
       if (is_singular(event)) {
         part_at(place, at, kApartFromSingular * (at - was));
         skip = skip || at - place < kApartFromSingular * (at - was);

@@ -1,6 +1,7 @@
 #include "higherpair/dynamics/preload.hpp"
 
 #include "higherpair/dynamics/contact_forces.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "least_sum.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
@@ -13,10 +14,6 @@ namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 200;
-
-bool contains(const std::vector<int>& items, int item) {
-  return std::find(items.begin(), items.end(), item) != items.end();
-}
 
 // The weighted sum of a force's columns.
 ForceSeries weighted(const ForcePiece& piece, std::size_t contact, const std::vector<double>& weights) {

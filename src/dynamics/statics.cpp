@@ -40,13 +40,7 @@ Statics::Statics(const Run& run)
   contact_rows_.resize(run.mechanism().contacts.size());
   driver_rows_.resize(run.mechanism().drivers.size());
   for (const Group& group : run.plan().groups) {
-    std::vector<int> held;
-    for (const int body : run.plan().idle_bodies) {
-      if (std::find(group.bodies.begin(), group.bodies.end(), body) != group.bodies.end()) {
-        held.push_back(body);
-      }
-    }
-    held_.push_back(held);
+    held_.push_back(idle_bodies_of(run.plan(), group));
   }
   set_layout(run);
 }

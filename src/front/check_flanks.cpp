@@ -4,6 +4,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ std::vector<ShapedFlank> flanks_of(const Mechanism& mechanism) {
     for (const CurveRef& ref : curves_of(mechanism, mechanism.contacts[i])) {
       const NamedCurve* named = &named_curve(mechanism, ref);
       auto origin = flank_of(mechanism, ref);
-      if (origin && std::find(seen.begin(), seen.end(), named) == seen.end()) {
+      if (origin && !contains(seen, named)) {
         seen.push_back(named);
         flanks.push_back({i, ref, *std::move(origin)});
       }

@@ -3,6 +3,7 @@
 #include "higherpair/front/check.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/loops.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
   std::vector<std::string> curves;
   for (const CheckFigure& figure : figures) {
     const std::string name = figure.item + "." + figure.quantity;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // of 2 curves
+    if (!contains(names, name)) names.push_back(name);  // of 2 curves
     if (figure.item == wanted.item && figure.quantity == wanted.quantity) curves.push_back(figure.of);
   }
   const std::string name = wanted.item + "." + wanted.quantity;

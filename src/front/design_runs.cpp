@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -16,9 +17,8 @@ bool is_end(EventType type) {
 }
 
 double count_of(const std::vector<EventType>& types, const std::vector<Event>& events) {
-  return static_cast<double>(std::count_if(events.begin(), events.end(), [&](const Event& event) {
-    return std::find(types.begin(), types.end(), event.type) != types.end();
-  }));
+  return static_cast<double>(std::count_if(events.begin(), events.end(),
+                                           [&](const Event& event) { return contains(types, event.type); }));
 }
 
 // Follows the positions only, without a table.

@@ -1,6 +1,7 @@
 #include "design_setup.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ RunSettings run_wanted_by(const DesignTask& task) {
   RunSettings wanted;
   for (const DesignTask::Constraint& constraint : task.constraints) {
     const std::vector<EventType>& types = constraint.without;
-    if (std::find(types.begin(), types.end(), EventType::kContactOpen) != types.end()) wanted.forces = true;
+    if (contains(types, EventType::kContactOpen)) wanted.forces = true;
   }
   return wanted;
 }

@@ -3,6 +3,7 @@
 #include "analysis_impl.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "measure_series.hpp"
 #include "tolerances.hpp"
@@ -125,7 +126,7 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
 }
 
 void add_once(const std::string& name, std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  if (!contains(names, name)) {
     names.push_back(name);
   }
 }

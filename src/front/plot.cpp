@@ -1,6 +1,7 @@
 #include "analysis_impl.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "plot_marks.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
     for (const Column& column : columns) {
       if (!column.words.empty() || !matches(glob, column.name)) continue;
       found = true;
-      if (std::find(names.begin(), names.end(), column.name) == names.end()) names.push_back(column.name);
+      if (!contains(names, column.name)) names.push_back(column.name);
     }
     if (!found) {
       return wrong(Place{"--y " + glob}, "this column holds words; a plot needs numbers");

@@ -4,6 +4,7 @@
 #include "difference_slope.hpp"
 #include "exact_slopes.hpp"
 #include "higherpair/io/tasks.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
@@ -158,7 +159,7 @@ private:
       values[k + 2] = results_with(i, k * h);
     }
     for (std::size_t m = 0; m < results_.size() && !stopped(); ++m) {
-      if (std::find(open.begin(), open.end(), m) == open.end()) continue;
+      if (!contains(open, m)) continue;
       Slope& slope = report.results[m].slopes[i];
       slope = slope_by_differences({values[0][m], values[1][m], values[2][m], values[3][m], values[4][m]}, h,
                                    kKinkRounding * largest(m));

@@ -65,6 +65,7 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
   ToleranceBand band;
   band.center = band.worst_low = band.worst_high = result.value;
   std::vector<double> deviations;
+  double beyond = 0;  // how far normal numbers of fewer than 3 σ a zone take the result beyond its ends
   for (std::size_t i = 0; i < task.tolerances.size(); ++i) {
     const Tolerance& tolerance = task.tolerances[i];
     const Slope& slope = result.slopes[i];
@@ -79,11 +80,15 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
     band.worst_high += std::max({low, high, around ? 0 : high});
     band.center += change_by(slope, tolerance.middle() - tolerance.value);
     deviations.back() = slope.steepest() * tolerance.deviation();
+    if (tolerance.kind == DistributionKind::kNormal) {
+      beyond +=
+          std::max(kBandSigmas / tolerance.sigmas - 1, 0.0) * std::abs(slope.steepest() * tolerance.half());
+    }
   }
   const Scatter scatter(task, deviations);
   band.deviation = std::sqrt(scatter.variance());
-  band.low = std::max(band.center - kBandSigmas * band.deviation, band.worst_low);
-  band.high = std::min(band.center + kBandSigmas * band.deviation, band.worst_high);
+  band.low = std::max(band.center - kBandSigmas * band.deviation, band.worst_low - beyond);
+  band.high = std::min(band.center + kBandSigmas * band.deviation, band.worst_high + beyond);
   for (const double part : scatter.parts()) {
     band.shares.push_back(scatter.variance() > 0 ? part / scatter.variance() : 0);
   }

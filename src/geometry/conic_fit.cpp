@@ -189,9 +189,11 @@ BoundaryFitResult finished(const Normalised& from, const Family& family, const L
                            ConicForm form) {
   const auto fail = [](BoundaryFitError error) { return tl::unexpected(error); };
   const Coefficients conic = family.conic(found.x);
-  const auto curve = form == ConicForm::kParabola
-                         ? std::optional(make_parabola(found.x.head<2>(), found.x(3) / 2, found.x(2)).value())
-                         : curve_near(conic, from.points);
+  const auto made_parabola = [&]() -> std::optional<Curve> {
+    const auto parabola = make_parabola(found.x.head<2>(), found.x(3) / 2, found.x(2));
+    return parabola ? std::optional(*parabola) : std::nullopt;
+  };
+  const auto curve = form == ConicForm::kParabola ? made_parabola() : curve_near(conic, from.points);
   if (!curve) return fail(BoundaryFitError::kDegenerate);
   if (!is_form(curve->kind, form)) return fail(BoundaryFitError::kOtherForm);
   const Eigen::VectorXd natural = parameters_of(*curve);
@@ -211,12 +213,11 @@ BoundaryFitResult finished(const Normalised& from, const Family& family, const L
     by = natural_derivatives(family, found.x, from.points, natural);
   }
   fit.covariance = by * square * by.transpose();
-  const bool inside_is_negative = monomials(natural.head<2>()).dot(conic) < 0 ||
-                                  form == ConicForm::kParabola || curve->kind == CurveKind::kParabola;
+  const bool center_is_negative = monomials(natural.head<2>()).dot(conic) < 0;
   std::vector<double> distances(found.r.begin(), found.r.end());
   // Distances are > 0 outside; the centre of an ellipse is inside, that of a hyperbola outside.
   const bool turn =
-      (curve->kind == CurveKind::kHyperbola) == inside_is_negative && curve->kind != CurveKind::kParabola;
+      (curve->kind == CurveKind::kHyperbola) == center_is_negative && curve->kind != CurveKind::kParabola;
   if (turn) {
     for (double& distance : distances) distance = -distance;
   }

@@ -51,7 +51,10 @@ public:
     for (const std::int64_t dx : {-1, 0, 1}) {
       for (const std::int64_t dy : {-1, 0, 1}) {
         const auto at = cells_.find({center.x + dx, center.y + dy});
-        for (const EndIndex other : at == cells_.end() ? std::vector<EndIndex>{} : at->second) {
+        if (at == cells_.end()) {
+          continue;
+        }
+        for (const EndIndex other : at->second) {
           if (other != end && (places_[other] - places_[end]).norm() <= tolerance_) {
             found.push_back(other);
           }

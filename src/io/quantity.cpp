@@ -57,7 +57,8 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"
                                                                     {"⁻", "^-1"}};
 
 // Names of units used elsewhere, and how to write them here.
-constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {{"Hz", "rev/s"}, {"rps", "rev/s"}};
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
+    {"Hz", "rev/s"}, {"rps", "rev/s"}, {"U", "rev, or rpm for U/min"}, {"lbs", "lb"}};
 
 // Advice for two units written together, such as "Nm"; empty if the name is not of that form.
 std::string with_space(std::string_view name) {

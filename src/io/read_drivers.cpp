@@ -184,6 +184,11 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
         {root.mark(), fmt::format("driver is missing: add a table {}, the joint that is driven",
                                   "[driver] with joint = \"...\"")});
   }
+  const auto* tables = several ? std::get_if<Table>(&several->value->content) : nullptr;
+  if (tables != nullptr && find(*tables, "joint") != nullptr) {
+    report(reading, *several, "a single driver has the heading [driver], several have [drivers.NAME] each");
+    return;
+  }
   if (auto table = as_reader(reading, one, "a table")) {
     read_driver(*table, "", profile, joint_type_known, laws);
   }

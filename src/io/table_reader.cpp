@@ -1,6 +1,7 @@
 #include "table_reader.hpp"
 
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "names.hpp"
 
 #include <algorithm>
@@ -19,10 +20,13 @@ constexpr std::array<std::string_view, 8> kDriverKeys = {"start",    "end",     
                                                          "velocity", "acceleration", "duration", "time_step"};
 
 constexpr std::int64_t kMostCounted = 1'000'000'000;
+// Those for which no other key is meant, however near it is.
+constexpr std::array<std::string_view, 4> kOnlyTopLevel = {"format", "title", "description", "gravity"};
+
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
 bool is_top_level(std::string_view key) {
-  return std::find(kTopLevelKeys.begin(), kTopLevelKeys.end(), key) != kTopLevelKeys.end();
+  return higherpair::contains(kTopLevelKeys, key);
 }
 
 }  // namespace
@@ -101,11 +105,8 @@ bool TableReader::has(std::string_view key) const {
 }
 
 void TableReader::finish() const {
-  const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
   for (const Entry& entry : *table_) {
-    if (!has(known_, entry.key) && !has(refused_, entry.key)) {
+    if (!higherpair::contains(known_, entry.key) && !higherpair::contains(refused_, entry.key)) {
       report_unknown(entry);
     }
   }
@@ -116,7 +117,8 @@ void TableReader::report_unknown(const Entry& entry) const {
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
   std::string own = is_table ? "" : did_you_mean(entry.key, known_);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
-  const bool move_up = !path_.empty() && is_top_level(entry.key) && own.empty();
+  const bool move_up = !path_.empty() && (higherpair::contains(kOnlyTopLevel, entry.key) ||
+                                          (is_top_level(entry.key) && own.empty()));
   const bool is_of_driver = path_.empty() && own.empty() &&
                             std::find(kDriverKeys.begin(), kDriverKeys.end(), entry.key) != kDriverKeys.end();
   const std::string remedy =

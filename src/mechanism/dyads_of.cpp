@@ -105,6 +105,7 @@ std::optional<GroupKind> rrr_dyad_of(const Mechanism& mechanism, const OuterJoin
   dyad.B = known_end(mechanism, on_b, b);
   dyad.link_a = a;
   dyad.link_b = b;
+  dyad.pin_C = joints.inner;
   dyad.a_pA = point_of(mechanism, end_on(on_a, a));
   dyad.a_pC = point_of(mechanism, end_on(inner, a));
   dyad.b_pB = point_of(mechanism, end_on(on_b, b));

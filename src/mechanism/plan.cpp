@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "recognise.hpp"
 #include "structure.hpp"
 
@@ -192,10 +193,17 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   return plan;
 }
 
+std::vector<int> idle_bodies_of(const Plan& plan, const Group& group) {
+  std::vector<int> idle;
+  std::copy_if(plan.idle_bodies.begin(), plan.idle_bodies.end(), std::back_inserter(idle),
+               [&](int body) { return contains(group.bodies, body); });
+  return idle;
+}
+
 std::optional<std::size_t> group_with_contact(const Plan& plan, int contact) {
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     const std::vector<int>& contacts = plan.groups[g].contacts;
-    if (std::find(contacts.begin(), contacts.end(), contact) != contacts.end()) {
+    if (contains(contacts, contact)) {
       return g;
     }
   }

@@ -7,6 +7,7 @@
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/product.hpp"
 
 #include <algorithm>
@@ -35,10 +36,6 @@ int root(std::vector<int>& parent, int i) {
     i = parent[i];
   }
   return i;
-}
-
-bool contains(const std::vector<int>& list, int item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
 }
 
 bool is_same_pin_twice(const std::vector<Pin>& pins, const Redundancy& set) {

@@ -1,6 +1,7 @@
 #include "structure.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "redundancy.hpp"
 #include "structural_conditions.hpp"
 
@@ -101,7 +102,7 @@ std::vector<LooseBody> loose_bodies(const std::vector<int>& matched, std::size_t
 }
 
 bool contains_unmatched(const std::vector<int>& matched) {
-  return std::find(matched.begin(), matched.end(), kUnmatched) != matched.end();
+  return contains(matched, kUnmatched);
 }
 
 // Removes the coordinates of conditions that others imply, so that these determine nothing.
@@ -114,7 +115,7 @@ void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& condi
   }
   const std::vector<int> repeated = repeated_rows(mechanism, order);
   for (Condition& condition : conditions) {
-    if (std::find(repeated.begin(), repeated.end(), condition.row) != repeated.end()) {
+    if (contains(repeated, condition.row)) {
       condition.variables.clear();
     }
   }

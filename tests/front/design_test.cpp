@@ -272,6 +272,13 @@ TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(message_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"max\"\n"
                                       "[[design.constraints]]\ntransmission = \"O\"\nabove = 20\n"),
               HasSubstr("design.constraints.0.transmission = \"O\": this pin does not join two links"));
+  for (const std::string pin : {"A", "rocker_pivot"}) {  // of the crank, and of the rocker and the ground
+    const auto other =
+        design(shipped_model("design_arch_path", {"design.constraints.0.transmission=" + pin}));
+    ASSERT_FALSE(other) << pin;
+    EXPECT_THAT(to_string(other.error()),
+                HasSubstr("this pin does not join two links whose other ends are pins of known bodies"));
+  }
   const auto built = design(Model::from(shipped_model("four_bar").mechanism()).value());
   ASSERT_FALSE(built);
   EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));

@@ -84,6 +84,19 @@ TEST(ToleranceBands, SayWhichToleranceToTightenAndHowFar) {
   EXPECT_TRUE(with("tolerances.results.top.within=0.2").worst_kept);
 }
 
+// A normal number with one σ in its zone scatters over three: the worst case is none then.
+TEST(ToleranceBands, OfNormalNumbersThatLeaveTheirZonesAreWiderThanTheWorstCase) {
+  const ToleranceBand band = bands_of(model_of(kCam + std::string(kLinear),
+                                               {"tolerances.radius.sigmas=1", "tolerances.throw.plus=1e-9",
+                                                "tolerances.throw.minus=1e-9"}))
+                                 .bands.at(0);
+  EXPECT_NEAR(band.high - band.center, 0.09, 1e-8);
+  EXPECT_NEAR(band.center - band.low, 0.09, 1e-8);
+  EXPECT_NEAR(band.worst_high - band.center, 0.03, 1e-8);
+  EXPECT_TRUE(band.worst_kept);
+  EXPECT_FALSE(band.kept);
+}
+
 // Both kinds of correlation between the numbers of one result, and their effect.
 TEST(ToleranceBands, OfCorrelatedNumbersHaveTheirCovariance) {
   const auto with = [](double coefficient) {

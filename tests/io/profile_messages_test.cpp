@@ -247,6 +247,16 @@ TEST(ProfileMessages, KeysOfTheTopLevelAreToBeMovedUp) {
       ElementsAre(
           "test.toml:13:9: bodies.title = \"x\": it belongs to the top level: move it above the first "
           "[table]"));
+  // Not `units.time`, though that is near.
+  EXPECT_THAT(messages(crank_profile("", "[units]\ntitle = \"x\"\n")),
+              Contains(HasSubstr("units.title: unknown key; it belongs to the top level")));
+}
+
+TEST(ProfileMessages, TheKeysOfASingleDriverHaveAHeadingOfTheirOwn) {
+  std::string text = crank_profile("", "");
+  text.replace(text.find("[driver]"), 8, "[drivers]");
+  EXPECT_THAT(messages(text),
+              ElementsAre(HasSubstr("a single driver has the heading [driver]")));
 }
 
 TEST(ProfileMessages, AWrongKindSaysWhatIsExpectedAndWhatIsFound) {

@@ -113,6 +113,8 @@ TEST(Quantity, WithoutAUnitIsRefused) {
 }
 
 TEST(Quantity, MistakesOfSpellingAreNamed) {
+  EXPECT_THAT(error("3 lbs", dimension::kMass), HasSubstr("lbs is no unit: write lb"));
+  EXPECT_THAT(error("300 U/min", dimension::kAngularVelocity), HasSubstr("U is no unit: write rev, or rpm"));
   EXPECT_THAT(error("3 mn", dimension::kLength), HasSubstr("mn is no unit (did you mean `m`"));
   EXPECT_THAT(error("3 m/s/s", dimension::kAcceleration), HasSubstr("more than one `/`"));
   EXPECT_THAT(error("3 m^", dimension::kLength), HasSubstr("no integer from -9 to 9"));

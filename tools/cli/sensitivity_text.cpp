@@ -223,9 +223,9 @@ private:
   void write_wanted(const ToleranceBand& band) {
     const auto& tolerances = findings_.task->tolerances;
     std::string text = fmt::format("wanted within +-{}: {}", figure(*band.within),
-                                   band.worst_kept ? "kept, even by the worst case"
-                                   : band.kept     ? "kept, but not by the worst case"
-                                                   : "EXCEEDED");
+                                   !band.kept        ? "EXCEEDED"
+                                   : band.worst_kept ? "kept, even by the worst case"
+                                                     : "kept, but not by the worst case");
     if (!band.kept) {
       const Tolerance& widest = tolerances[band.order.front()];
       const std::string unit = widest.unit == "1" ? "" : fmt::format(" {}", widest.unit);

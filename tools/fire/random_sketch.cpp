@@ -630,7 +630,7 @@ std::vector<SketchKind> all_kinds() {
 }
 
 std::string_view name_of(SketchKind kind) {
-  return kKindNames[kind].name;
+  return kKindNames[static_cast<std::size_t>(kind)].name;
 }
 
 std::optional<SketchKind> kind_named(std::string_view name) {

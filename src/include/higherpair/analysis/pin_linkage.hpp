@@ -41,7 +41,7 @@ public:
   [[nodiscard]] std::size_t known_gaps() const { return known_; }
   /// closure_gap of a dyad [m]. \pre dyad < known_gaps()
   [[nodiscard]] double gap(std::size_t dyad) const { return dyads_[dyad].gap; }
-  /// The dyad that contains this joint.
+  /// The dyad whose two links this joint connects.
   [[nodiscard]] std::optional<std::size_t> dyad_at(int joint) const;
   /// transmission_sine of a dyad that has been placed.
   [[nodiscard]] double transmission(std::size_t dyad) const;
@@ -70,7 +70,7 @@ private:
   };
   struct Dyad {
     int link_a = 0, link_b = 0;
-    std::vector<int> joints;
+    int pin_C = -1;  // the joint of the two links
     End A, a_A, a_C, b_C, b_B, B;
     Vector2d along_a = Vector2d::Zero(), along_b = along_a;  // from A (B) to C, in the link
     double a = 0, b = 0;                                     // their lengths

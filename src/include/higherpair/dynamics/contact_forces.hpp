@@ -24,6 +24,10 @@ struct DriverPath {
     motion(place, drivers);
     return drivers;
   }
+
+  /// The place between two places at which the drivers have covered a share of their straight path from one
+  /// to the other, as RunEvent::share.
+  [[nodiscard]] double place_of(double share, double from, double to) const;
 };
 
 /// The straight path between two positions of the drivers, with velocities and accelerations interpolated

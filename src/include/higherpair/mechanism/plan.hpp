@@ -54,6 +54,7 @@ struct DrivenBody {
 struct RrrDyad {
   BodyPoint A, B;
   int link_a = 0, link_b = 0;
+  int pin_C = -1;  ///< the joint of the two links; -1: it is none of the mechanism's
   Vector2d a_pA = Vector2d::Zero(), a_pC = Vector2d::Zero();  ///< pins of link a, in its frame [m]
   Vector2d b_pB = Vector2d::Zero(), b_pC = Vector2d::Zero();  ///< pins of link b
   double length_a = 0, length_b = 0;                          ///< [m], > 0
@@ -165,6 +166,9 @@ struct Plan {
   bool couples = false;  ///< some of the groups are CoupledBodies
   double size = 1;       ///< size_of the mechanism [m]
 };
+
+/// Those bodies of a group whose rotation is not determined.
+[[nodiscard]] std::vector<int> idle_bodies_of(const Plan& plan, const Group& group);
 
 /// Index of the group that has a contact; none if no group does.
 [[nodiscard]] std::optional<std::size_t> group_with_contact(const Plan& plan, int contact);
