@@ -101,21 +101,6 @@ std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
   });
 }
 
-namespace {
-
-// A span of constant curvature is an arc; its ends, or the ends and the middle, of another may have the same
-// curvature because it is symmetrical.
-Curve local_curve_at(const Boundary& boundary, const BoundaryPlace& place) {
-  const SpanPoint point = boundary.at(place);
-  const auto same = [&](double share) {
-    const Bounds range = range_of(boundary, place.span);
-    return boundary.at({place.span, range.low + share * range.width()}).kappa == point.kappa;
-  };
-  return local_curve(point, boundary.is_corner(place), point.slope != 0 || (same(0.3) && same(0.4)));
-}
-
-}  // namespace
-
 void set_local_curves(Run& run) {
   for (std::size_t i = 0; run.local && i < run.mechanism().contacts.size(); ++i) {
     const Contact& contact = run.mechanism().contacts[i];
@@ -128,7 +113,10 @@ void set_local_curves(Run& run) {
       const BoundaryPlace& place = run.row.contacts[i].place[side];
       // While the contact is open nothing depends on the curve's shape.
       Body& body = run.local->bodies[ref.body];
-      body.curves[ref.curve].curve = run.row.contacts[i].touches ? local_curve_at(boundary, place) : Curve{};
+      body.curves[ref.curve].curve =
+          run.row.contacts[i].touches
+              ? local_curve(boundary.at(place), boundary.is_corner(place), boundary.is_arc(place.span))
+              : Curve{};
     }
   }
 }

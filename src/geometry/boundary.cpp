@@ -133,6 +133,13 @@ void Boundary::set_outline(std::vector<Polyline> solids) {
     low = low.cwiseMin(sample.point.p_B);
     high = high.cwiseMax(sample.point.p_B);
   }
+  arcs_.assign(spans_.size(), true);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const auto& [place, point] = samples_[i];
+    const bool first = i == 0 || samples_[i - 1].place.span != place.span;
+    const bool same = point.slope == 0 && (first || samples_[i - 1].point.kappa == point.kappa);
+    arcs_[place.span] = arcs_[place.span] && same;
+  }
   outline_ = std::make_shared<const Outline>(samples_, std::move(solids));
   size_ = (high - low).norm() / 2;
   middle_B_ = (low + high) / 2;

@@ -133,6 +133,8 @@ public:
   [[nodiscard]] std::optional<CurvatureRates> curvature_rates(const BoundaryPlace& place) const {
     return spans_[static_cast<std::size_t>(place.span)]->curvature_rates(place.t);
   }
+  /// Whether a span has the same curvature in all its samples.
+  [[nodiscard]] bool is_arc(int span) const { return arcs_[static_cast<std::size_t>(span)]; }
   [[nodiscard]] bool is_corner(const BoundaryPlace& place) const {
     return spans_[static_cast<std::size_t>(place.span)]->is_corner();
   }
@@ -163,6 +165,7 @@ private:
   std::vector<SpanPtr> spans_;
   std::vector<SpanJoint> joints_;
   std::vector<int> next_, previous_;
+  std::vector<bool> arcs_;
   std::vector<Sample> samples_;
   std::shared_ptr<const Outline> outline_;
   bool closed_ = false;
