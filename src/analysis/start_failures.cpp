@@ -26,8 +26,8 @@ std::string why_no_contact(FindStatus status, const Contact& contact) {
   }
   return name +
          (contact.approach == Approach::kNearest
-              ? "the two bodies do not touch, or only where they overlap as well, wherever the follower "
-                "stands at the first driver position; change driver.start or the pose of the follower"
+              ? "the two bodies do not touch, or only where they overlap as well, whatever the follower's "
+                "position, at the first driver position; change driver.start or the pose of the follower"
               : "the two bodies do not touch at the first driver position, however far the follower is "
                 "moved that way from its pose; change its approach or pose, or driver.start");
 }

@@ -274,11 +274,11 @@ std::string_view describe(ContactsStatus status) {
     case ContactsStatus::kComplete:
       return "every contact is listed";
     case ContactsStatus::kTouchesEverywhere:
-      return "the curves touch wherever the follower stands: its joint does not change their distance";
+      return "the curves touch whatever the follower's position: its joint does not change their distance";
     case ContactsStatus::kTouchesNowhere:
       return "the curves never touch: the follower's joint does not change their distance";
     case ContactsStatus::kTangentAtInfinity:
-      return "the hyperbolas share an asymptote wherever the follower stands";
+      return "the hyperbolas share an asymptote whatever the follower's position";
     case ContactsStatus::kUndecided:
       return "there are places at which it is not decided whether the curves touch";
     case ContactsStatus::kNoPair:

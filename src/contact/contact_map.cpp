@@ -172,7 +172,7 @@ std::string_view describe(MapStatus status) {
     case MapStatus::kLimitEverywhere:
       break;
   }
-  return "the follower stands at a limit position wherever the driver stands";
+  return "the follower is at a limit position whatever the driver's position";
 }
 
 }  // namespace higherpair

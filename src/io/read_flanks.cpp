@@ -118,7 +118,7 @@ private:
       report(
           reading_, late.contact,
           fmt::format("{} needs one revolute or prismatic joint to ground: a flank is shaped for a cam and a "
-                      "follower that both hang on ground",
+                      "follower that are both jointed to ground",
                       mechanism_.bodies[body].name));
     }
     return joint;

@@ -54,7 +54,7 @@ void read_results_of(TableReader& table, SweepTask& task) {
                          measure->of != MeasureKind::kRms);
         if (result.where && !has_place) {
           entry.refuse("where",
-                       fmt::format("\"{}\" is of all rows and stands at no place", name_of(measure->of)));
+                       fmt::format("\"{}\" is of all rows and has no position", name_of(measure->of)));
         }
         result.measure = measure.value_or(Measure());
         task.results.push_back(std::move(result));

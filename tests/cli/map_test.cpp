@@ -203,7 +203,7 @@ TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
   const MapAnswer answer =
       map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
   EXPECT_EQ(answer.code, 0);
-  EXPECT_THAT(answer.text, HasSubstr("the mechanism stands on no branch"));
+  EXPECT_THAT(answer.text, HasSubstr("the mechanism is on no branch"));
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text,
             "");
 }

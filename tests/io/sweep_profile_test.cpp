@@ -230,7 +230,7 @@ TEST(SweepProfiles, SayWhatIsWrongWithResults) {
   EXPECT_THAT(message({"sweep.results.peak.colum=3"}), HasSubstr("unknown key; did you mean `column`?"));
   EXPECT_THAT(message({"sweep.results.other={ of = \"max\" }"}), HasSubstr("other.column is missing"));
   EXPECT_THAT(message({"sweep.results.other={ column = \"driver\", of = \"rms\", where = true }"}),
-              HasSubstr("\"rms\" is of all rows and stands at no place"));
+              HasSubstr("\"rms\" is of all rows and has no position"));
   EXPECT_THAT(message({"sweep.results.r={ column = \"driver\", of = \"max\" }"}),
               HasSubstr("there is another column `r` in the table"));
   EXPECT_THAT(message({"sweep.results.status={ column = \"driver\", of = \"max\" }"}),

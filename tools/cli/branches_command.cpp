@@ -13,13 +13,10 @@
 namespace higherpair::cli {
 namespace {
 
-struct BranchesOptions {
-  std::string profile;
+struct BranchesOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
-  std::vector<std::string> overrides;
   BranchesSettings settings;
-  bool quiet = false;
 };
 
 int write_all(const BranchesOptions& options, const BranchesReport& report) {
@@ -49,8 +46,7 @@ int branches_command(const BranchesOptions& options) {
                "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
     return kExitInput;
   }
-  const auto report = open_model(options.profile, options.overrides, options.quiet,
-                                 given({{"--csv", options.csv}, {"--json", options.json}}))
+  const auto report = open_model(options, given({{"--csv", options.csv}, {"--json", options.json}}))
                           .and_then([&](const Model& model) { return branches_of(model, options.settings); });
   return report ? write_all(options, *report) : report_error(report.error());
 }
@@ -61,14 +57,12 @@ Command add_branches(CLI::App& app) {
   const auto options = std::make_shared<BranchesOptions>();
   CLI::App* command = app.add_subcommand(
       "branches", "every contact of the two curves at the first driver position, free or not");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the list", options->csv}, {"the list", options->json});
   add_unused_samples(*command, "the first driver position counts");
-  add_set_option(*command, options->overrides);
   command
       ->add_option("--tolerance", options->settings.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
-  command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");
   command->add_flag("--certify", options->settings.certify, "decide every contact in exact arithmetic");
   return {command, [options] { return branches_command(*options); }};
 }

@@ -12,13 +12,10 @@
 namespace higherpair::cli {
 namespace {
 
-struct CheckOptions {
-  std::string profile;
+struct CheckOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
-  std::vector<std::string> overrides;
   CheckSettings settings;
-  bool quiet = false;
 };
 
 // Events for which a path is not good.
@@ -49,8 +46,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
 
 // Runs `check`; returns the exit code: 4 if a limit is exceeded or the path is not good.
 int check_command(const CheckOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet,
-                                given({{"--csv", options.csv}, {"--json", options.json}}));
+  const auto model = open_model(options, given({{"--csv", options.csv}, {"--json", options.json}}));
   if (!model) {
     return report_error(model.error());
   }
@@ -67,14 +63,12 @@ Command add_check(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "check",
       "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the figures, one to a row,", options->csv},
                      {"the figures", options->json});
-  add_set_option(*command, options->overrides);
   add_tolerance_option(*command, options->settings.tolerance);
   add_unused_samples(*command, "the whole path counts");
   command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
-  command->add_flag("--quiet", options->quiet, "no events and notes on standard error");
   return {command, [options] { return check_command(*options); }};
 }
 

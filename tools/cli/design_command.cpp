@@ -137,7 +137,7 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
 // all the same. If the output is a regular file, finished searches are kept in OUTPUT.searches until it is
 // written.
 int design_command(const DesignCommandOptions& options) {
-  const auto model = open_model(options.profile, {}, options.quiet, outputs_of(options));
+  const auto model = open_model({options.profile, {}, options.quiet}, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }

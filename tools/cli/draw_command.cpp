@@ -17,16 +17,13 @@
 namespace higherpair::cli {
 namespace {
 
-struct DrawOptions {
-  std::string profile;
+struct DrawOptions : ProfileOptions {
   std::string output;
-  std::vector<std::string> overrides;
   bool strip = false;
   std::vector<std::string> layers;
   bool linkage = false;
   std::optional<double> width;
   SceneSettings settings;
-  bool quiet = false;
 };
 
 // Layers of the equivalent linkage alone, with the parts that it is attached to.
@@ -71,8 +68,7 @@ int draw_command(const DrawOptions& options) {
   if (!layers) {
     return report_error(layers.error());
   }
-  const auto model =
-      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
+  const auto model = open_model(options, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
@@ -104,9 +100,8 @@ Command add_draw(CLI::App& app) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_picture_option(*command, options->profile, options->output);
-  add_set_option(*command, options->overrides);
   auto* at = command->add_option("--at", options->settings.at, "position of the driver; otherwise the first")
                  ->check(finite_number());
   auto* every = command
@@ -129,7 +124,6 @@ Command add_draw(CLI::App& app) {
       ->add_option("--width", options->width, "width in px; otherwise 900, or less where the picture is high")
       ->check(CLI::Range(50.0, 10'000.0));
   add_tolerance_option(*command, options->settings.tolerance);
-  command->add_flag("--quiet", options->quiet, "no notes on standard error");
   return {command, [options] { return draw_command(*options); }};
 }
 

@@ -15,10 +15,8 @@
 namespace higherpair::cli {
 namespace {
 
-struct ExportOptions {
-  std::string profile;
+struct ExportOptions : ProfileOptions {
   std::string output;
-  std::vector<std::string> overrides;
   std::vector<std::string> curves;
   std::string body;
   bool pitch = false;
@@ -28,7 +26,6 @@ struct ExportOptions {
   std::optional<std::string> tolerance;
   std::optional<int> points;
   std::optional<std::string> units;
-  bool quiet = false;
 };
 
 namespace fs = std::filesystem;
@@ -150,8 +147,7 @@ Result<std::string> flank_text(const Model& model, const std::vector<ExportedCur
 
 // Writes curves of a profile as CSV, DXF or SVG; returns the exit code.
 int export_command(const ExportOptions& options) {
-  const auto model =
-      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
+  const auto model = open_model(options, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
@@ -174,7 +170,7 @@ Command add_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
       app.add_subcommand("export", "curves of a profile, or paths of cutters along them, as CSV, DXF or SVG");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   command
       ->add_option("-o,--output", options->output,
                    "a file that ends in .csv, .dxf or .svg (-: CSV on standard output)")
@@ -198,8 +194,6 @@ Command add_export(CLI::App& app) {
   command->add_option("--reach", options->reach,
                       "how far curves without ends are followed from their vertex");
   command->add_option("--units", options->units, "unit of length of the file (default: the profile's)");
-  add_set_option(*command, options->overrides);
-  command->add_flag("--quiet", options->quiet, "no notes on standard error");
   command->final_callback([options] { check_options(*options); });
   return {command, [options] { return export_command(*options); }};
 }

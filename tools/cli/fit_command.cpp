@@ -120,7 +120,7 @@ int fit_command(const FitCommandOptions& options) {
   if (options.curve) {
     return fit_points(options);
   }
-  const auto model = open_model(options.input, {}, options.quiet, outputs_of(options));
+  const auto model = open_model({options.input, {}, options.quiet}, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }

@@ -16,14 +16,11 @@
 namespace higherpair::cli {
 namespace {
 
-struct MapOptions {
-  std::string profile;
+struct MapOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::optional<std::string> output;  ///< path of the picture
-  std::vector<std::string> overrides;
   MapSettings settings;
-  bool quiet = false;
 };
 
 bool write_all(const MapOptions& options, const MapReport& report) {
@@ -42,7 +39,7 @@ void print_remarks(const MapOptions& options, const MapReport& report) {
     return;
   }
   if (!report.not_started.empty()) {
-    fmt::print(stderr, "{}: the mechanism stands on no branch: {}\n", options.profile, report.not_started);
+    fmt::print(stderr, "{}: the mechanism is on no branch: {}\n", options.profile, report.not_started);
   }
   const bool text = !options.csv && !options.json;
   for (const ContactMapReport& contact : report.contacts) {
@@ -59,9 +56,8 @@ void print_remarks(const MapOptions& options, const MapReport& report) {
 // Maps all contacts of every pair over its driver's turn; returns the exit code: 3 if no contact has a map,
 // 4 if one is incomplete.
 int map_command(const MapOptions& options) {
-  const auto model =
-      open_model(options.profile, options.overrides, options.quiet,
-                 given({{"--csv", options.csv}, {"--json", options.json}, {"--output", options.output}}));
+  const auto model = open_model(
+      options, given({{"--csv", options.csv}, {"--json", options.json}, {"--output", options.output}}));
   if (!model) {
     return report_error(model.error());
   }
@@ -90,12 +86,11 @@ Command add_map(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "map",
       "every contact of the two curves over the driver's turn: branches, and where they begin and end");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the branches", options->csv}, {"the map", options->json},
                      &options->output);
   command->add_option("-o,--output", options->output,
                       "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
-  add_set_option(*command, options->overrides);
   command
       ->add_option("--samples", options->settings.samples,
                    "number of rows over the range, both ends included")
@@ -104,7 +99,6 @@ Command add_map(CLI::App& app) {
       ->add_option("--tolerance", options->settings.tolerance,
                    "largest overlap of a contact that counts as free, relative to the size")
       ->check(positive_number());
-  command->add_flag("--quiet", options->quiet, "no notes and remarks on standard error");
   return {command, [options] { return map_command(*options); }};
 }
 

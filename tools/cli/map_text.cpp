@@ -83,7 +83,7 @@ std::string marks_text(const ContactMapReport& contact) {
     }
     for (const MapRow& row : branch.extremes) {
       text +=
-          fmt::format("branch {}: the follower turns back at {} {}, standing at {} {}\n", i + 1,
+          fmt::format("branch {}: the follower turns back at {} {}, where it is at {} {}\n", i + 1,
                       rounded(row.driver), contact.driver_unit, rounded(row.position), contact.position_unit);
     }
   }

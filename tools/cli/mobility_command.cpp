@@ -13,13 +13,10 @@
 namespace higherpair::cli {
 namespace {
 
-struct MobilityOptions {
-  std::string profile;
+struct MobilityOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
-  std::vector<std::string> overrides;
   double tolerance = 1e-9;
-  bool quiet = false;
 };
 
 int write(const MobilityOptions& options, const MobilityFindings& findings) {
@@ -32,8 +29,7 @@ int write(const MobilityOptions& options, const MobilityFindings& findings) {
 // the findings obtained are printed all the same.
 int mobility_command(const MobilityOptions& options) {
   const auto findings =
-      open_model(options.profile, options.overrides, options.quiet,
-                 given({{"--csv", options.csv}, {"--json", options.json}}))
+      open_model(options, given({{"--csv", options.csv}, {"--json", options.json}}))
           .and_then([&](const Model& model) { return mobility_of(model, options.tolerance); });
   if (!findings) {
     return report_error(findings.error());
@@ -54,14 +50,12 @@ Command add_mobility(CLI::App& app) {
   CLI::App* command = app.add_subcommand("mobility",
                                          "degree of freedom by count and by rank, idle freedoms, order of "
                                          "solution, Grashof class of every four-bar");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the findings, one to a row,", options->csv},
                      {"the findings", options->json});
-  add_set_option(*command, options->overrides);
   command->add_option("--tolerance", options->tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
   add_unused_samples(*command, "the first driver position counts");
-  command->add_flag("--quiet", options->quiet, "no notes and no messages about drivers on standard error");
   return {command, [options] { return mobility_command(*options); }};
 }
 

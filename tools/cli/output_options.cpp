@@ -111,9 +111,12 @@ void add_output_options(CLI::App& command, const std::string& profile, const Out
   });
 }
 
-void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
-  command.add_option("--set", overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
+void add_profile_options(CLI::App& command, ProfileOptions& options) {
+  command.add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  command
+      .add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);
+  command.add_flag("--quiet", options.quiet, "no events, notes and progress on standard error");
 }
 
 void add_tolerance_option(CLI::App& command, double& tolerance) {

@@ -59,8 +59,15 @@ struct OptionalFile {
 /// it.
 void refuse_missing_folder(const NamedFile& output);
 
-/// Adds --set: keys of the profile that are overridden or added.
-void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
+/// What the commands that analyse a profile have in common.
+struct ProfileOptions {
+  std::string profile;
+  std::vector<std::string> overrides;  ///< PATH=VALUE
+  bool quiet = false;
+};
+
+/// Adds FILE, --set and --quiet.
+void add_profile_options(CLI::App& command, ProfileOptions& options);
 
 /// Adds --tolerance: the largest closure error of a row that is ok.
 void add_tolerance_option(CLI::App& command, double& tolerance);

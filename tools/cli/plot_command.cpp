@@ -11,19 +11,15 @@
 namespace higherpair::cli {
 namespace {
 
-struct PlotOptions {
-  std::string profile;
+struct PlotOptions : ProfileOptions {
   std::string output;
-  std::vector<std::string> overrides;
   double width = 720;
   PlotSettings settings;
-  bool quiet = false;
 };
 
 // Plots columns of a run; returns the exit code: 4 if its path is not good.
 int plot_command(const PlotOptions& options) {
-  const auto model =
-      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
+  const auto model = open_model(options, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
@@ -48,7 +44,7 @@ Command add_plot(CLI::App& app) {
   const auto options = std::make_shared<PlotOptions>();
   options->settings.run.stop = &interruption();
   CLI::App* command = app.add_subcommand("plot", "columns of the table as a picture");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_picture_option(*command, options->profile, options->output);
   command
       ->add_option("--y", options->settings.y,
@@ -58,12 +54,10 @@ Command add_plot(CLI::App& app) {
       ->required();
   command->add_option("--x", options->settings.x, "COLUMN: what it is plotted against (default: driver)");
   command->add_flag("--time", options->settings.run.in_time, "the motion in time, as step has it");
-  add_set_option(*command, options->overrides);
   command->add_option("--samples", options->settings.run.samples, "number of rows");
   add_tolerance_option(*command, options->settings.run.tolerance);
   command->add_option("--width", options->width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));
-  command->add_flag("--quiet", options->quiet, "no notes on standard error");
   return {command, [options] { return plot_command(*options); }};
 }
 

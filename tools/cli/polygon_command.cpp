@@ -13,20 +13,16 @@
 namespace higherpair::cli {
 namespace {
 
-struct PolygonOptions {
-  std::string profile;
+struct PolygonOptions : ProfileOptions {
   std::string output;
-  std::vector<std::string> overrides;
   double width = 860;
   PolygonSettings settings;
-  bool quiet = false;
 };
 
 // Draws the polygons of one position; returns the exit code: 4 if that cannot be reached and they are drawn
 // at the limit before it.
 int polygon_command(const PolygonOptions& options) {
-  const auto model =
-      open_model(options.profile, options.overrides, options.quiet, {{"--output", options.output}});
+  const auto model = open_model(options, {{"--output", options.output}});
   if (!model) {
     return report_error(model.error());
   }
@@ -58,17 +54,15 @@ Command add_polygon(CLI::App& app) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_picture_option(*command, options->profile, options->output);
   command->add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
       ->required()
       ->check(finite_number());
   command->add_flag("--forces", options->settings.forces, "also the force polygon of every body");
-  add_set_option(*command, options->overrides);
   add_tolerance_option(*command, options->settings.tolerance);
   command->add_option("--width", options->width, "width of the picture in px (default: 860)")
       ->check(CLI::Range(500.0, 10'000.0));
-  command->add_flag("--quiet", options->quiet, "no notes on standard error");
   return {command, [options] { return polygon_command(*options); }};
 }
 

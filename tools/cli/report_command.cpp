@@ -15,12 +15,9 @@
 namespace higherpair::cli {
 namespace {
 
-struct ReportOptions {
-  std::string profile;
+struct ReportOptions : ProfileOptions {
   std::string output;
-  std::vector<std::string> overrides;
   ReportSettings settings;
-  bool quiet = false;
 };
 
 namespace fs = std::filesystem;
@@ -53,7 +50,7 @@ ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
 
 // Runs `report`; returns the exit code.
 int report_command(const ReportOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet, {{"-o", options.output}});
+  const auto model = open_model(options, {{"-o", options.output}});
   if (!model) {
     return report_error(model.error());
   }
@@ -89,13 +86,11 @@ Command add_report(CLI::App& app) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
-  add_set_option(*command, options->overrides);
   command->add_option("--samples", options->settings.samples, "number of rows");
   add_tolerance_option(*command, options->settings.tolerance);
   command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
-  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
   command->final_callback([options] { check_output(*options); });
   return {command, [options] { return report_command(*options); }};
 }

@@ -250,9 +250,8 @@ void print_notes(const Diagnostics& notes, bool quiet) {
   }
 }
 
-Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides, bool quiet,
-                         const std::vector<NamedFile>& outputs) {
-  auto model = Model::open(path, overrides);
+Result<Model> open_model(const ProfileOptions& options, const std::vector<NamedFile>& outputs, bool quiet) {
+  auto model = Model::open(options.profile, options.overrides);
   if (!model) {
     return model;
   }
@@ -266,11 +265,10 @@ Result<Model> open_model(const std::string& path, const std::vector<std::string>
 }
 
 int run_command(const RunOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet,
-                                given({{"--csv", options.csv},
-                                       {"--json", options.json},
-                                       {"--hdf5", options.hdf5},
-                                       {"--events", options.events}}));
+  const auto model = open_model(options, given({{"--csv", options.csv},
+                                                {"--json", options.json},
+                                                {"--hdf5", options.hdf5},
+                                                {"--events", options.events}}));
   if (!model) {
     return report_error(model.error());
   }

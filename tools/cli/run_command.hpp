@@ -18,16 +18,13 @@ inline constexpr int kExitMechanism = 3;
 inline constexpr int kExitRows = 4;
 inline constexpr int kExitInterrupted = 130;
 
-struct RunOptions {
-  std::string profile;
+struct RunOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
   std::optional<std::string> hdf5;
   std::optional<std::string> events;  ///< file of the events, as CSV
-  std::vector<std::string> overrides;
   RunSettings settings;
   int threads = 0;  ///< 0: as many as there are cores
-  bool quiet = false;
   bool summary = false;
 };
 
@@ -39,8 +36,12 @@ void print_notes(const Diagnostics& notes, bool quiet);
 
 /// Opens the model of a profile file; prints its notes unless `quiet`.
 /// \param outputs  files to be written; refused if the profile reads one of them
-[[nodiscard]] Result<Model> open_model(const std::string& path, const std::vector<std::string>& overrides,
-                                       bool quiet, const std::vector<NamedFile>& outputs);
+[[nodiscard]] Result<Model> open_model(const ProfileOptions& options, const std::vector<NamedFile>& outputs,
+                                       bool quiet);
+[[nodiscard]] inline Result<Model> open_model(const ProfileOptions& options,
+                                              const std::vector<NamedFile>& outputs) {
+  return open_model(options, outputs, options.quiet);
+}
 
 /// Prints the events of a path on standard error.
 void print_events(const std::vector<Event>& events, const Model& model);

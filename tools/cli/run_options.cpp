@@ -14,17 +14,15 @@ Command add_run(CLI::App& app, const std::string& name, const std::string& text,
                 const std::shared_ptr<RunOptions>& options) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(name, text);
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the table", options->csv},
                      {"the table and the events", options->json}, nullptr, &options->events, &options->hdf5);
   command->add_option("--hdf5", options->hdf5, "write the table and the events as HDF5 to this file");
   command->add_option("--events", options->events,
                       "write the events as CSV to this file (-: standard output)");
-  add_set_option(*command, options->overrides);
   command->add_option("--samples", options->settings.samples, "number of rows");
   add_tolerance_option(*command, options->settings.tolerance);
   add_threads_option(*command, options->threads);
-  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
   command->add_flag("--jerk", options->settings.jerk,
                     "columns of the true jerk, and of that of the frozen equivalent linkage");
   command

@@ -15,19 +15,16 @@
 namespace higherpair::cli {
 namespace {
 
-struct SensitivityOptions {
-  std::string profile;
+struct SensitivityOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;
-  std::optional<std::string> rows;  ///< file for the derivatives of columns, row by row
-  std::vector<std::string> overrides;
+  std::optional<std::string> rows;   ///< file for the derivatives of columns, row by row
   std::vector<std::string> results;  ///< COLUMN:OF
   std::vector<std::string> columns;  ///< of `rows`; empty: those of the results
   std::optional<std::int64_t> variants;
   std::optional<std::uint64_t> seed;
   std::size_t top = 10;
   SensitivitySettings settings;
-  bool quiet = false;
 };
 
 constexpr std::int64_t kMostVariants = 100'000'000;
@@ -167,7 +164,7 @@ std::optional<int> refuse_variants(const SensitivityOptions& options, const Mode
 
 // Runs `sensitivity`; returns the exit code: 4 if the path is not good, or a band is wider than wanted.
 int sensitivity_command(const SensitivityOptions& options) {
-  const auto model = open_model(options.profile, options.overrides, options.quiet, outputs_of(options));
+  const auto model = open_model(options, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }
@@ -224,7 +221,7 @@ Command add_sensitivity(CLI::App& app) {
       "sensitivity",
       "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
       "tolerance to tighten");
-  command->add_option("FILE", options->profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the derivatives", options->csv},
                      {"the derivatives and bands", options->json});
   command
@@ -254,7 +251,6 @@ Command add_sensitivity(CLI::App& app) {
   command->add_option("--seed", options->seed, "other random variants (default 1)");
   command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  add_set_option(*command, options->overrides);
   command->add_option("--samples", options->settings.samples, "number of rows");
   add_tolerance_option(*command, options->settings.tolerance);
   command
@@ -262,7 +258,6 @@ Command add_sensitivity(CLI::App& app) {
                    "so many at a time; otherwise as many as there are cores")
       ->check(CLI::Range(1, 4096));
   command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
-  command->add_flag("--quiet", options->quiet, "no events, notes and progress on standard error");
   command->final_callback([options] { check_outputs(*options); });
   return {command, [options] { return sensitivity_command(*options); }};
 }

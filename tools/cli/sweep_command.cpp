@@ -161,21 +161,19 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
 }  // namespace
 
 void add_sweep_options(CLI::App& command, SweepOptions& options) {
-  command.add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+  add_profile_options(command, options);
   command.add_option("-o,--output", options.output, "table of the results: .csv or .h5 (-: standard output)");
-  add_set_option(command, options.overrides);
   command.add_option("--samples", options.samples, "number of rows of each variant");
   add_tolerance_option(command, options.tolerance);
   add_threads_option(command, options.threads);
   command.add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");
   command.add_option("--part", options.part, "the Kth of N equal parts of the variants alone")
       ->check(part_option());
-  command.add_flag("--quiet", options.quiet, "no summary, notes and progress");
   command.final_callback([&options] { check_output(options); });
 }
 
 Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const std::atomic<bool>& stop) {
-  auto model = open_model(options.profile, options.overrides, quiet, {{"--output", options.output}});
+  auto model = open_model(options, {{"--output", options.output}}, quiet);
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }

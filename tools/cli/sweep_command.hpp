@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/front/sweep.hpp"
+#include "output_options.hpp"
 #include "run_identity.hpp"
 
 #include <cstdint>
@@ -15,16 +16,13 @@ class App;
 
 namespace higherpair::cli {
 
-struct SweepOptions {
-  std::string profile;
+struct SweepOptions : ProfileOptions {
   std::string output = "-";
-  std::vector<std::string> overrides;
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;
   int threads = 0;  ///< 0: as many as there are cores
   bool resume = false;
   std::string part = "1/1";  ///< K/N
-  bool quiet = false;
 };
 
 /// Adds the arguments of `sweep` to a command or to a program of its own.
