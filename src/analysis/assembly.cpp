@@ -4,9 +4,9 @@
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,7 +28,7 @@ public:
 
   std::optional<StartFailure> run() {
     search(0, 0);
-    if (best_cost_ == kNone) {
+    if (best_cost_ == kInf) {
       return position_.failure();
     }
     run_.at.state = best_;
@@ -43,8 +43,6 @@ public:
   }
 
 private:
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-
   void search(std::size_t g, double cost) {
     if (cost >= best_cost_ || (all_ && !all_->complete)) {
       return;
@@ -74,7 +72,7 @@ private:
     std::sort(candidates.begin(), candidates.end(),
               [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (++tries_ > kMaxTries && best_cost_ != kNone) {
+      if (++tries_ > kMaxTries && best_cost_ != kInf) {
         return;
       }
       if (candidates.size() > 1 || modes.size() > 1) {
@@ -92,7 +90,7 @@ private:
   FirstPosition position_;
   std::optional<Assemblies> all_;  // set if every assembly is wanted
   State best_;
-  double best_cost_ = kNone;
+  double best_cost_ = kInf;
   int tries_ = 0;
 };
 

@@ -2,11 +2,11 @@
 
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace higherpair {
@@ -107,7 +107,7 @@ bool ChainAssembly::find(const ChainStart& start) {
   if (!start.mechanism.contacts.empty()) {
     return assemble_by_run(start);
   }
-  best_cost_ = next_cost_ = std::numeric_limits<double>::infinity();
+  best_cost_ = next_cost_ = kInf;
   try_modes(start, 0, 0);
   if (best_cost_ < next_cost_ * (1 - kAsNear)) {
     return true;

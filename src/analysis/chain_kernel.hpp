@@ -5,8 +5,7 @@
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
 #include "higherpair/mechanism/description.hpp"
-
-#include <limits>
+#include "higherpair/numeric/special_values.hpp"
 
 // The closed forms of a plan's groups for one position (T = double) or for several at once (T = Pack): the
 // same kernels that a Run uses, without branches. Rates are those for a unit velocity of the driver.
@@ -37,7 +36,7 @@ template <class T>
 struct ChainWatch {
   /// The largest of: |cos| of the angle between the links of an RRR dyad, or |sin| of that between link and
   /// line of an RRP dyad, above 1 where it cannot be assembled; -s² of an RPR dyad; -|∂gap/∂q| of a contact.
-  T margin{-std::numeric_limits<double>::infinity()};
+  T margin{-kInf};
   T sum{0};   ///< sum of these: keeps a NaN, which a maximum may lose
   T far2{0};  ///< largest squared distance of the two known points, or of a contact from its pivot
 

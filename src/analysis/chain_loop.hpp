@@ -3,13 +3,13 @@
 #include "chain_angles.hpp"
 #include "chain_rows.hpp"
 #include "chain_statics.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/arctangent.hpp"
 #include "numeric/pack.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -141,7 +141,7 @@ inline void fill(const ChainRowsJob& job) {
   const std::size_t turnings = job.turnings.size();
   Room<T, kPacks * kMostChainBodies> angles(kPacks * turnings);
   Room<Winding, kMostChainBodies> windings(turnings);
-  T shortest(-std::numeric_limits<double>::infinity());
+  T shortest(-kInf);
   std::array<ChainEffort<T>, kPacks> effort{};
   const ChainSchedule& schedule = job.schedule;
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {

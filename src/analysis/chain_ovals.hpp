@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chain_oval_rows.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <array>
@@ -65,7 +66,7 @@ inline void solve_ovals(const OvalContact& contact, const std::array<ChainDriver
     const T least = abs(rates.gap_q);
     const auto sound = (least * least >= T(kLeastOvalSine * kLeastOvalSine) * rates.arm2) &
                        goes_on<T>(numbers, at, contact.touch.freedom.turns, size);
-    watch.note(arrived ? select(sound, -least, T(INFINITY)) : T(INFINITY));
+    watch.note(arrived ? select(sound, -least, T(kInf)) : T(kInf));
     watch.far2 = max(watch.far2, rates.arm2);
   }
   before = numbers.last();

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
 #include "joint_passage.hpp"
 #include "limit_ahead.hpp"
 #include "straight_path.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 // Changes of contacts on a path, apart from their smooth motion: an open contact closes, one that may part
@@ -21,13 +21,13 @@ struct OnPath {
 
   Run& run;
   const Path& path;
-  double scale;                                                     ///< one unit of the path's coordinate
-  double s = 0;                                                     ///< position of run.at.state on the path
-  bool open;                                                        ///< whether a contact is open
-  double parted_at = std::numeric_limits<double>::quiet_NaN();      ///< s of the last contact that parted
-  double taken_over_at = std::numeric_limits<double>::quiet_NaN();  ///< s of the last place that took over
-  double met_at = std::numeric_limits<double>::quiet_NaN();         ///< s of the last meeting elsewhere
-  JointPassage passed;                                              ///< the last one, at s = passed.x
+  double scale;                     ///< one unit of the path's coordinate
+  double s = 0;                     ///< position of run.at.state on the path
+  bool open;                        ///< whether a contact is open
+  double parted_at = kNoValue;      ///< s of the last contact that parted
+  double taken_over_at = kNoValue;  ///< s of the last place that took over
+  double met_at = kNoValue;         ///< s of the last meeting elsewhere
+  JointPassage passed;              ///< the last one, at s = passed.x
 };
 
 /// Moves run.at.state on to run.work.trial, `x` beyond it, and records the events on the way.

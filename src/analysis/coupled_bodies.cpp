@@ -6,6 +6,7 @@
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/lu_solver.hpp"
 #include "series_motion.hpp"
@@ -156,7 +157,7 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;
   predict(group, from, h, to);
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_contacts(model, group, to)) {
       return GroupStatus::kNotConverged;

@@ -3,11 +3,11 @@
 #include "group_kinds.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -140,8 +140,7 @@ double farthest_coupled(const Planned& model, const State& state) {
     if (!traits_of(group).coupled) continue;
     for (const Vector2d& p_W : places_of(model, group, state)) {
       const double distance = (p_W - ground).norm();
-      farthest =
-          std::max(farthest, std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance);
+      farthest = std::max(farthest, std::isnan(distance) ? kInf : distance);
     }
   }
   return farthest;

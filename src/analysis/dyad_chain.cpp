@@ -8,11 +8,11 @@
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -96,7 +96,7 @@ double largest_coordinate(const Mechanism& mechanism, std::span<const ChainGroup
 }
 
 double shortest_link(std::span<const ChainGroup> groups, double size) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = kInf;
   for (const ChainGroup& group : groups) {
     if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
       shortest = std::min({shortest, rrr->length_a, rrr->length_b});

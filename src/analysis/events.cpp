@@ -2,6 +2,7 @@
 
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ public:
 private:
   double velocity_at(const OutputJoint& output, double x) {
     const StateAside aside(run_.work.trial);
-    return solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : NAN;
+    return solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : kNoValue;
   }
 
   std::optional<double> position_at(const OutputJoint& output, double x) {
@@ -153,7 +154,7 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
       continue;
     }
     const auto value = [&](double x) {
-      return solve_at(run, path, s, x) ? conformity(run, i, run.work.trial).value_or(NAN) : NAN;
+      return solve_at(run, path, s, x) ? conformity(run, i, run.work.trial).value_or(kNoValue) : kNoValue;
     };
     const auto x = [&] {
       const StateAside aside(run.work.trial);

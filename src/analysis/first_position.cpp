@@ -7,13 +7,13 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "start_failures.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -41,9 +41,8 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
                        : contact.approach == Approach::kPositive ? sign
                                                                  : -sign;
   std::optional<BoundaryContact> best;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  double least = kFar;
-  for (BoundaryContact& found : find_boundary_contacts(pair, u, {-kFar, kFar})) {
+  double least = kInf;
+  for (BoundaryContact& found : find_boundary_contacts(pair, u, {-kInf, kInf})) {
     if (is_stopped(run)) {
       return std::nullopt;
     }

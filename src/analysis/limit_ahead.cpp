@@ -6,6 +6,7 @@
 #include "higherpair/contact/critical_positions.hpp"
 #include "higherpair/contact/step_length.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "limit_events.hpp"
 #include "reduction.hpp"
 #include "step.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -37,7 +37,7 @@ void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reducti
 // How much of the path is left to where something runs off to infinity, and the largest distance for which
 // that extrapolation is right to within rounding.
 struct Rest {
-  double left = std::numeric_limits<double>::infinity();
+  double left = kInf;
   double most = 0;  // as a fraction of the driver's scale
 };
 
@@ -96,7 +96,7 @@ std::optional<Asymptote> asymptote_near(const Run& run, const State& state, cons
                                         const Vector2d& p_W) {
   const BodyMotion& body = body_in(state, ref.body);
   std::optional<Asymptote> best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInf;
   for (const Opening& opening : openings_of(curve_of(run.mechanism(), ref))) {
     const double off =
         std::abs(cross(opening.direction_B, Vector2d(body.X_WB.inverse_times(p_W) - opening.point_B)));
@@ -154,7 +154,7 @@ double left_until_they_coincide(const Asymptotes& asymptotes) {
 }  // namespace
 
 double LimitAhead::longest_step(double s) const {
-  return limit_ ? kShareToLimit * std::abs(limit_->s - s) : std::numeric_limits<double>::infinity();
+  return limit_ ? kShareToLimit * std::abs(limit_->s - s) : kInf;
 }
 
 bool LimitAhead::is_within(double share, double s) const {
@@ -229,7 +229,7 @@ std::optional<PathLimit> LimitAhead::asymptotes_coincide(std::size_t g, double s
   for (std::size_t group = 0; group <= g; ++group) {
     for (const int contact : run_.plan().groups[group].contacts) {
       const auto asymptotes = asymptotes_of(run_, state, contact);
-      const double left = asymptotes ? left_until_they_coincide(*asymptotes) : INFINITY;
+      const double left = asymptotes ? left_until_they_coincide(*asymptotes) : kInf;
       const double off = std::abs(from + left - s);
       const bool is_there =
           std::isfinite(left) && off <= std::max(kNearLimit * scale_, kShareToLimit * std::abs(left));

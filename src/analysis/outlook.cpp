@@ -1,12 +1,12 @@
 #include "outlook.hpp"
 
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -20,7 +20,7 @@ bool has_hill(const Outlook& a, const Outlook& b) {
 // their height over the ends is allowed for one that is not quite concave. +inf if different conditions fail.
 double highest_between(const Outlook& a, const Outlook& b) {
   if (a.placing.conditions != b.placing.conditions || !std::isfinite(a.slope + b.slope)) {
-    return std::numeric_limits<double>::infinity();
+    return kInf;
   }
   const double w = b.x - a.x;
   const double from_a = a.placing.room + std::max(a.slope * w, 0.0);
@@ -83,13 +83,12 @@ Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing) {
   const double nudge = kALittleAhead * spacing;
   const Placeable here = place_anew(run, line.at(x));
   if (here.complete || !std::isfinite(here.room)) {
-    return {x, here, 0, std::numeric_limits<double>::quiet_NaN()};
+    return {x, here, 0, kNoValue};
   }
   const Placeable ahead = place_anew(run, line.at(x + nudge));
   const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
   const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
-  return {x, here, rises,
-          alike ? (ahead.room - here.room) / nudge : std::numeric_limits<double>::quiet_NaN()};
+  return {x, here, rises, alike ? (ahead.room - here.room) / nudge : kNoValue};
 }
 
 std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {

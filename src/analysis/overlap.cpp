@@ -6,13 +6,13 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "other_place.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -60,13 +60,9 @@ double closing_between(Run& run, const Path& path, const Contact& contact, doubl
   const auto gap_in = [&](const State& state) {
     ContactMotion at;
     at.at.n_W = n_W;
-    return place_contact(run.mechanism(), contact, state.bodies, at)
-               ? at.at.gap()
-               : std::numeric_limits<double>::quiet_NaN();
+    return place_contact(run.mechanism(), contact, state.bodies, at) ? at.at.gap() : kNoValue;
   };
-  const auto gap = [&](double x) {
-    return solve_at(run, path, s, x) ? gap_in(run.work.trial) : std::numeric_limits<double>::quiet_NaN();
-  };
+  const auto gap = [&](double x) { return solve_at(run, path, s, x) ? gap_in(run.work.trial) : kNoValue; };
   // The bodies may touch already at run.at.state, for instance in a row.
   if (std::abs(gap_in(run.at.state)) <= kOverlapDepth * run.plan().size) {
     return 0;

@@ -3,9 +3,9 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -70,11 +70,8 @@ std::optional<double> passing_within(Run& run, const Path& path, double s, doubl
   };
   std::optional<double> x;
   if (const auto bracket = bracket_of(beyond, h)) {
-    x = root_between(
-        [&](double way) {
-          return beyond(bracket->from + way).value_or(std::numeric_limits<double>::quiet_NaN());
-        },
-        bracket->at_from, bracket->to - bracket->from, bracket->at_to);
+    x = root_between([&](double way) { return beyond(bracket->from + way).value_or(kNoValue); },
+                     bracket->at_from, bracket->to - bracket->from, bracket->at_to);
     x = x ? std::optional(bracket->from + *x) : std::nullopt;
   }
   return x;

@@ -5,6 +5,7 @@
 #include "events.hpp"
 #include "higherpair/contact/step_length.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "limit_events.hpp"
 #include "span_joints.hpp"
 #include "step.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/core.h>
 
@@ -317,7 +317,7 @@ private:
   LimitAhead limit_;            // the first known limit
   int refused_ = 0;             // steps refused, until one as long as the first of them is taken
   double first_refused_ = 0;
-  double last_looked_ = std::numeric_limits<double>::quiet_NaN();  // s of the last limit looked beyond
+  double last_looked_ = kNoValue;  // s of the last limit looked beyond
   double steps_left_;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
 #include "straight_path.hpp"
-
-#include <limits>
 
 namespace higherpair {
 
@@ -11,6 +10,6 @@ namespace higherpair {
 /// if that is near a crossing or a limit.
 /// \param first_step  the longest first step that may be tried, in the path's coordinate: where the path
 ///                    begins next to a limit or a pole, about the distance to that
-bool follow(Run& run, const Path& path, double first_step = std::numeric_limits<double>::infinity());
+bool follow(Run& run, const Path& path, double first_step = kInf);
 
 }  // namespace higherpair

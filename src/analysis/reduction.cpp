@@ -1,6 +1,7 @@
 #include "reduction.hpp"
 
 #include "group_system.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/lu_solver.hpp"
 #include "numeric/singular_values.hpp"
 #include "step.hpp"
@@ -56,7 +57,7 @@ std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lamb
   point.ahead = ahead;
   Eigen::MatrixXd M(n + 1, n + 1);
   Eigen::VectorXd r(n + 1);
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kMaxNewton; ++i) {
     if (!system_at(ahead, point.x)) {
       return std::nullopt;
@@ -116,7 +117,7 @@ std::optional<Reduction::Point> Reduction::here() {
 std::optional<Reduction::Point> Reduction::root_of(Kind kind, const Point& from, double farthest) {
   const double size = run_.plan().size;
   Point at = from;
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kMaxOuter; ++i) {
     const auto second = second_derivatives(at);
     if (!second) {

@@ -1,11 +1,11 @@
 #include "residual.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -143,7 +143,7 @@ double residual_of(const Run& run) {
     }
   }
   const double scaled2 = errors.fastest2 > 0 ? errors.speed2 / errors.fastest2 * square(run.plan().size) : 0;
-  return std::isfinite(errors.sum) ? std::sqrt(std::max(errors.distance2, scaled2)) : INFINITY;
+  return std::isfinite(errors.sum) ? std::sqrt(std::max(errors.distance2, scaled2)) : kInf;
 }
 
 }  // namespace higherpair

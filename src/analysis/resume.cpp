@@ -4,6 +4,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "limit_events.hpp"
 #include "line_ahead.hpp"
 #include "outlook.hpp"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -98,7 +98,7 @@ void hold_again(Run& run) {
 }
 
 // Follows the path from run.at.state, whose rates may be those of another path.
-bool follow_part(Run& run, const Path& path, double first_step = std::numeric_limits<double>::infinity()) {
+bool follow_part(Run& run, const Path& path, double first_step = kInf) {
   if (!path.is_single()) {
     path.motions(0, run.work.motions);
     set_rates(run, run.work.motions, run.at.state);
@@ -301,7 +301,7 @@ Taken StretchSearch::take_up(double x, int poles) {
   const std::size_t events = run_.events.size();
   go_on_from(*back, back->at.state, begin);
   const double to_limit =
-      back->at.held ? std::numeric_limits<double>::infinity()
+      back->at.held ? kInf
                     : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
   if (follow_from(begin, to_limit)) {
     return Taken::kArrived;
@@ -313,7 +313,7 @@ Taken StretchSearch::take_up(double x, int poles) {
   run_.at = before;
   run_.events.resize(events);
   go_on_from(*back, found, x);
-  return follow_from(x, std::numeric_limits<double>::infinity()) ? Taken::kArrived : Taken::kLost;
+  return follow_from(x, kInf) ? Taken::kArrived : Taken::kLost;
 }
 
 // Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every

@@ -1,11 +1,11 @@
 #include "higherpair/cam/cutter_path.hpp"
 
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -58,7 +58,7 @@ double largest_cutter(const Boundary& flank, double too_large) {
 
 HollowestPlace hollowest_place(const Boundary& boundary) {
   HollowestPlace least;
-  least.point.kappa = std::numeric_limits<double>::infinity();
+  least.point.kappa = kInf;
   for (std::size_t i = 0; i < boundary.spans().size(); ++i) {
     const Span& span = *boundary.spans()[i];
     const Bounds range = span.range();
@@ -83,8 +83,7 @@ tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double ra
     return tl::unexpected(CutterFault{Kind::kNotch, path.error().at_B, 0});
   }
   const HollowestPlace hollow = hollowest_place(flank);
-  const double limit =
-      hollow.point.kappa < 0 ? -1 / hollow.point.kappa : std::numeric_limits<double>::infinity();
+  const double limit = hollow.point.kappa < 0 ? -1 / hollow.point.kappa : kInf;
   if (!path || radius > limit * (1 + kSameCutterRadius)) {
     const double below = limit * (1 - kJustBelowCutter);
     return tl::unexpected(CutterFault{Kind::kHollow, hollow.point.p_B,

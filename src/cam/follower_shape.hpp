@@ -1,9 +1,9 @@
 #pragma once
 
 #include "higherpair/cam/flank.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "worst_place.hpp"
 
-#include <limits>
 #include <optional>
 
 namespace higherpair {
@@ -13,8 +13,8 @@ namespace higherpair {
 struct SizeRange {
   double origin = 0;
   double sense = 1;
-  double most = std::numeric_limits<double>::infinity();  ///< y beyond which the cam does not grow any more
-  double step = 1;                                        ///< initial step of a search
+  double most = kInf;  ///< y beyond which the cam does not grow any more
+  double step = 1;     ///< initial step of a search
 
   [[nodiscard]] double rest(double y) const { return origin + sense * y; }
 };

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
 #include "law_pieces.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace higherpair {
@@ -103,7 +103,7 @@ struct MotionLaw::Data {
     for (std::size_t i = 0; i < law.pieces.size(); ++i) {
       const Bounds own = law.bounds(law.pieces[i], k, law.begins[i], law.begins[i + 1]);
       if (!std::isfinite(own.width())) {
-        return std::numeric_limits<double>::infinity();
+        return kInf;
       }
       largest = std::max({largest, -own.low, own.high});
     }

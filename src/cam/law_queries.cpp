@@ -1,5 +1,6 @@
 // Queries on a law as a whole: bounds, extremes, zeros, breaks.
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "law_data.hpp"
 #include "law_pieces.hpp"
 #include "tolerances.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -85,8 +85,7 @@ std::vector<double> MotionLaw::breaks(double from, double to) const {
 
 Bounds MotionLaw::bounds(int k, double from, double to) const {
   assert(from <= to);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds all{kInfinity, -kInfinity};
+  Bounds all{kInf, -kInf};
   const double near = kAtJoin * std::max(std::abs(from), std::abs(to));
   data_->for_each_piece(from - near, to + near,
                         [&](const LawPiece* piece, double low, double high, double offset, double) {
@@ -103,8 +102,7 @@ Bounds MotionLaw::bounds(int k, double from, double to) const {
 
 LawExtremes MotionLaw::extremes(int k, double from, double to) const {
   assert(from <= to);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  LawExtremes best{kInfinity, 0, -kInfinity, 0};
+  LawExtremes best{kInf, 0, -kInf, 0};
   const auto consider = [&](double value, double x) {
     if (value < best.least) {
       best.least = value;

@@ -3,12 +3,12 @@
 #include "follower_shape.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace higherpair {
@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kMostExchanges = 60;
 constexpr double kNoCam = 1e12;  // value of a condition where the cam has shrunk to a point
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct SizeAt {
   double y = 0;
@@ -101,7 +100,7 @@ struct HalfPlane {
 // The point (e, d) common to all half planes that is closest to the origin: on one border, or where two meet.
 Vector2d nearest_point(const std::vector<HalfPlane>& planes) {
   Vector2d best(0, 0);
-  double least = kInfinity;
+  double least = kInf;
   const auto consider = [&](double e) {
     double d = 0;
     for (const HalfPlane& plane : planes) {
@@ -183,7 +182,7 @@ std::optional<CamSize> smallest_for_radius(const FlankOrigin& cam, const RadiusL
   const Round round = *round_of(cam);
   const SizeRange sizes = sizes_of_round(cam, round);
   const double convex = limits.convex + round.radius, concave = limits.concave - round.radius;
-  const double most = convex > 0 ? 1 / convex : kInfinity, least = concave > 0 ? -1 / concave : -kInfinity;
+  const double most = convex > 0 ? 1 / convex : kInf, least = concave > 0 ? -1 / concave : -kInf;
   return sized(cam, sizes, smallest_size(law, sizes, [&](const Lift& lift, double y) {
                  const double curvature = pitch_curvature_at(cam, centre_at(cam, round, lift, sizes.rest(y)));
                  return std::max(curvature - most, least - curvature);

@@ -1,10 +1,10 @@
 #include "worst_place.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace higherpair {
@@ -41,8 +41,7 @@ Worst worst_of(const MotionLaw& law, const std::function<double(const Lift&)>& f
   const auto inside = [&](double x) { return f(lift_at(law, x, LawSide::kAfter)); };
   PeakLimits shortest;
   shortest.shortest = kJumpWidth * (law.end() - law.begin());
-  const Peak peak =
-      finder.largest(inside, shortest).value_or(Peak{law.begin(), -std::numeric_limits<double>::infinity()});
+  const Peak peak = finder.largest(inside, shortest).value_or(Peak{law.begin(), -kInf});
   const Lift before = lift_at(law, peak.at, LawSide::kBefore), after = lift_at(law, peak.at, LawSide::kAfter);
   return {peak, f(before) > f(after) ? before : after};
 }

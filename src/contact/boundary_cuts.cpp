@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +67,7 @@ private:
     for (double SheetPoint::*of : {&SheetPoint::gap_q, &SheetPoint::bend}) {
       const auto value = [&](double share) {
         const auto place = place_on(sheet, step, share);
-        return place ? place->at.*of : NAN;
+        return place ? place->at.*of : kNoValue;
       };
       if (const double a = first->at.*of, b = last->at.*of; a * b < 0) {
         shares.push_back(root_between(value, a, 1, b).value_or(0));

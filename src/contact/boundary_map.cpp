@@ -4,6 +4,7 @@
 #include "boundary_trace.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "map_layout.hpp"
 
 #include <algorithm>
@@ -240,7 +241,7 @@ private:
     if (!rests) {
       const auto gap_u = [&](double x) {
         const auto there = trace_->at(draft.path, leg, leg.share_a + x);
-        return there ? there->gap_u : NAN;
+        return there ? there->gap_u : kNoValue;
       };
       const double way = leg.share_b - leg.share_a;
       share = leg.share_a + root_between(gap_u, gap_u(0), way, gap_u(way)).value_or(0);

@@ -3,10 +3,10 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/polyline.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // All contacts of two boundaries, as common points of two plane curves that are sampled.
 
@@ -132,7 +132,7 @@ std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pos
                                             const Boundary& boundary2, const Pose<double>& X_W2) {
   const double scale = std::max(boundary1.size(), boundary2.size());
   std::array<BoundaryPlace, 2> best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInf;
   for (const auto& one : boundary1.samples()) {
     const Vector2d p1 = X_W1 * one.point.p_B;
     const Vector2d n1 = X_W1.R_WB * one.point.n_B;

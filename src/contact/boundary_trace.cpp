@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) con
   const double way = leg->share_b - from;
   const auto error = [&](double x) {
     const auto there = at(path, *leg, from + x);
-    return there ? there->u - path.shift_u - wanted : NAN;
+    return there ? there->u - path.shift_u - wanted : kNoValue;
   };
   double share = from;
   if (leg->u_b - wanted <= 0) {

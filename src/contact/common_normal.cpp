@@ -2,6 +2,7 @@
 
 #include "contact_points.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<d
   const bool line2 = is_line(curve2);
   const PlacedPair placed{place(curve1, X_W1), place(curve2, X_W2)};
   ContactPoints at = points_at(line1, line2, placed, n_W);
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; at.exist && i < kMaxNormalSteps; ++i) {
     const double slope = -(at.rho1 + at.rho2) - at.g;
     const double step = std::clamp(slope == 0 ? 0 : -at.s / slope, -kNewtonTurn, kNewtonTurn);

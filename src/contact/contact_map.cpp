@@ -3,12 +3,12 @@
 #include "boundary_map.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"
 #include "map_points.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -28,7 +28,7 @@ std::optional<MapPoint> crossing(const ContactMap& map, int branch, const MapPoi
       const auto distance = [&](double u) {
         const auto mine = point_at(map, branch, u);
         const auto its = point_at(map, other, u + shift);
-        return mine && its ? gap_of_q(map, mine->q, its->q) : std::numeric_limits<double>::quiet_NaN();
+        return mine && its ? gap_of_q(map, mine->q, its->q) : kNoValue;
       };
       const double a = distance(from.u);
       const double b = distance(to.u);

@@ -3,6 +3,7 @@
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "place_points.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ std::optional<ExtremeGap> extreme_gap(const ContactPair& pair, const ContactPosi
   constexpr int kMaxSteps = 60;
   ContactPosition at = near;
   const bool has_line = is_line(pair.curve1) || is_line(pair.curve2);
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kMaxSteps; ++i) {
     if (!place_points(pair, at)) {
       return std::nullopt;

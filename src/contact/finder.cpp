@@ -4,11 +4,11 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "listed_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -64,7 +64,7 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
 
 // \param farthest  contacts farther than this from q are not wanted
 FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
-                  ListedContacts& listed, double farthest = std::numeric_limits<double>::infinity()) {
+                  ListedContacts& listed, double farthest = kInf) {
   const double size = size_at(pair, u, q);
   const std::optional<double> bound = speed_bound(pair, u);
   FindResult result;
@@ -81,7 +81,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
       return listed.find(start, direction, from_overlap);
     }
     const auto [here, error] = distance_at(pair, u, q, last_gap, tolerance);
-    if (here.gap == -std::numeric_limits<double>::infinity()) {
+    if (here.gap == -kInf) {
       if (from_overlap) {
         return listed.find(start, direction, from_overlap);
       }
@@ -123,8 +123,7 @@ FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std
   ListedContacts listed(pair, u);
   FindResult best;
   for (const int direction : {1, -1}) {
-    const double farthest =
-        best.status == FindStatus::kFound ? std::abs(best.at.q - q) : std::numeric_limits<double>::infinity();
+    const double farthest = best.status == FindStatus::kFound ? std::abs(best.at.q - q) : kInf;
     FindResult found = search(pair, u, q, direction, true, listed, farthest);
     if (pair.motion2.turns && !listed.is_known() && found.status == FindStatus::kNoContact &&
         best.status != FindStatus::kFound) {

@@ -3,6 +3,7 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "place_points.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   }
   // Coming from a gap, the distance falls with q·direction; coming out of an overlap, it grows.
   const int branch = overlapping ? direction : -direction;
-  double shortest = INFINITY;
+  double shortest = kInf;
   for (const CurveContact& contact : list_->contacts) {
     const double way = way_to(pair, q, direction, contact, kTouching * (pair.motion2.turns ? 1 : size));
     if (!contact.free || !(way >= 0) || !(way < shortest)) {

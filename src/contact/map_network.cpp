@@ -1,6 +1,7 @@
 #include "map_network.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "inner_step.hpp"
 
 #include <algorithm>
@@ -174,8 +175,8 @@ private:
     for (const double margin : kNearEnd) {
       const double left = std::min(margin * unit1_, std::abs(way) / 4);
       const bool held = walk_to(track, u - std::copysign(left, way), false);
-      double best = INFINITY;
-      double second = INFINITY;
+      double best = kInf;
+      double second = kInf;
       for (const int index : cut.events) {
         const CriticalPosition& event = network_.events[index].at;
         const double distance =

@@ -3,13 +3,13 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/outline.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace {
 // Depth of a point in a body [m], to the nearest place of its boundary; < 0 outside. -∞ beside the ends of an
 // open boundary, where it is not defined.
 struct Depth {
-  double depth = -std::numeric_limits<double>::infinity();
+  double depth = -kInf;
   BoundaryPlace place;
 };
 

@@ -6,6 +6,7 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/tolerances.hpp"
 #include "place_points.hpp"
@@ -124,7 +125,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   const double far = std::abs(track.phi) + (track.pair.motion1.turns ? std::abs(at.u) : 0) +
                      (track.pair.motion2.turns ? std::abs(at.q) : 0);
   const double near = std::max(kNewtonQuadratic, kRollingUlps * std::numeric_limits<double>::epsilon() * far);
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kMaxRollSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
     add_third(track.phi, equations);

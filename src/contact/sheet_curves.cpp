@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "sheet_grid.hpp"
 
 #include <algorithm>
@@ -298,7 +299,7 @@ std::optional<SheetPlaces> place_on(const TangencySheet& sheet, const SheetStep&
   const double length2 = chord.squaredNorm();
   SheetPlaces places{step.from1, step.from2, {}};
   double offset = 0;
-  double last = INFINITY;
+  double last = kInf;
   for (int pass = 0; pass < kPasses; ++pass) {
     const Vector2d t = from + share * (to - from) + offset * across;
     places.place1.t = t.x();

@@ -5,6 +5,7 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support_chains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ std::vector<Boundary> turned_inside_out(const std::vector<Boundary>& chains) {
         spans.push_back(reversed_span(*span));
       }
     }
-    if (auto turned = Boundary::make(std::move(spans), chain.is_closed(), INFINITY)) {
+    if (auto turned = Boundary::make(std::move(spans), chain.is_closed(), kInf)) {
       all.push_back(*std::move(turned));
     }
   }

@@ -1,10 +1,10 @@
 #include "search.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -72,7 +72,7 @@ void Search::use_branch(int branch) {
   jacobian_at_.resize(0);
   best_ = {};
   best_.branch = branch;
-  best_.objective = best_.violation = std::numeric_limits<double>::infinity();
+  best_.objective = best_.violation = kInf;
 }
 
 void Search::fix(std::size_t variable, double value) {

@@ -1,10 +1,10 @@
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "outline.hpp"
 #include "sketch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -153,7 +153,7 @@ void add_wheels(Sketch& sketch, const Joint& joint) {
 }  // namespace
 
 std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double low = kInf, high = -kInf;
   for (const MotionRow* row : sketch.rows) {
     const Pose<double>& X_WA = body_in(*row, joint.first.body).X_WB;
     const Vector2d b = body_in(*row, joint.second.body).X_WB * point_of(sketch.mechanism, joint.second);

@@ -1,9 +1,10 @@
 #include "labels.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -57,7 +58,7 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
   for (Label& label : labels) {
     const Vector2d half = half_size(label, font);
     const Vector2d away = label.away.norm() > 0 ? Vector2d(label.away.normalized()) : Vector2d(0.7, -0.7);
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInf;
     InkBox best{label.at, half};
     const auto consider = [&](const Vector2d& middle, double cost) {
       const InkBox box{middle, half};

@@ -1,10 +1,10 @@
 #include "outline.hpp"
 
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -86,8 +86,7 @@ std::vector<double> strip(const Curve& curve, double thickness, const std::array
 }  // namespace
 
 void append_break(std::vector<double>& path) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  path.insert(path.end(), {kNone, kNone});
+  path.insert(path.end(), {kNoValue, kNoValue});
 }
 
 std::vector<double> rounded_hull(std::vector<Vector2d> points, double radius) {

@@ -1,10 +1,10 @@
 #include "plot_layout.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -20,8 +20,8 @@ constexpr double kPanelGap = 12;        // [px]
 
 // The range of the finite numbers added.
 struct ValueRange {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = kInf;
+  double high = -kInf;
 
   void add(double value) {
     if (std::isfinite(value)) {

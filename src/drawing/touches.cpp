@@ -1,10 +1,10 @@
 #include "touches.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -61,7 +61,7 @@ Vector2d edge_direction(const Sketch& sketch, int body, std::size_t curve) {
 std::array<double, 2> touched_range(const Sketch& sketch, int body, std::size_t index) {
   const Curve& curve = sketch.mechanism.bodies[body].curves[index].curve;
   const Vector2d across = perp(curve.axis_B);
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double low = kInf, high = -kInf;
   for (const Touch& touch : touches_of(sketch, body, index)) {
     const double t = (touch.p_B - curve.vertex_B).dot(across);
     low = std::min(low, t);

@@ -4,12 +4,12 @@
 #include "force_watch.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -93,7 +93,7 @@ private:
       return;
     }
     fitter_.go_back(before);
-    const double inf = std::numeric_limits<double>::infinity();
+    const double inf = kInf;
     const double split = fit.event.value_or((stretch.from + stretch.to) / 2);
     const double tail = fit.event ? inf : fit.tail;
     resolve({stretch.from, split, fit.event.has_value(), tail});

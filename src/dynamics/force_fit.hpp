@@ -2,9 +2,9 @@
 
 #include "force_columns.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,7 +15,7 @@ struct ForceStretch {
   double from = 0;
   double to = 0;
   bool breaks_at_end = false;  ///< forces may be discontinuous there: no row belongs there
-  double tail = std::numeric_limits<double>::infinity();  ///< ForceFit::tail of the double stretch
+  double tail = kInf;          ///< ForceFit::tail of the double stretch
 };
 
 /// The contact forces on a stretch as series in Chebyshev polynomials.

@@ -1,5 +1,6 @@
 #include "force_watch.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
@@ -141,7 +142,7 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
   if (lowest && !(force[0] - spread(force) < lowest->force - piece.noise)) {
     return;
   }
-  LowestValue best{-1, std::numeric_limits<double>::infinity()};
+  LowestValue best{-1, kInf};
   find_lower(force, kLowestForce * (std::abs(force[0]) + spread(force)), best);
   if (!lowest || best.value < lowest->force - piece.noise) {
     const double t = settled_minimum(force, best.t);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "force_fit.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,8 +32,8 @@ private:
   // What is known of a contact at the end of the previous piece.
   struct Watched {
     State state = State::kUnknown;
-    double end = 0;                                          // its force there [N]
-    double least = std::numeric_limits<double>::infinity();  // the least of the pieces' largest forces so far
+    double end = 0;       // its force there [N]
+    double least = kInf;  // the least of the pieces' largest forces so far
   };
 
   void find_openings(const ForceFitter::Position& before, const ForcePiece& piece, std::size_t i,

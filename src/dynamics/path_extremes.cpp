@@ -1,12 +1,12 @@
 #include "higherpair/dynamics/path_extremes.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -15,7 +15,6 @@ namespace {
 constexpr double kFewest = 48;          // least number of parts of a path
 constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
 constexpr double kMarks = 24;           // positions of the run that are kept to go on from
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Whether quantities may jump at an event.
 bool is_break(const RunEvent& event) {
@@ -186,7 +185,7 @@ private:
   }
 
   static std::vector<double> values_of(const PathQuantities& block, const Run& run, double at) {
-    std::vector<double> values(block.sought.size(), kNone);
+    std::vector<double> values(block.sought.size(), kNoValue);
     if (run.row.status == RowStatus::kOk || run.row.status == RowStatus::kOverlap ||
         run.row.status == RowStatus::kContactOpen) {
       block.values(run, at, values);

@@ -2,6 +2,7 @@
 
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "least_sum.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
@@ -96,8 +97,8 @@ bool opens_at_singular(const ContactForces& forces, const std::vector<double>& w
 }
 
 struct ForceTerms {
-  double most = std::numeric_limits<double>::infinity();  // largest possible preload
-  double weight = 1;                                      // weight in the sum
+  double most = kInf;  // largest possible preload
+  double weight = 1;   // weight in the sum
   double nothing = 0;  // contributions to a contact force up to this are rounding
 };
 
@@ -204,7 +205,7 @@ std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces
     terms.back().nothing = kSumRounding * largest_of(forces, ForcePiece::kParts + terms.size() - 1);
   }
   std::optional<std::vector<double>> best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInf;
   for (const std::size_t k : all) {
     const auto single = exchange(forces, terms, {k}, rounding);
     if (single && std::abs((*single)[k]) * terms[k].weight < least) {
@@ -245,7 +246,7 @@ std::optional<double> highest_speed(const ContactForces& forces) {
   if (weights[0] != 0 && opens_at_singular(forces, weights)) {
     return std::nullopt;
   }
-  return weights[0] == 0 ? std::numeric_limits<double>::infinity() : std::sqrt(weights[2]);
+  return weights[0] == 0 ? kInf : std::sqrt(weights[2]);
 }
 
 }  // namespace higherpair

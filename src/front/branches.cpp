@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -67,7 +66,7 @@ std::array<double, 2> position_interval(const std::array<double, 2>& q, double q
   const auto bound = [&](double q_bound, double towards) {
     return std::nextafter(position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
   };
-  const double infinity = std::numeric_limits<double>::infinity();
+  const double infinity = kInf;
   const double a = bound(q[0], -sign * infinity);
   const double b = bound(q[1], sign * infinity);
   return {std::min(a, b), std::max(a, b)};

@@ -2,9 +2,9 @@
 
 #include "analysis_impl.hpp"
 #include "design_direct.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -103,7 +103,7 @@ std::optional<Mechanism> DesignCandidates::mechanism_of(std::span<const double> 
 // Adds the quantities other than measures and events: figures, extents and Grashof margins.
 void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
   const std::vector<DesignQuantity>& quantities = setup_->quantities;
-  rows_.measured.resize(quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  rows_.measured.resize(quantities.size(), kNoValue);
   if (setup_->needs_check() && rows_.missing == 0) {
     const auto model = model_of(x, branch);
     const std::vector<double> figures = model ? figures_of(*model, quantities) : std::vector<double>();

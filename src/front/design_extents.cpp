@@ -3,6 +3,7 @@
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ double far_along(const DesignTask::Extent& extent, const Vector2d& direction_W, 
   if (direction_W.isZero()) {
     return (place_of(extent.point) - place_of(extent.from)).norm();
   }
-  double farthest = -std::numeric_limits<double>::infinity();
+  double farthest = -kInf;
   for (const int index : extent.bodies) {
     const Body& body = mechanism.bodies[index];
     const Pose<double>& X_WB = bodies[index].X_WB;

@@ -2,16 +2,16 @@
 
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/design_task.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace higherpair {
 
 /// The row in which a term of an extent, its reach along one direction, is largest.
 struct ExtentTerm {
-  Vector2d direction_W = Vector2d::Zero();                ///< zero for a reach, which has no direction
-  double far = -std::numeric_limits<double>::infinity();  ///< [m]
+  Vector2d direction_W = Vector2d::Zero();  ///< zero for a reach, which has no direction
+  double far = -kInf;                       ///< [m]
   std::size_t row = 0;
 };
 

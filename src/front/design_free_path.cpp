@@ -1,5 +1,6 @@
 #include "design_free_path.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -203,7 +204,7 @@ std::vector<PathMiss> nearest_when_free(
     return places_for(path);
   }
   Placing best;
-  best.cost = std::numeric_limits<double>::infinity();
+  best.cost = kInf;
   for (const Placing& stretch : Stretches(path, points, loop).best()) {
     const Placing placing = follow_rows_down(path, points, stretch, rows_for);
     if (placing.cost < best.cost) best = placing;

@@ -1,12 +1,12 @@
 // Notes on targets of a design that look like numbers in another unit.
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "other_units.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -38,7 +38,7 @@ std::optional<OtherUnit> meant_unit(double wanted, double present, const std::st
 }
 
 double spread_of(const std::vector<double>& values) {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double low = kInf, high = -kInf;
   for (const double value : values) {
     if (std::isnan(value)) continue;
     low = std::min(low, value);

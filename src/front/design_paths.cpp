@@ -2,12 +2,12 @@
 
 #include "design_free_path.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -26,18 +26,17 @@ double squared(const Vector2d& a, const Vector2d& b) {
 // The rows, in ascending order, that are nearest to the targets by the sum of squares.
 struct Assignment {
   Rows rows;
-  double cost = std::numeric_limits<double>::infinity();
+  double cost = kInf;
 };
 
 // Assigns targets to places in ascending order, by dynamic programming.
 // \param pinned  the first target must be at place 0 \param cost  of target i at place k
 template <class F>
 Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  std::vector<double> best(places, kNone);
+  std::vector<double> best(places, kInf);
   std::vector<Rows> from(targets, Rows(places, 0));
   for (std::size_t i = 0; i < targets; ++i) {
-    double least = i == 0 ? 0 : kNone;
+    double least = i == 0 ? 0 : kInf;
     std::size_t where = 0;
     for (std::size_t k = 0; k < places; ++k) {
       if (i > 0 && best[k] < least) {
@@ -46,7 +45,7 @@ Assignment in_order(std::size_t places, std::size_t targets, bool pinned, F cost
       }
       from[i][k] = where;
       const bool open = i > 0 || !pinned || k == 0;
-      best[k] = open ? least + cost(i, k) : kNone;
+      best[k] = open ? least + cost(i, k) : kInf;
     }
   }
   const auto last = std::min_element(best.begin(), best.end());

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -96,7 +95,7 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
   rows.points.resize(points_.size());
   for (auto& points : rows.points) points.clear();
   rows.transmissions.assign(transmissions_.size(), 1);
-  largest_.assign(linkage_.dyads(), {-std::numeric_limits<double>::infinity(), 0, false});
+  largest_.assign(linkage_.dyads(), {-kInf, 0, false});
   for (auto& gaps : before_) std::fill(gaps.begin(), gaps.end(), kNoValue);
   std::optional<std::size_t> stood;
   std::size_t not_good = 0;

@@ -4,10 +4,10 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/loops.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/core.h>
 
@@ -122,7 +122,7 @@ std::optional<double> grashof_room(const Mechanism& mechanism, const DesignTask:
 }
 
 std::vector<double> figures_of(const Model& model, const std::vector<DesignQuantity>& quantities) {
-  std::vector<double> values(quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> values(quantities.size(), kNoValue);
   const auto report = check(model);
   for (std::size_t k = 0; report && k < quantities.size(); ++k) {
     if (!quantities[k].figure) continue;

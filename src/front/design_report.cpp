@@ -3,12 +3,12 @@
 
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/joined_words.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -118,8 +118,8 @@ private:
     if (!start) {
       DesignScore nothing;
       nothing.missing = 1;
-      nothing.objectives.assign(task_.objectives.size(), std::numeric_limits<double>::quiet_NaN());
-      nothing.constraints.assign(task_.constraints.size(), std::numeric_limits<double>::quiet_NaN());
+      nothing.objectives.assign(task_.objectives.size(), kNoValue);
+      nothing.constraints.assign(task_.constraints.size(), kNoValue);
       return nothing;
     }
     return score_of(read, x, branch_of(start->impl().run));
@@ -173,8 +173,8 @@ private:
     DesignScore score = score_of(setup_, start_values(task_), setup_.start_branch.value_or(0));
     if (!setup_.start_branch) {
       score.started = false;
-      std::fill(score.objectives.begin(), score.objectives.end(), std::numeric_limits<double>::quiet_NaN());
-      std::fill(score.constraints.begin(), score.constraints.end(), std::numeric_limits<double>::quiet_NaN());
+      std::fill(score.objectives.begin(), score.objectives.end(), kNoValue);
+      std::fill(score.constraints.begin(), score.constraints.end(), kNoValue);
     }
     return score;
   }

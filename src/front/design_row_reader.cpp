@@ -2,10 +2,10 @@
 
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 
@@ -13,7 +13,7 @@ RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const
     : setup_(setup), mechanism_(mechanism), plan_(plan), rows_(rows) {
   for (const Group& group : plan.groups) {
     modes_.push_back(rows_.gaps.size());
-    if (traits_of(group).two_modes) rows_.gaps.push_back(-std::numeric_limits<double>::infinity());
+    if (traits_of(group).two_modes) rows_.gaps.push_back(-kInf);
   }
   rows_.gap_rows.resize(rows_.gaps.size());
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {

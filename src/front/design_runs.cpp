@@ -3,10 +3,10 @@
 #include "analysis_impl.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -91,7 +91,7 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
   }
   rows.table_columns = analysis->columns().size();
   take_rows(*analysis, when_lost, reader, measures, rows);
-  rows.measured.assign(setup.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  rows.measured.assign(setup.quantities.size(), kNoValue);
   for (std::size_t k = 0; k < setup.quantities.size(); ++k) {
     const DesignQuantity& quantity = setup.quantities[k];
     if (quantity.measure) rows.measured[k] = measures.value(*quantity.measure).value;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -130,7 +129,7 @@ Slope ExactSlopes::of(std::size_t number, std::size_t measure) const {
   } else {
     slope.down = slope.up = 0;
     for (const auto& part : result.parts) {
-      double least = std::numeric_limits<double>::infinity(), most = -least;
+      double least = kInf, most = -least;
       for (const ExtremePlace& extreme : part) {
         const double one =
             extreme.weight * at_places_[number][place_index_.at(extreme.place.row)][result.column];

@@ -4,10 +4,10 @@
 #include "higherpair/geometry/arc_polyline.hpp"
 #include "higherpair/geometry/boundary_points.hpp"
 #include "higherpair/io/dxf_writer.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "model_data.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -65,8 +65,7 @@ Result<std::string> curve_csv(const Model& model, const ExportedCurve& curve, co
   Row row;
   for (const BoundaryStation& at : accuracy.points ? points_at_equal_arcs(curve.boundary, *accuracy.points)
                                                    : points_within(curve.boundary, *tolerance)) {
-    const double curvature =
-        at.corner ? std::numeric_limits<double>::quiet_NaN() : curvatures.apply(at.point.kappa);
+    const double curvature = at.corner ? kNoValue : curvatures.apply(at.point.kappa);
     row.values = {lengths.apply(at.point.p_B.x()),
                   lengths.apply(at.point.p_B.y()),
                   at.point.n_B.x(),

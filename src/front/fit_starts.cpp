@@ -1,12 +1,12 @@
 #include "fit_starts.hpp"
 
 #include "arena.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <random>
 
@@ -106,7 +106,7 @@ private:
                            static_cast<std::uint32_t>(number)};
     std::mt19937_64 engine(sequence);
     std::optional<Eigen::VectorXd> best;
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInf;
     const Eigen::VectorXd scales = spread_scales();
     for (int k = 0; k < kCandidates && !stopped(); ++k) {
       std::vector<double> variables;
@@ -133,7 +133,7 @@ private:
   const FitSettings& settings_;
   std::mutex telling_;
   FitProgress progress_;
-  double least_ = std::numeric_limits<double>::infinity();
+  double least_ = kInf;
 };
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -66,10 +65,10 @@ Result<Available> available_columns(const Model& model, RunSettings settings) {
 
 // The objection to the place of a measure; empty where there is a row at that place.
 std::string place_objection(const DriverSchedule& schedule, const Measure& measure, bool in_time) {
-  double low = -std::numeric_limits<double>::infinity();  // the rows on both sides of the place
-  double high = std::numeric_limits<double>::infinity();
-  double first = std::numeric_limits<double>::infinity();
-  double last = -std::numeric_limits<double>::infinity();
+  double low = -kInf;  // the rows on both sides of the place
+  double high = kInf;
+  double first = kInf;
+  double last = -kInf;
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const double place = in_time ? schedule.time(k) : schedule.state(k).profile.position;
     low = place <= measure.at ? std::max(low, place) : low;

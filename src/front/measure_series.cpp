@@ -1,11 +1,11 @@
 #include "measure_series.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -74,7 +74,7 @@ private:
   template <class Is>
   [[nodiscard]] double first(const Is& is) const {
     if (!wants_where_) {
-      return std::numeric_limits<double>::quiet_NaN();
+      return kNoValue;
     }
     const auto found = std::find_if(series_.values.begin(), series_.values.end(), is);
     return series_.where[found - series_.values.begin()];

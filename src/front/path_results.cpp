@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -65,7 +64,7 @@ public:
       if (k % kMarkEvery == 0) marks_.push_back(walk);
       const bool there = run.row.status != RowStatus::kNotAssemblable;
       columns.values(run, place, values);
-      if (!there) std::fill(values.begin(), values.end(), kNone);
+      if (!there) std::fill(values.begin(), values.end(), kNoValue);
       values_.push_back(values);
       assembled_.push_back(there);
       if (knots.size() == 1) break;
@@ -96,8 +95,6 @@ public:
   }
 
 private:
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
   [[nodiscard]] Peak refined(std::size_t column, double sign, std::size_t k, double noise) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, at_.size() - 1);
     Peak peak{at_[k], sign * values_[k][column]};
@@ -117,7 +114,7 @@ private:
           columns_.path().path.motion(at, drivers);
           move_to(run, drivers);
           columns_.values(run, columns_.place(at), values);
-          return run.row.status == RowStatus::kNotAssemblable ? kNone : sign * values[column];
+          return run.row.status == RowStatus::kNotAssemblable ? kNoValue : sign * values[column];
         },
         from, to, limits, peak);
     return peak;

@@ -2,6 +2,7 @@
 
 #include "higherpair/dynamics/path_extremes.hpp"
 #include "higherpair/front/measure.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "path_columns.hpp"
 
 #include <optional>
@@ -19,7 +20,7 @@ struct ExtremePlace {
 
 /// The value of a measure on a path, and the places on which its derivative depends.
 struct PathResult {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = kNoValue;
   std::optional<PathPlace> where;
   std::optional<double> rival;  ///< see ResultSensitivity
   std::optional<PathPlace> rival_where;

@@ -3,10 +3,10 @@
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/model.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <atomic>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace higherpair {
 /// The smallest and the largest value of a column over all rows of a run, and where they are.
 struct ColumnExtremes {
   struct Value {
-    double value = std::numeric_limits<double>::quiet_NaN();
+    double value = kNoValue;
     double driver = 0;  ///< position of the driver with index ReportData::driver
     std::int64_t row = 0;
   };

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace higherpair {
@@ -62,7 +61,7 @@ struct MapPlace {
 MapPlace place_on(const ContactMapReport& map, double driver, double position, std::optional<double> turn,
                   std::optional<double> follower_turn) {
   MapPlace best;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInf;
   for (std::size_t i = 0; i < map.branches.size(); ++i) {
     const auto& rows = map.branches[i].rows;
     if (rows.empty()) continue;

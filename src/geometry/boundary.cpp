@@ -5,12 +5,12 @@
 #include "higherpair/geometry/outline.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -127,7 +127,7 @@ tl::expected<Boundary, BoundaryFault> Boundary::make(std::vector<SpanPtr> spans,
 
 // From the samples.
 void Boundary::set_outline(std::vector<Polyline> solids) {
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d low = Vector2d::Constant(kInf);
   Vector2d high = -low;
   for (const Sample& sample : samples_) {
     low = low.cwiseMin(sample.point.p_B);
@@ -277,7 +277,7 @@ Boundary boundary_of(const Curve& curve, double reach) {
     }
     spans.push_back(conic_span(curve, from, to));
   }
-  return *Boundary::make(std::move(spans), closed, std::numeric_limits<double>::infinity());
+  return *Boundary::make(std::move(spans), closed, kInf);
 }
 
 }  // namespace higherpair

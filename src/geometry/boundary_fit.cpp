@@ -2,6 +2,7 @@
 #include "boundary_fit.hpp"
 
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
 #include "numeric/tolerances.hpp"
@@ -51,8 +52,8 @@ void to_own_frame(const Normalised& from, std::span<const double> distances, std
     square += distance * distance;
   }
   const auto count = static_cast<double>(distances.size());
-  const double variance = distances.size() > freedoms ? square / (count - static_cast<double>(freedoms))
-                                                      : std::numeric_limits<double>::quiet_NaN();
+  const double variance =
+      distances.size() > freedoms ? square / (count - static_cast<double>(freedoms)) : kNoValue;
   fit.rms = from.size * std::sqrt(square / count);
   fit.noise = from.size * std::sqrt(variance);
   fit.covariance *= variance;
@@ -71,7 +72,7 @@ Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& J) {
   const SingularValues svd = singular_values(triangular_factor(J));
   const double least = svd.values(svd.values.size() - 1);
   if (J.rows() < J.cols() || !(least > 0)) {
-    return Eigen::MatrixXd::Constant(J.cols(), J.cols(), std::numeric_limits<double>::quiet_NaN());
+    return Eigen::MatrixXd::Constant(J.cols(), J.cols(), kNoValue);
   }
   const Eigen::MatrixXd root = svd.V * svd.values.cwiseInverse().asDiagonal();
   return root * root.transpose();

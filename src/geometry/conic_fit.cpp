@@ -1,13 +1,13 @@
 // Conics of least distances from points.
 #include "boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -114,7 +114,7 @@ Family parabolas() {
 // The curve of a conic; of a hyperbola, the branch on which most points lie.
 std::optional<Curve> curve_near(const Coefficients& conic, const std::vector<Vector2d>& points) {
   std::optional<Curve> best;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInf;
   for (const Vector2d& p : {points.front(), points[points.size() / 2], points.back()}) {
     const auto curve = make_conic(array_of(conic), Side::kInside, nearest_on_conic(array_of(conic), p));
     if (!curve) continue;

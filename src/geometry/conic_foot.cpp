@@ -1,11 +1,11 @@
 // The point of a conic nearest to a given one.
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -78,7 +78,7 @@ private:
 
   // The foot at an end of the interval, where one coordinate does not follow from t.
   void on_axis(double low, double high, Vector2d& foot) const {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = kInf;
     for (const Eigen::Index free : {Eigen::Index{1}, Eigen::Index{0}}) {
       const double t = free == 1 ? low : high;
       if (lambda_(free) == 0) continue;

@@ -1,13 +1,13 @@
 // Starting values for fits of conics: curves of least algebraic distance.
 #include "boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/product.hpp"
 #include "numeric/singular_values.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace higherpair::boundary_fit {
 namespace {
@@ -84,7 +84,7 @@ std::optional<Coefficients> direct_ellipse(const std::vector<Vector2d>& points) 
 // By linear least squares for each direction of the axis: u = a v² + b v + c.
 Eigen::Vector4d algebraic_parabola(const std::vector<Vector2d>& points) {
   Eigen::Vector4d best(0, 0, 0, 1);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInf;
   const auto n = static_cast<Eigen::Index>(points.size());
   for (int k = 0; k < kAxes; ++k) {
     const Vector2d axis = unit_vector(kPi * k / kAxes);

@@ -2,18 +2,17 @@
 
 #include "higherpair/geometry/arc_length.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 namespace higherpair {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kMostHalvingsOfArc = 12;
 
 const SupportPiece& piece_of(const PlacedCurve<double>& curve) {
@@ -75,7 +74,7 @@ double size_of(const Curve& curve) {
   if (curve.support == nullptr) {
     return curve.semi_latus;
   }
-  double size = kInfinity;
+  double size = kInf;
   for_samples(curve, [&](double phi) {
     const SupportValue value = curve.support->at(curve.piece, phi);
     size = std::min(size, std::hypot(value.h, value.dh) + std::abs(value.rho));
@@ -85,13 +84,13 @@ double size_of(const Curve& curve) {
 
 Bounds radius_bounds(const Curve& curve) {
   if (is_line(curve)) {
-    return {kInfinity, kInfinity};
+    return {kInf, kInf};
   }
   if (curve.support != nullptr) {
     return curve.support->radius(curve.piece, whole_piece(curve));
   }
   // A conic is sharpest at its vertex; an ellipse is flattest on its minor axis, an open conic at infinity.
-  const double flattest = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : kInfinity;
+  const double flattest = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : kInf;
   const Bounds rho{curve.semi_latus, flattest};
   return curve.side == Side::kInside ? rho : -rho;
 }
@@ -128,7 +127,7 @@ Bounds radius_bounds(const PlacedCurve<double>& curve, const Vector2d& n_W, cons
     w2_min = std::min(w2_min, curve.q);
     w2_max = std::max(w2_max, curve.q);
   }
-  const auto rho = [&](double w2) { return w2 > 0 ? curve.semi_latus / (w2 * std::sqrt(w2)) : kInfinity; };
+  const auto rho = [&](double w2) { return w2 > 0 ? curve.semi_latus / (w2 * std::sqrt(w2)) : kInf; };
   const Bounds bounds{rho(w2_max), rho(w2_min)};
   return curve.side > 0 ? bounds : -bounds;
 }

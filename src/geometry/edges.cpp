@@ -2,8 +2,8 @@
 
 #include "higherpair/geometry/involute_span.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -32,7 +32,7 @@ Boundary with_edges(const Boundary& boundary) {
     const double angle = angle_of(end.n_B);
     spans.push_back(corner_span(end.p_B, angle, angle + kEdgeTurn));
   }
-  return *Boundary::make(std::move(spans), false, std::numeric_limits<double>::infinity());
+  return *Boundary::make(std::move(spans), false, kInf);
 }
 
 bool is_edge(const Boundary& boundary, int span) {

@@ -1,10 +1,10 @@
 #include "higherpair/geometry/newton_root.hpp"
 
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 
@@ -42,7 +42,7 @@ public:
         (x + step == x || (!halved_ && size <= kNewtonRootNear * std::abs(h_) && size >= last_ / 2))) {
       return true;
     }
-    from_far_ = std::numeric_limits<double>::quiet_NaN();
+    from_far_ = kNoValue;
     if (known && std::signbit(at.value) == std::signbit(at_near_.value)) {
       bend_ = std::abs((at.slope - at_near_.slope) / ((x - near_) * 2 * at.slope));
       near_ = x;
@@ -72,11 +72,11 @@ private:
   double near_ = 0;
   ValueAndSlope at_near_;
   double far_;
-  double from_far_ = std::numeric_limits<double>::quiet_NaN();  // where Newton's step from the far end leads
-  bool jumps_ = false;                                          // that step does not lead into the bracket
-  bool halved_ = false;                                    // the last place is a bisection, not a Newton step
-  double bend_ = std::numeric_limits<double>::infinity();  // |f''/2f'| at the near end
-  double last_;                                            // size of the last step
+  double from_far_ = kNoValue;  // where Newton's step from the far end leads
+  bool jumps_ = false;          // that step does not lead into the bracket
+  bool halved_ = false;         // the last place is a bisection, not a Newton step
+  double bend_ = kInf;          // |f''/2f'| at the near end
+  double last_;                 // size of the last step
 };
 
 }  // namespace

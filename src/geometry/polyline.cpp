@@ -1,7 +1,8 @@
 #include "higherpair/geometry/polyline.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
+
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -38,7 +39,7 @@ std::size_t Polyline::add(std::size_t begin, std::size_t end) {
 struct Polyline::Nearest {
   Feature feature;
   std::size_t part = 0;
-  double distance2 = std::numeric_limits<double>::infinity();
+  double distance2 = kInf;
 };
 
 Feature Polyline::nearest(const Vector2d& p) const {

@@ -1,12 +1,12 @@
 #include "higherpair/io/dxf_writer.hpp"
 
 #include "dxf_units.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/decimal.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -87,7 +87,7 @@ std::string layer_name(const DxfOutline& outline) {
 }
 
 void write_header(Writer& writer, const std::vector<DxfOutline>& outlines, Unit length) {
-  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d low = Vector2d::Constant(kInf);
   Vector2d high = -low;
   for (const DxfOutline& outline : outlines) {
     for (const ArcVertex& vertex : outline.line.vertices) {

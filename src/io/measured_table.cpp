@@ -2,13 +2,13 @@
 
 #include "csv_fields.hpp"
 #include "encoding.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "names.hpp"
 #include "text_file.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -19,7 +19,7 @@ namespace {
 using io_detail::trimmed;
 using io_detail::visible;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = kNoValue;
 constexpr std::size_t kMostTableMistakes = 5;
 
 bool is_missing(std::string_view field) {

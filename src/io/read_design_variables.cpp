@@ -1,11 +1,11 @@
 // The variables of a design.
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "read_design.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -40,11 +40,10 @@ public:
         read_path(path, variable, start);
       }
     }
-    constexpr double kNone = std::numeric_limits<double>::infinity();
     const auto min = table.take("min");
     const auto max = table.take("max");
-    const auto low = min ? as_plain_number(reading_, *min) : std::optional(-kNone);
-    const auto high = max ? as_plain_number(reading_, *max) : std::optional(kNone);
+    const auto low = min ? as_plain_number(reading_, *min) : std::optional(-kInf);
+    const auto high = max ? as_plain_number(reading_, *max) : std::optional(kInf);
     const auto step = table.take("step");
     variable.range.step = step ? as_plain_number(reading_, *step).value_or(0) : 0;
     if (step && !(variable.range.step > 0)) {

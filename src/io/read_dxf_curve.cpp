@@ -1,12 +1,12 @@
 #include "dxf.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "named_file.hpp"
 #include "numeric/joined_words.hpp"
 #include "read_boundary.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include <fmt/core.h>
@@ -54,7 +54,7 @@ std::optional<Drawing> read_drawing(TableReader& table) {
 }
 
 double distance(const Contour& contour, const Vector2d& p) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInf;
   for (const SpanPtr& span : spans_of(contour.pieces)) {
     const Bounds range = span->range();
     constexpr int kParts = 16;

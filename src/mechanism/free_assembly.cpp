@@ -8,6 +8,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
 
 #include <algorithm>
@@ -119,7 +120,7 @@ Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition
 
 std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
                                                MechanismPosition position) {
-  double last = INFINITY;
+  double last = kInf;
   for (int i = 0; i < kNewtonTurns; ++i) {
     if (!place_contacts(sized.mechanism, position)) {
       return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/tolerances.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct OutwardRounding {
   static double down(double x) {
     const double y = x - margin(x);
     if (y == y) return y;
-    return x > 0 ? std::numeric_limits<double>::max() : -std::numeric_limits<double>::infinity();
+    return x > 0 ? std::numeric_limits<double>::max() : -kInf;
   }
   static double up(double x) { return -down(-x); }
 

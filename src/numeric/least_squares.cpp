@@ -1,12 +1,12 @@
 #include "least_squares.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "least_norm.hpp"
 #include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -154,7 +154,7 @@ private:
   double damping_ = kFirstDamping;
   bool smallest_step_ = false;
   // Predicted gain of the best step, at the last Jacobian.
-  double gain_ = std::numeric_limits<double>::infinity();
+  double gain_ = kInf;
   bool unseen_ = false;
 };
 

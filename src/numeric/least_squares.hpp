@@ -1,8 +1,9 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
+
 #include <atomic>
 #include <functional>
-#include <limits>
 
 #include <Eigen/Core>
 
@@ -34,10 +35,10 @@ enum class LeastSquaresEnd {
 };
 
 struct LeastSquaresFit {
-  Eigen::VectorXd x;                                     ///< the best found; the start if kUndefined
-  Eigen::VectorXd r;                                     ///< there
-  Eigen::MatrixXd J;                                     ///< there, or at the step before
-  double sum = std::numeric_limits<double>::infinity();  ///< ‖r‖²
+  Eigen::VectorXd x;  ///< the best found; the start if kUndefined
+  Eigen::VectorXd r;  ///< there
+  Eigen::MatrixXd J;  ///< there, or at the step before
+  double sum = kInf;  ///< ‖r‖²
   int iterations = 0;
   LeastSquaresEnd end = LeastSquaresEnd::kUndefined;
 };

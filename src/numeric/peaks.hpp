@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "numeric/tolerances.hpp"
 
@@ -7,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,7 +20,7 @@ namespace higherpair {
 /// A place and the value there.
 struct Peak {
   double at = 0;
-  double value = -std::numeric_limits<double>::infinity();
+  double value = -kInf;
 };
 
 /// Limits of the cost of a search, and values that it may ignore.
@@ -28,7 +28,7 @@ struct PeakLimits {
   double shortest = 0;  ///< interval: position of a jump is known to this
   double noise = 0;     ///< smaller differences of values are rounding
   /// A value found elsewhere; lower ones are of no use.
-  double known = -std::numeric_limits<double>::infinity();
+  double known = -kInf;
   int calls = 3000;  ///< calls of the function between two neighbouring samples
 };
 
@@ -39,12 +39,11 @@ struct PeakLimits {
 /// terms, is left out.
 /// \param last  size of the last terms of the interval that was halved to give this one
 template <class F>
-void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
-           double last = std::numeric_limits<double>::infinity()) {
+void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best, double last = kInf) {
   ChebyshevSeries values;
   const auto place = [&](double t) { return (from + to) / 2 + t * (to - from) / 2; };
   bool whole = true;
-  double left = -std::numeric_limits<double>::infinity(), right = left;
+  double left = -kInf, right = left;
   for (std::size_t j = 0; j < kNodes; ++j) {
     const double at = place(node(j));
     const double value = f(at);
@@ -57,13 +56,13 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
     best = value > best.value ? Peak{at, value} : best;
   }
   limits.calls -= static_cast<int>(kNodes);
-  double tail = std::numeric_limits<double>::infinity();
+  double tail = kInf;
   std::array<double, 2> highest{tail, tail};  // upper bounds of the function in each half
   if (whole) {
     const ChebyshevSeries series = interpolate(values);
     tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
     if (tail <= limits.noise || (tail <= kRoughTerms * limits.noise && tail * kTermsFall >= last)) {
-      LowestValue lowest{0, std::numeric_limits<double>::infinity()};
+      LowestValue lowest{0, kInf};
       find_lower(series, std::max(kFineOfNoise * limits.noise, kFineOfTerms * tail), lowest);
       const double t = settled_minimum(series, lowest.t);
       if (-value_at(series, t) > best.value) {
@@ -76,8 +75,7 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
       highest[side] = spread(own) - own[0] + kFarthestSeries * tail;
     }
   }
-  if (!(to - from > limits.shortest) || std::max(left, right) == -std::numeric_limits<double>::infinity() ||
-      limits.calls <= 0) {
+  if (!(to - from > limits.shortest) || std::max(left, right) == -kInf || limits.calls <= 0) {
     return;
   }
   const double middle = (from + to) / 2;
@@ -103,9 +101,7 @@ public:
       if (!std::isfinite(values[i]) || before >= values[i] || after > values[i]) {
         continue;
       }
-      const auto rise = [&](double beside) {
-        return std::isfinite(beside) ? values[i] - beside : std::numeric_limits<double>::infinity();
-      };
+      const auto rise = [&](double beside) { return std::isfinite(beside) ? values[i] - beside : kInf; };
       const double open = std::max(i > 0 ? rise(before) : 0.0, i + 1 < values.size() ? rise(after) : 0.0);
       const double low = i > 0 ? at[i - 1] : from, high = i + 1 < values.size() ? at[i + 1] : to;
       candidates_.push_back({low, high, {at[i], values[i]}, open});
@@ -120,7 +116,7 @@ public:
     limits.noise = std::max(limits.noise, kPeakRounding * scale_);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.peak.value > b.peak.value; });
-    double best = -std::numeric_limits<double>::infinity();
+    double best = -kInf;
     int left = kMostCalls;
     std::vector<Peak> found;
     for (const Candidate& candidate : candidates_) {

@@ -1,5 +1,6 @@
 #include "numeric/spline.hpp"
 
+#include "higherpair/numeric/special_values.hpp"
 #include "numeric/spline_basis.hpp"
 #include "numeric/tolerances.hpp"
 
@@ -8,7 +9,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -59,7 +59,7 @@ public:
     }
     const BandSolver solver(system_);
     if (!solver.is_regular()) {  // a number has overflowed
-      return MatrixXd::Constant(right_.rows(), right_.cols(), std::numeric_limits<double>::quiet_NaN());
+      return MatrixXd::Constant(right_.rows(), right_.cols(), kNoValue);
     }
     MatrixXd solution = solver.solve(right_);
     solution += solver.solve(right_ - system_.times(solution));

@@ -2,10 +2,10 @@
 
 #include "exact_pair.hpp"
 #include "higherpair/contact/certify.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -263,7 +263,6 @@ bool has_exact_arithmetic() {
 
 std::optional<std::vector<DecidedRoot>> decide_roots(const ContactPair& pair, double u) {
   constexpr int kCharts = 4;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (int chart = 0; chart < kCharts; ++chart) {
     const ExactPair exact = make_exact(pair, u, chart);
     const bool turns = exact.motion.turns;
@@ -291,7 +290,7 @@ std::optional<std::vector<DecidedRoot>> decide_roots(const ContactPair& pair, do
         return turns ? Extended(2 * atan(t) + exact.offset) : Extended(t * exact.unit);
       };
       each.middle = (q_of(bounds.first) + q_of(bounds.second)) / 2;
-      each.q = {outward(q_of(bounds.first), -kInfinity), outward(q_of(bounds.second), kInfinity)};
+      each.q = {outward(q_of(bounds.first), -kInf), outward(q_of(bounds.second), kInf)};
       decided.push_back(each);
     }
     return decided;

@@ -2,10 +2,10 @@
 
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 
@@ -32,7 +32,7 @@ public:
   /// The next step, of at most `most`, where `rest` is left of the path. If that is little more than a step,
   /// it is taken as a whole: no remainder of rounding size is left. A step that has been shortened ends where
   /// it should, however little is left behind it.
-  [[nodiscard]] Stride next(double rest, double most = std::numeric_limits<double>::infinity()) const {
+  [[nodiscard]] Stride next(double rest, double most = kInf) const {
     const double h = std::min(length_, most);
     const bool last = std::abs(rest) <= (before_ > 0 ? 1 : kAlmostThere) * h;
     return {last ? rest : std::copysign(h, rest), last};

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "higherpair/geometry/boundary.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace higherpair {
@@ -60,7 +60,7 @@ struct SpanEnd {
 /// The signed radius of curvature at a point of a boundary: > 0 where the body is convex, 0 at a corner,
 /// infinite where it is straight [m].
 [[nodiscard]] inline double radius_of(const SpanPoint& point, bool corner) {
-  return corner ? 0 : point.kappa == 0 ? std::numeric_limits<double>::infinity() : 1 / point.kappa;
+  return corner ? 0 : point.kappa == 0 ? kInf : 1 / point.kappa;
 }
 
 }  // namespace higherpair
