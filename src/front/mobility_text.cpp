@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
+#include "higherpair/numeric/contains.hpp"
 #include "mobility_gears.hpp"
 #include "mobility_json.hpp"
 #include "tolerances.hpp"
@@ -8,6 +9,7 @@
 #include <cmath>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace higherpair {
 namespace {
@@ -126,16 +128,18 @@ private:
     const bool passes = std::all_of(limits.begin(), limits.end(),
                                     [](const Json& limit) { return limit["change_point"].get<bool>(); });
     text += passes ? "turns fully through change points, at " : "limit positions, dead points as driver, at ";
-    std::string separator;
+    std::vector<std::string> places;
     for (const Json& limit : limits) {
-      text += separator + angle(limit[name]);
+      std::string place = angle(limit[name]);
       if (std::string(name) != "crank") {
-        text += " (crank " + angle(limit["crank"]) + ")";
+        place += " (crank " + angle(limit["crank"]) + ")";
       }
-      text += limit["change_point"].get<bool>() && !passes ? " (change point)" : "";
-      separator = "; ";
+      place += limit["change_point"].get<bool>() && !passes ? " (change point)" : "";
+      if (!contains(places, place)) {  // of another link folded either way
+        places.push_back(std::move(place));
+      }
     }
-    add("{}", text);
+    add("{}{}", text, fmt::join(places, "; "));
   }
 
   void four_bar(int index, const Json& loop) {

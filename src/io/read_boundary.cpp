@@ -27,7 +27,11 @@ std::string name_of_piece(const Outline& outline, std::size_t i) {
   return outline.names.empty() ? "the curve" : outline.names[i % outline.names.size()];
 }
 
+// Of pieces that the profile names: those of a gear, which have no names, are as they have to be.
 void note_slight_corners(TableReader& table, const Outline& outline) {
+  if (outline.names.empty()) {
+    return;
+  }
   const std::size_t count = outline.pieces.size();
   for (std::size_t i = 0; i < (outline.closed ? count : count - 1); ++i) {
     const PieceEnd end = end_of(outline.pieces[i]);

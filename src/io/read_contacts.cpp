@@ -73,6 +73,11 @@ void read_keep(TableReader& table, Contact& contact) {
   if (contact.keep == Keep::kGap && contact.rolling) {
     report(table.reading(), *item, "curves that may part slip: leave `rolling` out");
   }
+  if (contact.keep == Keep::kGap && contact.approach != Approach::kNearest) {
+    note_whole(table,
+               "a contact that may part is open at the start unless the bodies touch in the pose: its "
+               "`approach` has no effect");
+  }
   contact.both_sides = table.flag("both_sides", false);
 }
 

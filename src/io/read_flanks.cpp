@@ -141,6 +141,19 @@ private:
     }
     named.boundary = std::make_shared<const Boundary>(*std::move(boundary));
     named.curve.vertex_B = named.boundary->middle_B();
+    note_missing_part(late.law, motion);
+  }
+
+  // A law that lacks little of a turn.
+  void note_missing_part(const Item& law, const CamMotion& motion) {
+    const double over = motion.law.end() - motion.law.begin();
+    if (motion.cam.turns && !closes(motion) && over > kNearlyATurn * 2 * kPi) {
+      reading_.notes.push_back(
+          {law.value->mark,
+           fmt::format("{}: the law goes over {} of the cam, and the flank ends there; over {} it "
+                       "would be closed",
+                       law.path, cam_coordinate(motion, over), cam_coordinate(motion, 2 * kPi))});
+    }
   }
 
   [[nodiscard]] std::string cam_coordinate(const CamMotion& motion, double x) const {

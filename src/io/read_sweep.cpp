@@ -44,21 +44,20 @@ void read_seed(TableReader& table, VariantPlan& plan) {
 }
 
 void read_results_of(TableReader& table, SweepTask& task) {
-  read_results(
-      table, [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
-        SweepResult result;
-        result.name = name;
-        result.where = entry.flag("where", false);
-        const bool has_place =
-            !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
-                         measure->of != MeasureKind::kRms);
-        if (result.where && !has_place) {
-          entry.refuse("where",
-                       fmt::format("\"{}\" is of all rows and has no position", name_of(measure->of)));
-        }
-        result.measure = measure.value_or(Measure());
-        task.results.push_back(std::move(result));
-      });
+  read_results(table, [&](const std::string& name, const std::optional<Measure>& measure,
+                          TableReader& entry) {
+    SweepResult result;
+    result.name = name;
+    result.where = entry.flag("where", false);
+    const bool has_place =
+        !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
+                     measure->of != MeasureKind::kRms);
+    if (result.where && !has_place) {
+      entry.refuse("where", fmt::format("\"{}\" is of all rows and has no position", name_of(measure->of)));
+    }
+    result.measure = measure.value_or(Measure());
+    task.results.push_back(std::move(result));
+  });
 }
 
 void read_rows(TableReader& table, SweepTask& task) {

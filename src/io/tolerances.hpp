@@ -12,6 +12,8 @@ namespace higherpair {
 inline constexpr double kDefaultGap = 1e-5;
 /// Ends of neighbouring spans of a flank that are no farther apart count as meeting [m].
 inline constexpr double kFlankMeets = 1e-9;
+/// Share of a turn beyond which a law that does not close its flank was probably meant to.
+inline constexpr double kNearlyATurn = 0.75;
 /// Relative to the size of a curve: gap up to which the ends of its offset count as meeting. It may be
 /// generous, for they meet as exactly as those of the curve itself.
 inline constexpr double kOffsetGap = 1e-3;

@@ -167,6 +167,16 @@ TEST_F(MobilityCommand, NamesTheChangePointsOfAParallelogram) {
   EXPECT_FALSE(loop.at("full_turn").at("crank").get<bool>());
 }
 
+// Coupler and right crank may fold either way at the same position of the left one.
+TEST_F(MobilityCommand, NamesAChangePointOfARhombusOnce) {
+  std::ostringstream profile;
+  profile << std::ifstream(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/parallelogram.toml").rdbuf();
+  const Outcome text = run(profile.str(),
+                           "--set bodies.left.points.A.0=100 --set bodies.right.points.B.0=100 "
+                           "--set bodies.coupler.pose.x=50 --set bodies.coupler.pose.y=86.6");
+  EXPECT_THAT(text.out, HasSubstr("turns fully through change points, at 0 deg; 180 deg\n"));
+}
+
 TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
   const Outcome outcome = run(kSliderCrank, "--json -");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

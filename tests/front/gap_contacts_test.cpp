@@ -303,6 +303,12 @@ TEST(MistakesInGaps, AreSaidWithPlaceAndRemedy) {
   EXPECT_THAT(error_of(replaced(kTappet, "\"cam\", ", "\"can\", ")), HasSubstr("there is no body `can`"));
 }
 
+TEST(Tappet, IsOpenAtTheStartWhateverItsApproach) {
+  const Model model = model_of(replaced(kTappet, "keep = \"gap\"", "keep = \"gap\"\napproach = \"-\""));
+  ASSERT_EQ(model.notes().size(), 1U);
+  EXPECT_THAT(to_string(model.notes()[0]), HasSubstr("its `approach` has no effect"));
+}
+
 // Like the centre line of a slot, whose ends are not edges. The disc touches it at x = 10 cos θ: between 60°
 // and 120°, and 240° and 300°.
 TEST(FaceOfBothSides, IsLeftAtItsEndAndTakenUpWhereTheContactIsBack) {

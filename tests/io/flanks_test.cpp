@@ -1,4 +1,5 @@
 #include "higherpair/cam/flank.hpp"
+#include "higherpair/io/notes.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
 #include <cmath>
@@ -78,6 +79,23 @@ TEST(Flanks, AreBoundariesOfAsManySpansAsTheLawHasSegments) {
   EXPECT_TRUE(flank.boundary->is_closed());
   EXPECT_EQ(flank.boundary->spans().size(), 4U);
   EXPECT_TRUE(profile->mechanism.contacts[0].by_boundary);
+}
+
+TEST(Flanks, OfALawThatLacksSomeOfATurnAreNoted) {
+  const auto notes_of = [](double last) {
+    Parts parts;
+    parts.law = fmt::format(
+        R"(segments = [ {{ over = 120, law = "cycloidal", rise = 20 }}, {{ over = 40, law = "dwell" }},
+             {{ over = 120, law = "cycloidal", rise = -20 }}, {{ over = {}, law = "dwell" }} ])",
+        last);
+    const auto profile = read_profile_text(profile_with(parts), "cam.toml");
+    std::string text;
+    for (const Diagnostic& note : profile.value().notes) text += note_text(note) + "\n";
+    return text;
+  };
+  EXPECT_THAT(notes_of(60), HasSubstr("the law goes over 340 deg of the cam, and the flank ends there; over "
+                                      "360 deg it would be closed"));
+  EXPECT_EQ(notes_of(80), "");
 }
 
 TEST(Flanks, HaveOffsets) {
