@@ -32,13 +32,27 @@ public:
         joint_(joint),
         low_(*envelope_->at(joint.low, LawSide::kAfter)),
         high_(*envelope_->at(joint.high, LawSide::kBefore)),
-        parts_(parts_for(knots)) {}
+        parts_(parts_for(knots)) {
+    const CamMotion& motion = envelope_->origin().motion;
+    const LawExtremes velocity = motion.law.extremes(1, joint.low, joint.high);
+    if (motion.cam.turns && velocity.least == 0 && velocity.greatest == 0) {
+      dwell_ = Dwell{motion.cam.p_BO, motion.cam_sign};
+      low_.slope = high_.slope = 0;
+      high_.kappa = low_.kappa;
+    }
+  }
 
   [[nodiscard]] SpanPoint at(double t) const override {
     const double x = sense_ * t;
-    return x <= joint_.low ? low_ : x >= joint_.high ? high_ : *envelope_->at(x, LawSide::kAfter);
+    return x <= joint_.low    ? low_
+           : x >= joint_.high ? high_
+           : dwell_           ? on_dwell(x)
+                              : *envelope_->at(x, LawSide::kAfter);
   }
   [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
+    if (dwell_) {
+      return CurvatureRates{};
+    }
     const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
     return envelope_->curvature_rates(x, x < joint_.high ? LawSide::kAfter : LawSide::kBefore);
   }
@@ -50,7 +64,22 @@ public:
   [[nodiscard]] FlankOrigin origin() const { return envelope_->origin(); }
 
 private:
+  // While the follower of a turning cam rests, the flank is an arc about the cam's pivot.
+  struct Dwell {
+    Vector2d pivot_B;
+    double cam_sign = 1;
+  };
+
+  [[nodiscard]] SpanPoint on_dwell(double x) const {
+    const auto R = Rotation<double>::from_angle(-dwell_->cam_sign * (x - joint_.low));
+    SpanPoint point = low_;
+    point.p_B = dwell_->pivot_B + R * (low_.p_B - dwell_->pivot_B);
+    point.n_B = R * low_.n_B;
+    return point;
+  }
+
   std::shared_ptr<const Envelope> envelope_;
+  std::optional<Dwell> dwell_;
   double sense_;
   Bounds joint_;
   SpanPoint low_, high_;  // its ends, cached because steps along a boundary need them often

@@ -98,6 +98,40 @@ TEST(Flanks, OfALawThatLacksSomeOfATurnAreNoted) {
   EXPECT_EQ(notes_of(80), "");
 }
 
+// While the follower rests, whatever it is, the flank is an arc about the cam's pivot.
+TEST(Flanks, AreArcsWhereTheLawDwells) {
+  Parts ellipse;
+  ellipse.follower = R"({ type = "ellipse", center = [0, 0], semi_axes = [14, 9], rotation = 20 })";
+  Parts flat;
+  flat.follower = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
+  for (const Parts& parts : {Parts(), ellipse, flat}) {
+    const auto profile = read_profile_text(profile_with(parts), "cam.toml");
+    ASSERT_TRUE(profile) << mistakes_in(parts);
+    const Boundary& flank = *profile->mechanism.bodies[1].curves[0].boundary;
+    int arcs = 0;
+    for (std::size_t i = 0; i < flank.spans().size(); ++i) {
+      if (!flank.is_arc(static_cast<int>(i))) continue;
+      ++arcs;
+      const Span& span = *flank.spans()[i];
+      const Bounds range = span.range();
+      const double radius = span.at(range.low).p_B.norm();
+      double arc = 0;
+      Vector2d last = span.at(range.low).p_B;
+      for (int k = 1; k <= 200; ++k) {
+        const SpanPoint point = span.at(range.low + k * range.width() / 200);
+        EXPECT_NEAR(point.p_B.norm(), radius, 1e-15);
+        EXPECT_NEAR(std::abs(cross(point.p_B, point.n_B)), 0, 1e-14);
+        EXPECT_NEAR(point.kappa, 1 / radius, 1e-10);
+        arc += std::abs(std::atan2(cross(last, point.p_B), last.dot(point.p_B)));
+        last = point.p_B;
+      }
+      EXPECT_NEAR(arc, range.width(), 1e-12);
+      EXPECT_LT((span.at(range.high).p_B - span.at(range.high - 1e-9).p_B).norm(), 1e-9 * 2 * radius);
+    }
+    EXPECT_EQ(arcs, 2);
+  }
+}
+
 TEST(Flanks, HaveOffsets) {
   Parts parts;
   parts.more_curves = R"(curves.inner = { type = "offset", of = "flank", by = -5 }
