@@ -22,11 +22,11 @@ struct Kink {
   double normal = 0;  // angle of the present normal
 };
 
-// The kink of a joint that the iteration has crossed to and fro; none if the spans have the same direction
-// there.
-std::optional<Kink> kink_between(const Boundary& boundary, int span, int other) {
-  const int before = boundary.next_span(span, true) == other ? span : other;
-  const int after = before == span ? other : span;
+// The kink at the joint of a span and the one after it; none if they have the same direction there.
+std::optional<Kink> kink_between(const Boundary& boundary, int before, int after) {
+  if (boundary.next_span(before, true) != after) {
+    return std::nullopt;
+  }
   const BoundaryPlace end = end_of(boundary, before, true), begin = end_of(boundary, after, false);
   const Vector2d n0 = boundary.at(end).n_B, n1 = boundary.at(begin).n_B;
   const double turn = std::atan2(cross(n0, n1), n0.dot(n1));
@@ -66,7 +66,8 @@ public:
     const auto next = boundary.advance(place, ds, dphi);
     if (next.place.span != place.span) {
       if (next.place.span == came_from_ && !was_at_kink_) {
-        kink_ = kink_between(boundary, place.span, came_from_);
+        kink_ = ds > 0 ? kink_between(boundary, place.span, came_from_)
+                       : kink_between(boundary, came_from_, place.span);
       }
       came_from_ = place.span;
     }

@@ -275,5 +275,34 @@ TEST(EventsByRows, AnOutlineOfRoundedNumbersIsFollowedOverItsJoints) {
   }
 }
 
+// Either of two arcs follows the other at both of its ends.
+TEST(EventsByRows, ADiscOfTwoArcsIsFollowedOverBothJoints) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> turn(-180, 180), offset(3, 12), error(-5, 5);
+  for (int trial = 0; trial < 12; ++trial) {
+    const double from = turn(random), e = std::round(offset(random)), rounding = trial % 2 == 0 ? 1e-7 : 1e-6;
+    const auto arc = [&](double begin) {
+      return fmt::format(R"({{ type = "arc", center = [{}, 0], radius = 20, from = {}, to = {} }}, )", e,
+                         begin + rounding * error(random), begin + 180 + rounding * error(random));
+    };
+    const std::string text = replaced(
+        sliding({{1, 0}, {0, 1}, {-1, 0}}, 0, R"({ type = "circle", center = [0, 0], radius = 8 })"),
+        polygon({{1, 0}, {0, 1}, {-1, 0}}),
+        fmt::format(R"({{ type = "chain", tolerance = 0.01, spans = [{}{}] }})", arc(from), arc(from + 180)));
+    const Profile profile = profile_of(text);
+    for (const std::int64_t rows : {2, 37, 181, 361}) {
+      const RunTable motion = run_with(profile, rows);
+      expect_all_ok(motion);
+      EXPECT_EQ(count_of(motion, EventType::kLimitPosition), 0U) << trial << ' ' << rows;
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        const double angle = 2 * kPi * static_cast<double>(k) / static_cast<double>(rows - 1);
+        const double x = e * std::cos(angle);
+        EXPECT_NEAR(motion.value(k, "follower.y"), e * std::sin(angle) + std::sqrt(28 * 28 - x * x), 1e-6)
+            << trial << ' ' << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
