@@ -79,8 +79,7 @@ void predict(const Group& group, const State& from, double h, State& to) {
 }
 
 bool is_idle(const Planned& model, int body) {
-  const std::vector<int>& idle = model.plan.idle_bodies;
-  return contains(idle, body);
+  return contains(model.plan.idle_bodies, body);
 }
 
 // Removes the turn of idle bodies that rounding has left.

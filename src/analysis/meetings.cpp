@@ -286,11 +286,8 @@ private:
       }
     }
     const auto found = first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};
-    return halvings < (inside ? kHalvingsToTouch
-                       : lost ? kStepHalvings
-                              : 0)
-               ? split(a, b, halvings + 1, found)
-               : found;
+    const int most = inside ? kHalvingsToTouch : lost ? kStepHalvings : 0;
+    return halvings < most ? split(a, b, halvings + 1, found) : found;
   }
 
   // The first in both halves; what has been found already if there is no position in the middle.

@@ -33,10 +33,6 @@ std::string quantity(double value, const PictureUnit& unit) {
   return fmt::format("{:g} {}", value, printed_unit(unit.name));
 }
 
-bool has(const std::vector<Role>& layers, Role role) {
-  return contains(layers, role);
-}
-
 }  // namespace
 
 void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
@@ -63,7 +59,7 @@ DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::
   samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
   const auto add_arrow = [&](Role role, double mm_per_si, const PictureUnit& of) {
     const double px = scale * mm_per_si * of.si;
-    if (!has(layers, role) || !(px > 0)) return;
+    if (!contains(layers, role) || !(px > 0)) return;
     const double value = round_down(std::min(kLongestFootArrow, 0.12 * settings.width) / px);
     samples_.push_back({std::string(name_of(role)), value * px, 0, quantity(value, of)});
   };
@@ -71,7 +67,7 @@ DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::
   add_arrow(Role::kAcceleration, scene.acceleration_scale * kMillimetres, settings.acceleration);
   add_arrow(Role::kForce, scene.force_scale, settings.force);
   const double turn = scene.torque_scale * settings.torque.si;
-  if (has(layers, Role::kForce) && turn > 0) {
+  if (contains(layers, Role::kForce) && turn > 0) {
     const double value = round_down(1.5 * kPi / turn);
     samples_.push_back({"force", 2 * kArcRadius, value * turn, quantity(value, settings.torque)});
   }

@@ -147,15 +147,13 @@ private:
             given != nullptr ? given->value : 0;
       }
     }
-    if (contains_null(pressure.given)) {
+    if (contains(pressure.given, nullptr)) {
       return std::nullopt;
     }
     pressure.modulus = contact_modulus(materials[0], materials[1]);
     pressure.width = pressure.given.front()->value;
     return pressure;
   }
-
-  static bool contains_null(const std::vector<const GivenLimit*>& given) { return contains(given, nullptr); }
 
   // κ1 + κ2, +∞ at corners. A contact held on both sides that pulls presses the round body against the wall
   // opposite, which is farther out by its diameter and curved the other way; NaN where neither body is round.

@@ -3,6 +3,7 @@
 #include "dxf_entities.hpp"
 #include "dxf_units.hpp"
 #include "encoding.hpp"
+#include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
 #include <array>
@@ -120,7 +121,7 @@ private:
   }
 
   void add(const DxfGroup& entity, const std::vector<DxfGroup>& vertices, const Scaling& unit) {
-    const bool stranger = std::find(kStrangers.begin(), kStrangers.end(), entity.type) != kStrangers.end();
+    const bool stranger = contains(kStrangers, entity.type);
     if (!stranger && !is_dxf_curve(entity.type)) {
       return;
     }

@@ -1,6 +1,7 @@
 #include "higherpair/io/dxf_writer.hpp"
 
 #include "dxf_units.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/decimal.hpp"
 #include "tolerances.hpp"
@@ -110,7 +111,7 @@ void write_header(Writer& writer, const std::vector<DxfOutline>& outlines, Unit 
 void write_layers(Writer& writer, const std::vector<DxfOutline>& outlines) {
   std::vector<std::string> layers;
   for (const DxfOutline& outline : outlines) {
-    if (std::find(layers.begin(), layers.end(), layer_name(outline)) == layers.end()) {
+    if (!contains(layers, layer_name(outline))) {
       layers.push_back(layer_name(outline));
     }
   }

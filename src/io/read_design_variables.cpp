@@ -1,5 +1,6 @@
 // The variables of a design.
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "read_design.hpp"
 #include "tolerances.hpp"
@@ -95,7 +96,7 @@ private:
       return;
     }
     for (const DesignTask::Variable& other : variables_) {
-      if (std::find(other.paths.begin(), other.paths.end(), *path) != other.paths.end()) {
+      if (contains(other.paths, *path)) {
         report(reading_, item, fmt::format("this number is variable `{}` already", other.name));
       }
     }

@@ -2,6 +2,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/tasks.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 
@@ -96,7 +97,7 @@ private:
         names.push_back(mechanism_.bodies[b].name + "." + point.name);
       }
     }
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (!contains(names, name)) {
       report(reading_, item, "there is no such point of a moving body; " + suggestion(name, names));
     }
     for (const FitTask::Frame& other : task_.frames) {

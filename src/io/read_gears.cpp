@@ -2,6 +2,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "reading.hpp"
 #include "tolerances.hpp"
 
@@ -41,14 +42,13 @@ std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, con
   const std::vector<int> first = bodies_at(pins, mechanism, joint.first);
   std::vector<int> common;
   for (const int body : bodies_at(pins, mechanism, joint.second)) {
-    if (body != joint.first.body && body != joint.second.body &&
-        std::find(first.begin(), first.end(), body) != first.end()) {
+    if (body != joint.first.body && body != joint.second.body && contains(first, body)) {
       common.push_back(body);
     }
   }
   if (gears.carrier) {
     const auto named = as_body(reading, *gears.carrier, mechanism);
-    if (named && std::find(common.begin(), common.end(), *named) == common.end()) {
+    if (named && !contains(common, *named)) {
       report(reading, *gears.carrier, "expected a body that carries both wheels on pins at these points");
     }
     return named;

@@ -1,5 +1,6 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 #include "reading.hpp"
 
@@ -132,7 +133,7 @@ void require_materials(TableReader& table, const CheckLimits& limits, const Mech
       for (const int body : {contact.first.body, contact.second.body}) {
         const auto name = fmt::format("limits.{}", name_of(key));
         const bool known = limit_of(limits, limits.bodies, static_cast<std::size_t>(body), key) != nullptr;
-        if (!known && std::find(missing.begin(), missing.end(), name) == missing.end()) {
+        if (!known && !contains(missing, name)) {
           missing.push_back(name);
         }
       }

@@ -1,6 +1,7 @@
 // [sweep]: the variants and the results wanted of each.
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/tasks.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
@@ -91,7 +92,7 @@ void read_what(TableReader& table, SweepTask& task) {
 void check_names(TableReader& table, const SweepTask& task) {
   std::vector<std::string> names(kTakenNames.begin(), kTakenNames.end());
   const auto check = [&](const std::string& part, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
+    if (contains(names, name)) {
       table.reading().mistakes.push_back(
           {table.mark(),
            fmt::format("{}.{}.{}: there is another column `{}` in the table; choose another name",

@@ -1,4 +1,5 @@
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -201,8 +202,7 @@ std::vector<std::string> meant(std::string_view name, const std::vector<std::str
   const std::string word = normal_word(name);
   std::vector<std::string> names;
   for (const Synonyms& synonyms : kSynonyms) {
-    if (is_among(word, synonyms.others) &&
-        std::find(existing.begin(), existing.end(), synonyms.word) != existing.end()) {
+    if (is_among(word, synonyms.others) && contains(existing, synonyms.word)) {
       names.push_back(fmt::format("`{}`", synonyms.word));
     }
   }

@@ -1,4 +1,5 @@
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
@@ -63,7 +64,7 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
   std::string objection = !own                    ? path_objection(paths.document, *path)
                           : paths.task == "sweep" ? "a sweep cannot vary itself"
                                                   : "tolerances have none themselves";
-  if (objection.empty() && std::find(paths.taken.begin(), paths.taken.end(), *path) != paths.taken.end()) {
+  if (objection.empty() && contains(paths.taken, *path)) {
     objection = "another variable sets this already";
   }
   paths.taken.push_back(*path);

@@ -73,7 +73,7 @@ Finding string_mistake(const SyntaxScan& scan, std::string_view message) {
     return std::nullopt;
   }
   const char quote = scan.text[*scan.quote];
-  if (contains(message, "unknown escape") || contains(message, "hex digit")) {
+  if (contains_text(message, "unknown escape") || contains_text(message, "hex digit")) {
     return Found{
         *scan.quote,
         "a backslash begins an escape within \"…\": write it twice, or the text in single quotes '…'"};
@@ -89,7 +89,7 @@ Finding string_mistake(const SyntaxScan& scan, std::string_view message) {
 }
 
 Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
-  return contains(message, "after '\\r'")
+  return contains_text(message, "after '\\r'")
              ? Finding(
                    {scan.stop,
                     "a line ends with a carriage return alone: save the file with the line ends of today"})

@@ -41,7 +41,7 @@ using Finding = std::optional<Found>;
 /// Whether the text begins with a table heading or with a key and its =.
 [[nodiscard]] bool begins_statement(std::string_view text);
 
-[[nodiscard]] inline bool contains(std::string_view text, std::string_view part) {
+[[nodiscard]] inline bool contains_text(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 

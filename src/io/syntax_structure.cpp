@@ -63,7 +63,7 @@ Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
 }  // namespace
 
 Finding redefinition(const SyntaxScan& scan, std::string_view message) {
-  if ((!contains(message, "cannot redefine") && !contains(message, "cannot insert")) ||
+  if ((!contains_text(message, "cannot redefine") && !contains_text(message, "cannot insert")) ||
       scan.statements.empty()) {
     return std::nullopt;
   }
@@ -102,7 +102,7 @@ Finding heading_mistake(const SyntaxScan& scan, std::string_view message) {
   const std::string_view line = scan.line_from(scan.token);
   const std::size_t close = line.find(']');
   const std::string_view name = trimmed(line.substr(std::min(line.find_first_not_of('['), line.size())));
-  if (contains(message, "blank bare keys") || name.empty() || name[0] == ']') {
+  if (contains_text(message, "blank bare keys") || name.empty() || name[0] == ']') {
     return Found{scan.token, "a heading needs a name between its brackets, such as [driver]"};
   }
   if (close == std::string_view::npos) {
@@ -138,13 +138,13 @@ Finding bracket_mistake(const SyntaxScan& scan, std::string_view message) {
                     "written as a table of their own, [{}], with a line for each key",
                     path_before(scan))};
   }
-  if (contains(message, "dangling comma") || contains(message, "saw comma")) {
+  if (contains_text(message, "dangling comma") || contains_text(message, "saw comma")) {
     return Found{scan.stop, "there is a comma too many here"};
   }
   if (scan.in_list() && (here.empty() || begins_statement(here))) {
     return Found{scan.open.back(), "the list that [ begins here is not closed by ]"};
   }
-  if (contains(message, "expected comma")) {
+  if (contains_text(message, "expected comma")) {
     return Found{scan.stop, fmt::format("a comma is missing before `{}`", shown(here))};
   }
   if (c == ';') {
@@ -177,7 +177,7 @@ Finding key_mistake(const SyntaxScan& scan) {
     return Found{at, fmt::format("`{}` cannot begin a key: keys are of letters, digits, _ and -",
                                  shown(line.substr(0, std::max<std::size_t>(character_length(line), 1))))};
   }
-  if (key.starts_with('.') || key.ends_with('.') || contains(key, "..")) {
+  if (key.starts_with('.') || key.ends_with('.') || contains_text(key, "..")) {
     return Found{at, "the parts of a key are words, joined by single points"};
   }
   if (behind.starts_with(']')) {

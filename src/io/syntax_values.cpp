@@ -1,4 +1,5 @@
 #include "higherpair/io/units.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "names.hpp"
 #include "syntax_rules.hpp"
 
@@ -86,7 +87,7 @@ Finding odd_number(std::size_t at, std::string_view token, std::string_view mess
                                           shown(token))})
                : std::nullopt;
   }
-  if (contains(message, "representable") || contains(message, "interpreted")) {
+  if (contains_text(message, "representable") || contains_text(message, "interpreted")) {
     return Found{at, fmt::format("{} is too large for a number", shown(token))};
   }
   const std::string number = written_out(token);
@@ -103,9 +104,7 @@ Finding bare_word(std::size_t at, std::string_view token) {
   std::string lower(token);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto is = [&](std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), lower) != words.end();
-  };
+  const auto is = [&](std::initializer_list<std::string_view> words) { return contains(words, lower); };
   if (is({"true", "yes", "on", "tru", "ture", "t", "y"})) {
     return Found{at, fmt::format("write true instead of `{}`", shown(token))};
   }
@@ -136,7 +135,7 @@ Finding half_enclosed(std::size_t at, std::string_view token) {
 // Anything that follows a complete value.
 Finding behind_value(const SyntaxScan& scan, std::string_view message) {
   const std::string_view here = scan.line_from(scan.stop);
-  if (!contains(message, "expected a comment or whitespace") && !here.starts_with(';')) {
+  if (!contains_text(message, "expected a comment or whitespace") && !here.starts_with(';')) {
     return std::nullopt;
   }
   if (here.starts_with(';')) {

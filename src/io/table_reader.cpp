@@ -26,13 +26,13 @@ constexpr std::array<std::string_view, 4> kOnlyTopLevel = {"format", "title", "d
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
 bool is_top_level(std::string_view key) {
-  return higherpair::contains(kTopLevelKeys, key);
+  return contains(kTopLevelKeys, key);
 }
 
 }  // namespace
 
 std::optional<Item> TableReader::take(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+  if (!contains(known_, key)) {
     known_.push_back(key);
   }
   const Value* value = find(*table_, key);
@@ -106,7 +106,7 @@ bool TableReader::has(std::string_view key) const {
 
 void TableReader::finish() const {
   for (const Entry& entry : *table_) {
-    if (!higherpair::contains(known_, entry.key) && !higherpair::contains(refused_, entry.key)) {
+    if (!contains(known_, entry.key) && !contains(refused_, entry.key)) {
       report_unknown(entry);
     }
   }
@@ -117,10 +117,9 @@ void TableReader::report_unknown(const Entry& entry) const {
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
   std::string own = is_table ? "" : did_you_mean(entry.key, known_);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
-  const bool move_up = !path_.empty() && (higherpair::contains(kOnlyTopLevel, entry.key) ||
-                                          (is_top_level(entry.key) && own.empty()));
-  const bool is_of_driver = path_.empty() && own.empty() &&
-                            std::find(kDriverKeys.begin(), kDriverKeys.end(), entry.key) != kDriverKeys.end();
+  const bool move_up =
+      !path_.empty() && (contains(kOnlyTopLevel, entry.key) || (is_top_level(entry.key) && own.empty()));
+  const bool is_of_driver = path_.empty() && own.empty() && contains(kDriverKeys, entry.key);
   const std::string remedy =
       is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
       : repeated ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)

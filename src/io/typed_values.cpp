@@ -1,6 +1,7 @@
 #include "typed_values.hpp"
 
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ bool is_quoted_needlessly(const Item& item, std::initializer_list<std::string_vi
   const Value bare = parse_override_value(*text, 0);
   const bool is_number =
       std::holds_alternative<std::int64_t>(bare.content) || std::holds_alternative<double>(bare.content);
-  return words.size() == 0 ? is_number : std::find(words.begin(), words.end(), *text) != words.end();
+  return words.size() == 0 ? is_number : contains(words, *text);
 }
 
 bool has_sign(double value, Sign sign) {

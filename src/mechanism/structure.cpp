@@ -101,10 +101,6 @@ std::vector<LooseBody> loose_bodies(const std::vector<int>& matched, std::size_t
   return loose;
 }
 
-bool contains_unmatched(const std::vector<int>& matched) {
-  return contains(matched, kUnmatched);
-}
-
 // Removes the coordinates of conditions that others imply, so that these determine nothing.
 void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& conditions) {
   std::vector<int> order;
@@ -128,7 +124,7 @@ Structure analyse_structure(const Mechanism& mechanism) {
   std::vector<Condition> conditions = structural_conditions(mechanism, order);
   const std::size_t bodies = mechanism.bodies.size();
   std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
-  if (contains_unmatched(matched)) {
+  if (contains(matched, kUnmatched)) {
     // That parallel guides or cranks repeat each other does not show in which coordinates enter their
     // conditions: bodies that can move would count as placed.
     take_out_repeated(mechanism, conditions);

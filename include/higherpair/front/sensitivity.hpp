@@ -153,9 +153,8 @@ inline constexpr double kBandQuantile = 0.00134989803163009;
 /// the tolerance zones, σ_i the standard deviations and p_i the numbers of the profile:
 ///     centre = value + Σ s_i (m_i − p_i)
 ///     worst case: every number at the end of its zone that is worse
-///     statistical: centre ± 3 σ, σ² = Σ Σ ρ_ik s_i σ_i s_k σ_k, but never beyond what the numbers at the
-///     ends
-///                  of their zones give; of a normal one with fewer than 3 σ in its zone, at 3 σ
+///     statistical: centre ± 3 σ, σ² = Σ Σ ρ_ik s_i σ_i s_k σ_k, but never beyond what the numbers give
+///     together at the ends of their zones, or at 3 σ where a normal one has fewer in its zone,
 /// with ρ_ii = 1, ρ_ik the coefficient of correlated numbers, else 0: the root sum of squares if none are
 /// correlated (W. H. Greenwood and K. W. Chase, Worst case tolerance analysis with nonlinear problems, 1988).
 /// At a kink σ takes the steeper slope.
