@@ -53,7 +53,7 @@ bool holds(const DesignPoint& point) {
 class Optimiser {
 public:
   Optimiser(const DesignProblem& problem, const DesignOptions& options)
-      : problem_(problem), options_(options), begin_(std::chrono::steady_clock::now()) {
+      : problem_(problem), options_(options), deadline_{options.stop, end_of(options.seconds)} {
     for (const DesignSearchEnd& end : options.known) {
       const bool fits = end.best.x.empty() || end.best.x.size() == problem.variables.size();
       if (fits && end.evaluations > 0) known_[end.number] = &end;
@@ -77,6 +77,14 @@ public:
   }
 
 private:
+  static std::chrono::steady_clock::time_point end_of(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double kYear = 365 * 86400.0;  // more than a year may be more than the clock can count
+    return seconds > 0 && seconds < kYear
+               ? Clock::now() + std::chrono::ceil<Clock::duration>(std::chrono::duration<double>(seconds))
+               : Clock::time_point::max();
+  }
+
   // Results of the searches in order; one that was not run for lack of time has 0 evaluations.
   std::vector<DesignSearchEnd> run_batch(int first, int count) {
     std::vector<DesignSearchEnd> ends(static_cast<std::size_t>(count));
@@ -90,7 +98,7 @@ private:
         DesignSearchEnd& end = ends[k];
         if (const auto known = known_.find(number); known != known_.end()) {
           end = *known->second;
-        } else if (number == 0 || !out_of_time()) {
+        } else if (number == 0 || !deadline_.is_over()) {
           end = search_from(number);
           tell(end);
         }
@@ -99,9 +107,9 @@ private:
     return ends;
   }
 
-  // Not after a stop: a search that was stopped would have ended elsewhere.
+  // Not after the deadline: a search that was cut short would have ended elsewhere.
   void tell(const DesignSearchEnd& end) {
-    if (options_.ended && !is_stopped()) {
+    if (options_.ended && !deadline_.is_over()) {
       const std::lock_guard lock(telling_);
       options_.ended(end);
     }
@@ -109,7 +117,7 @@ private:
 
   [[nodiscard]] DesignSearchEnd search_from(int start) const {
     Random random(options_.seed, start);
-    Search search(problem_, problem_.start_branch, options_.stop);
+    Search search(problem_, problem_.start_branch, deadline_);
     Eigen::VectorXd u(search.size());
     for (Eigen::Index i = 0; i < u.size(); ++i) {
       const DesignVariable& variable = problem_.variables[i];
@@ -184,20 +192,11 @@ private:
     return a.branch == b.branch;
   }
 
-  [[nodiscard]] bool out_of_time() const {
-    return is_stopped() ||
-           (options_.seconds > 0 &&
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count() >=
-                options_.seconds);
-  }
-
-  [[nodiscard]] bool is_stopped() const { return is_raised(options_.stop); }
-
   [[nodiscard]] std::optional<DesignEnd> end_after() const {
     if (options_.target && holds(best_) && best_.objective <= *options_.target) return DesignEnd::kTarget;
     if (evaluations_ >= options_.evaluations) return DesignEnd::kEvaluations;
-    if (is_stopped()) return DesignEnd::kStopped;
-    if (out_of_time()) return DesignEnd::kTime;
+    if (is_raised(options_.stop)) return DesignEnd::kStopped;
+    if (deadline_.is_over()) return DesignEnd::kTime;
     if (starts_ >= options_.starts) return DesignEnd::kStarts;
     return std::nullopt;
   }
@@ -213,13 +212,14 @@ private:
     outcome.free = outcome.best = best_;
     outcome.starts = starts_;
     outcome.end = end;
-    const std::atomic<bool>* const stop = end == DesignEnd::kStopped ? nullptr : options_.stop;
+    // What is left to do is short: it may take longer than the time that the searches had.
+    const Deadline deadline{end == DesignEnd::kStopped ? nullptr : options_.stop};
     std::int64_t further = 0;
     if (!best_.x.empty()) {
-      Search search(problem_, best_.branch, stop);
+      Search search(problem_, best_.branch, deadline);
       outcome.multipliers = multipliers_at(search, best_);
       further += search.evaluations();
-      outcome.best = made(best_, stop, further);
+      outcome.best = made(best_, deadline, further);
     }
     outcome.different = static_cast<int>(optima_.size());
     std::stable_sort(optima_.begin(), optima_.end(), is_better);
@@ -227,21 +227,21 @@ private:
     outcome.optima = std::move(optima_);
     const auto count = static_cast<std::size_t>(std::max(0, options_.alternatives));
     for (std::size_t k = 0; k < std::min(count, outcome.optima.size()); ++k) {
-      outcome.made.push_back(k == 0 ? outcome.best : made(outcome.optima[k], stop, further));
+      outcome.made.push_back(k == 0 ? outcome.best : made(outcome.optima[k], deadline, further));
     }
     outcome.evaluations = evaluations_ + further;
     return outcome;
   }
 
   // The design rounded to the steps of the variables.
-  [[nodiscard]] DesignPoint made(const DesignPoint& point, const std::atomic<bool>* stop,
+  [[nodiscard]] DesignPoint made(const DesignPoint& point, const Deadline& deadline,
                                  std::int64_t& evaluations) const {
     const bool stepped = std::any_of(problem_.variables.begin(), problem_.variables.end(),
                                      [](const DesignVariable& variable) { return variable.step > 0; });
     if (!stepped) {
       return point;
     }
-    Search search(problem_, point.branch, stop);
+    Search search(problem_, point.branch, deadline);
     DesignPoint rounded = rounded_to_steps(search, point, options_.method);
     evaluations += search.evaluations();
     return rounded;
@@ -249,7 +249,7 @@ private:
 
   const DesignProblem& problem_;
   const DesignOptions& options_;
-  std::chrono::steady_clock::time_point begin_;
+  Deadline deadline_;
   std::unordered_map<int, const DesignSearchEnd*> known_;
   std::mutex telling_;
   DesignPoint best_;

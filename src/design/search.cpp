@@ -55,11 +55,11 @@ double to_unit(const DesignVariable& variable, double x) {
   return std::clamp(u, 0.0, 1.0);
 }
 
-Search::Search(const DesignProblem& problem, int branch, const std::atomic<bool>* stop)
+Search::Search(const DesignProblem& problem, int branch, const Deadline& deadline)
     : problem_(problem),
       evaluator_(problem.evaluator()),
       branch_(branch),
-      stop_(stop),
+      deadline_(deadline),
       x_(problem.variables.size()),
       fixed_x_(problem.variables.size()),
       fixed_(problem.variables.size(), false) {

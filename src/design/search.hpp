@@ -3,6 +3,7 @@
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/numeric/stop.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,11 +13,19 @@ namespace higherpair {
 /// Whether a ranks before b.
 [[nodiscard]] bool is_better(const DesignPoint& a, const DesignPoint& b);
 
+/// When searches end with the best so far: once a flag is raised, or at a time.
+struct Deadline {
+  const std::atomic<bool>* stop = nullptr;
+  std::chrono::steady_clock::time_point time = std::chrono::steady_clock::time_point::max();
+
+  [[nodiscard]] bool is_over() const { return is_raised(stop) || std::chrono::steady_clock::now() >= time; }
+};
+
 /// Evaluates candidates in unit variables, u from 0 to 1 over the range of each, and keeps the best of all
 /// that it has seen.
 class Search {
 public:
-  Search(const DesignProblem& problem, int branch, const std::atomic<bool>* stop);
+  Search(const DesignProblem& problem, int branch, const Deadline& deadline);
 
   [[nodiscard]] const DesignProblem& problem() const { return problem_; }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(problem_.variables.size()); }
@@ -29,7 +38,7 @@ public:
   [[nodiscard]] const DesignPoint& best() const { return best_; }
   [[nodiscard]] Eigen::VectorXd best_unit() const;
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-  [[nodiscard]] bool stopped() const { return is_raised(stop_); }
+  [[nodiscard]] bool stopped() const { return deadline_.is_over(); }
 
   /// Fixes a variable at a value for all further evaluations.
   void fix(std::size_t variable, double value);
@@ -49,7 +58,7 @@ private:
   const DesignProblem& problem_;
   std::unique_ptr<DesignEvaluator> evaluator_;
   int branch_;
-  const std::atomic<bool>* stop_;
+  Deadline deadline_;
   std::vector<double> x_, fixed_x_;
   std::vector<bool> fixed_;
   DesignValues values_, near_values_;

@@ -1,8 +1,11 @@
 // The optimiser on functions whose optima are known in closed form.
 #include "higherpair/design/optimise.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -154,6 +157,29 @@ TEST(Optimise, ASearchThatWasStoppedIsNotTold) {
   const DesignOutcome outcome = optimise(rastrigin(), options);
   EXPECT_EQ(outcome.end, DesignEnd::kStopped);
   EXPECT_EQ(told, 5);
+}
+
+TEST(Optimise, TimeEndsTheSearchThatRuns) {
+  DesignProblem problem = rosenbrock();
+  problem.evaluator = [inner = problem.evaluator] {
+    return std::make_unique<ByFunction>(
+        [of = std::shared_ptr<DesignEvaluator>(inner())](auto x, int branch, DesignValues& values) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          of->evaluate(x, branch, values);
+        });
+  };
+  DesignOptions options = few(1000);
+  options.seconds = 0.03;
+  int told = 0;
+  options.ended = [&](const DesignSearchEnd&) { ++told; };
+  const DesignOutcome outcome = optimise(problem, options);
+  EXPECT_EQ(outcome.end, DesignEnd::kTime);
+  EXPECT_FALSE(outcome.best.x.empty());
+  EXPECT_LE(outcome.best.objective, 24.2);  // that of the start
+  // At least the start is worked out; the first derivatives by differences may be under way.
+  EXPECT_GE(outcome.evaluations, 1);
+  EXPECT_LE(outcome.evaluations, 10);
+  EXPECT_EQ(told, 0);
 }
 
 TEST(Optimise, EndsWhereItsTargetIsReached) {

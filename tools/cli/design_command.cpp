@@ -176,7 +176,7 @@ Command add_design(CLI::App& app) {
       ->check(CLI::Range(1, 10));
   command->add_option("--seed", options->settings.seed,
                       "of the random starts (default 1): the same seed, the same result");
-  command->add_option("--time", options->settings.seconds, "seconds after which no further search begins")
+  command->add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
       ->check(positive_number());
   command
       ->add_option("--evaluations", options->settings.evaluations,

@@ -106,15 +106,17 @@ struct DesignSearchEnd {
 
 /// How a search is run.
 struct DesignRun {
-  double seconds = 0;  ///< > 0: no further start after this time; the result then depends on the machine
-  int threads = 0;     ///< 0: all; makes no difference to the result
+  /// > 0: the searches end after this time with the best so far, which then depends on the machine.
+  double seconds = 0;
+  int threads = 0;                          ///< 0: all; makes no difference to the result
   const std::atomic<bool>* stop = nullptr;  ///< once true, the best so far is returned
   /// Called from the caller's thread, from time to time.
   std::function<void(const DesignProgress&)> progress;
   /// Results of earlier searches for the same problem with the same method and seed, in any order: they are
   /// not repeated, and the outcome is the same to the last bit.
   std::vector<DesignSearchEnd> known;
-  /// Receives the result of every other search, from one thread at a time; not of a search that was stopped.
+  /// Receives the result of every other search, from one thread at a time; not of a search that was cut
+  /// short.
   std::function<void(const DesignSearchEnd&)> ended;
 };
 
