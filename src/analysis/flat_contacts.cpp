@@ -70,9 +70,8 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
       "two flat parts lie on each other and the motion goes on with the contact at the other end");
   if (const auto g = touching_group(run, static_cast<int>(passage.contact))) {
     const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
-    event.cause +=
-        fmt::format("; the follower's rate for a unit rate of the driver jumps {}",
-                    from_to_text(follower_rate(run.at.state, touching), follower_rate(over, touching)));
+    add_rate_jump(run, path, touching.follower,
+                  {follower_rate(run.at.state, touching), follower_rate(over, touching)}, event);
   }
   run.at.watches[passage.contact].interrupted = true;
   std::swap(run.at.state, over);

@@ -231,9 +231,9 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     const auto contact = static_cast<std::size_t>(touching.contact);
     run.at.watches[contact].overlaps = false;
     run.at.watches[contact].interrupted = true;
-    report_contact(run, EventType::kEngage, path, s + x, contact,
-                   fmt::format("the two bodies begin to touch{}{}", edge_text(run, touching),
-                               rate_jump_text(run, touching, {0, follower_rate(run.at.state, touching)})));
+    RunEvent& event = report_contact(run, EventType::kEngage, path, s + x, contact,
+                                     "the two bodies begin to touch" + edge_text(run, touching));
+    add_rate_jump(run, path, touching.follower, {0, follower_rate(run.at.state, touching)}, event);
     return x;
   }
   return std::nullopt;
@@ -268,9 +268,10 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   }
   const auto contact = static_cast<std::size_t>(touching.contact);
   run.at.watches[contact].overlaps = false;
-  report_contact(run, EventType::kRelease, path, s, contact,
-                 fmt::format("{}: the bodies part and {} stays where it is{}", reason,
-                             follower_name(run, touching), rate_jump_text(run, touching, {before, 0})));
+  RunEvent& event = report_contact(
+      run, EventType::kRelease, path, s, contact,
+      fmt::format("{}: the bodies part and {} stays where it is", reason, follower_name(run, touching)));
+  add_rate_jump(run, path, touching.follower, {before, 0}, event);
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

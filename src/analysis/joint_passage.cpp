@@ -90,9 +90,13 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
     event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
   }
   if (joint) {
-    event.effect =
-        fmt::format("; for a unit rate of the driver the acceleration of joint {} jumps {}",
-                    run.mechanism().joints[*joint].name, from_to_text(before, acceleration_of(run, *joint)));
+    const Joint& moved = run.mechanism().joints[*joint];
+    set_jump(event, path,
+             {.of = "the acceleration of joint " + moved.name,
+              .turns = moved.type == JointType::kRevolute,
+              .order = 2,
+              .before = before,
+              .after = acceleration_of(run, *joint)});
   }
 }
 

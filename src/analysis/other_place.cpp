@@ -9,27 +9,24 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/core.h>
-
 namespace higherpair {
 
-double jump_size(const Run& run, const TouchingBody& touching, const RateJump& jump) {
-  return std::abs(jump.after - jump.before) / (touching.follower.freedom.turns ? 1 : run.plan().size);
+double jump_size(const Run& run, const Path& path, const CarriedBody& follower, const RateJump& jump) {
+  return std::abs(jump.after - jump.before) * unit_of(run, path) /
+         (follower.freedom.turns ? 1 : run.plan().size);
 }
 
-std::string from_to_text(double before, double after) {
-  const double none = kRateRounding * std::max(std::abs(before), std::abs(after));
-  const auto seen = [&](double rate) { return std::abs(rate) <= none ? 0 : rate; };
-  return fmt::format("from {:.6g} to {:.6g} (SI units)", seen(before), seen(after));
-}
-
-std::string rate_jump_text(const Run& run, const TouchingBody& touching, const RateJump& jump) {
-  if (jump_size(run, touching, jump) <= kNoJump) {
-    return ", without a jump of velocity";
+void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower, const RateJump& jump,
+                   RunEvent& event) {
+  if (jump_size(run, path, follower, jump) <= kNoJump) {
+    event.cause += ", without a jump of velocity";
+    return;
   }
-  return fmt::format("; for a unit rate of the driver the rate of {} jumps {}",
-                     run.mechanism().bodies[touching.follower.body].name,
-                     from_to_text(jump.before, jump.after));
+  set_jump(event, path,
+           {.of = "the rate of " + run.mechanism().bodies[follower.body].name,
+            .turns = follower.freedom.turns,
+            .before = jump.before,
+            .after = jump.after});
 }
 
 std::optional<std::size_t> touching_group(const Run& run, int contact) {

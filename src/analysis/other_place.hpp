@@ -4,26 +4,25 @@
 #include "straight_path.hpp"
 
 #include <optional>
-#include <string>
 
 // Continues the contact of two boundaries at another place of the same bodies.
 
 namespace higherpair {
 
-/// Jump of a follower's rate, for a unit rate of the driver.
+/// Jump of a follower's rate, per unit of the path.
 struct RateJump {
   double before = 0;
   double after = 0;
 };
 
-/// The text "from ... to ... (SI units)"; a rate that is rounding compared with the other is written as 0.
-[[nodiscard]] std::string from_to_text(double before, double after);
+/// Adds to an event on the path that the follower's rate jumps, or that it does not.
+void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower, const RateJump& jump,
+                   RunEvent& event);
 
-/// The text ", without a jump of velocity", or one with both rates.
-[[nodiscard]] std::string rate_jump_text(const Run& run, const TouchingBody& touching, const RateJump& jump);
-
-/// The difference of the rates; that of a sliding follower as a fraction of the size.
-[[nodiscard]] double jump_size(const Run& run, const TouchingBody& touching, const RateJump& jump);
+/// The difference of the rates for one unit of the drivers; that of a sliding follower as a fraction of the
+/// size.
+[[nodiscard]] double jump_size(const Run& run, const Path& path, const CarriedBody& follower,
+                               const RateJump& jump);
 
 /// The group whose body is placed by this contact by_boundary, if any.
 [[nodiscard]] std::optional<std::size_t> touching_group(const Run& run, int contact);

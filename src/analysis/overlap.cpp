@@ -96,6 +96,7 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
 
 // The follower's rates with the first and the second contact where the second appears, x beyond run.at.state.
 RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
+  const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
   const StateAside aside(run.work.trial);
   RateJump rates{std::get<ContactTrack>(run.work.trial.tracks[g]).at.dq, next.at.dq};
   if (solve_at(run, path, s, x)) {
@@ -104,7 +105,9 @@ RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x,
     rates.before = at.dq;
     rates.after = walk_to(back, at.u) ? back.at.dq : next.at.dq;
   }
-  return rates;
+  path.motions(s, run.work.motions);
+  const double u_dot = tracked.driver_sign * run.work.motions[tracked.driver].velocity;
+  return {rates.before * u_dot, rates.after * u_dot};
 }
 
 // Goes over to the contact that keeps the bodies apart, which appears x beyond run.at.state, and places again
@@ -129,9 +132,9 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
   return change;
 }
 
-// Adds the event that a contact's bodies begin to overlap or, with `change`, that the motion goes on with
-// another contact.
-void report(Run& run, std::size_t contact, const Path& path, double s,
+// Adds the event that a contact's bodies begin to overlap or, with `change` of the follower's rate, that the
+// motion goes on with another contact.
+void report(Run& run, std::size_t contact, const Path& path, double s, const CarriedBody* follower,
             const std::optional<RateJump>& change) {
   if (!change) {
     report_contact(run, EventType::kOverlap, path, s, contact,
@@ -141,11 +144,10 @@ void report(Run& run, std::size_t contact, const Path& path, double s,
   OverlapWatch& watch = run.at.watches[contact];
   watch.overlaps = false;
   watch.interrupted = true;
-  report_contact(
-      run, EventType::kSecondContact, path, s, contact,
-      fmt::format("a second contact of the same two bodies appears and the motion goes on with it; the "
-                  "follower's rate for a unit rate of the driver jumps {}",
-                  from_to_text(change->before, change->after)));
+  RunEvent& event =
+      report_contact(run, EventType::kSecondContact, path, s, contact,
+                     "a second contact of the same two bodies appears and the motion goes on with it");
+  add_rate_jump(run, path, *follower, *change, event);
 }
 
 }  // namespace
@@ -221,7 +223,8 @@ bool watch_overlaps(Run& run, const Path& path, double s, double h) {
     const double x = closing_between(run, path, contact, s, h, found.n_W);
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
     const auto change = g ? jump(run, path, *g, s, h, x) : std::nullopt;
-    report(run, i, path, s + x, change);
+    report(run, i, path, s + x, g ? &std::get<TrackedPair>(run.plan().groups[*g].kind).follower : nullptr,
+           change);
     gone_over = gone_over || change.has_value();
   }
   return gone_over;
@@ -255,10 +258,11 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
   const auto before = run.at.state.contacts[i].place;
   const auto change = g ? go_on_at(run, path, *g, s, meeting.place) : std::nullopt;
   run.at.watches[i].overlaps = true;
-  if (change && jump_size(run, std::get<TouchingBody>(run.plan().groups[*g].kind), *change) <= kSameRates) {
+  const CarriedBody* follower = g ? &std::get<TouchingBody>(run.plan().groups[*g].kind).follower : nullptr;
+  if (change && jump_size(run, path, *follower, *change) <= kSameRates) {
     report_change_of_place(run, path, s, i);
   } else {
-    report(run, i, path, s + (meeting.at - meeting.x), change);
+    report(run, i, path, s + (meeting.at - meeting.x), follower, change);
   }
   if (change) {
     note_edge(run, path, s, i, before);

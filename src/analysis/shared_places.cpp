@@ -248,7 +248,7 @@ bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) 
   for (const NearPlace& place : places) {
     StateAside aside(run.at.state);
     const auto change = go_on_at(run, path, g, s, place);
-    if (!change || jump_size(run, *touching, *change) > kSameRates) {
+    if (!change || jump_size(run, path, touching->follower, *change) > kSameRates) {
       continue;
     }
     // This times |gap per q| is the acceleration of the gap at the place if the contact stays where it is.
@@ -285,12 +285,13 @@ bool take_over(Run& run, const Path& path, double s, std::size_t g) {
   for (const NearPlace& place : places) {
     if (const auto change = go_on_at(run, path, g, s, place)) {
       run.at.watches[i].interrupted = true;
-      report_contact(
+      RunEvent& event = report_contact(
           run, EventType::kRelease, path, s, i,
           fmt::format(
               "the contact leaves the end of a curve and goes on at another place where the two bodies "
-              "touch, {} left{}",
-              places.size(), rate_jump_text(run, *touching, *change)));
+              "touch, {} left",
+              places.size()));
+      add_rate_jump(run, path, touching->follower, *change, event);
       return true;
     }
   }
@@ -316,18 +317,18 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   }
   run.at.watches[i].interrupted = run.at.watches[i].interrupted || passage->notch;
   const std::string& body = body_of_side(run, i, passage->side);
-  const std::string jump = rate_jump_text(run, *touching, *change);
   const auto& place = run.at.state.contacts[i].place[passage->side];
   if (is_on_edge(run, i, passage->side, place) && !is_on_edge(run, i, passage->side, before[passage->side])) {
-    report_contact(
+    RunEvent& event = report_contact(
         run, EventType::kEnd, path, s, i,
-        fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there{}", body,
-                    jump));
+        fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there", body));
+    add_rate_jump(run, path, touching->follower, *change, event);
   } else {
-    report_contact(
+    RunEvent& event = report_contact(
         run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
-        fmt::format("the contact {} of {}{}",
-                    passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body, jump));
+        fmt::format("the contact {} of {}",
+                    passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body));
+    add_rate_jump(run, path, touching->follower, *change, event);
   }
   return true;
 }

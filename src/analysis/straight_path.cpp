@@ -1,6 +1,10 @@
 #include "straight_path.hpp"
 
+#include "tolerances.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 
@@ -26,6 +30,22 @@ RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, s
   run.events.push_back(event_at(type, path, s, cause));
   run.events.back().contact = static_cast<int>(contact);
   return run.events.back();
+}
+
+void set_jump(RunEvent& event, const Path& path, EventJump jump) {
+  double pace = 1;  // of that driver, per unit of s
+  for (std::size_t i = 0; !path.is_single() && i < path.from.size(); ++i) {
+    if (path.from[i] != path.to[i]) {
+      jump.driver = static_cast<int>(i);
+      pace = path.to[i] - path.from[i];
+      break;
+    }
+  }
+  const double none = kRateRounding * std::max(std::abs(jump.before), std::abs(jump.after));
+  for (double* rate : {&jump.before, &jump.after}) {
+    *rate = std::abs(*rate) <= none ? 0 : *rate / (jump.order == 1 ? pace : pace * pace);
+  }
+  event.jump = std::move(jump);
 }
 
 void set_place(RunEvent& event, const Path& path, double s) {

@@ -23,6 +23,10 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, std::size_t contact,
                          std::string_view cause);
 
+/// Describes a rate that jumps. `before` and `after` are per unit of s; what is rounding compared with the
+/// other becomes 0.
+void set_jump(RunEvent& event, const Path& path, EventJump jump);
+
 /// Sets where on the path an event happens.
 void set_place(RunEvent& event, const Path& path, double s);
 

@@ -29,7 +29,18 @@ bool is_fault(const Event& event, std::int64_t last_row) {
   return limit || event.type == EventType::kOverlap;
 }
 
-std::string cause_of(const RunEvent& what, const Units& units) {
+std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const Units& units) {
+  const Joint& driver = driven_joint(mechanism, jump.driver);
+  Dimension rate = jump.turns ? dimension::kAngle : dimension::kLength;
+  for (int k = 0; k < jump.order; ++k) rate = rate / coordinate_dimension(driver);
+  const Scaling shown = from_si(rate, units);
+  const std::string unit = rate == dimension::kNumber ? "" : " " + unit_text(rate, units);
+  return fmt::format("; for a unit rate of {} {} jumps from {:.6g} to {:.6g}{}",
+                     mechanism.drivers.size() == 1 ? "the driver" : "driver " + driver.name, jump.of,
+                     shown.apply(jump.before), shown.apply(jump.after), unit);
+}
+
+std::string cause_of(const RunEvent& what, const Mechanism& mechanism, const Units& units) {
   std::string cause = what.cause;
   if (what.curvature) {
     const Dimension curvature = dimension::kNumber / dimension::kLength;
@@ -37,7 +48,7 @@ std::string cause_of(const RunEvent& what, const Units& units) {
     cause += fmt::format(" from {:.6g} to {:.6g} {}", shown.apply((*what.curvature)[0]),
                          shown.apply((*what.curvature)[1]), unit_text(curvature, units));
   }
-  return cause + what.effect;
+  return what.jump ? cause + jump_text(*what.jump, mechanism, units) : cause;
 }
 
 }  // namespace
@@ -65,7 +76,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   } else if (event.joint) {
     event.item = mechanism.joints[*event.joint].name;
   }
-  event.cause = cause_of(what, units);
+  event.cause = cause_of(what, mechanism, units);
   if (what.joint && what.value) {
     const Joint& joint = mechanism.joints[*what.joint];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);

@@ -31,8 +31,8 @@ public:
     }
     motion_ = *std::move(motion);
     for (const Event& event : motion_->events()) {
-      events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause, "",
-                         event.value, std::nullopt});
+      events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause,
+                         std::nullopt, event.value, std::nullopt});
     }
   }
 

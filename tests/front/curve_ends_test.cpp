@@ -82,9 +82,9 @@ TEST(EndsOfFaces, AreEdgesOnWhichAnEccentricDiscGoesOnInClosedForm) {
     EXPECT_EQ(ends[0].item, "touch");
     // On the edge -s - d'²/R with d' = s = 8.66.
     EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower and goes on at the edge"));
-    EXPECT_THAT(ends[0].cause, HasSubstr("jumps from -0.00866025 to -0.0124103 (SI units)"));
+    EXPECT_THAT(ends[0].cause, HasSubstr("jumps from -0.00263806 to -0.00378038 mm/deg^2"));
     EXPECT_THAT(ends[1].cause, HasSubstr("leaves the edge at the end of the curve of follower"));
-    EXPECT_THAT(ends[1].cause, HasSubstr("jumps from 0.00491025 to 0.00866025 (SI units)"));
+    EXPECT_THAT(ends[1].cause, HasSubstr("jumps from 0.00149575 to 0.00263806 mm/deg^2"));
     EXPECT_TRUE(events_of(motion, EventType::kCorner).empty());
   }
 }

@@ -219,7 +219,7 @@ TEST(LashedTappet, IsLiftedOffItsSeatAndComesBackToIt) {
   EXPECT_NEAR(engaged[0].driver, 30, 1e-6);
   EXPECT_NEAR(released[0].driver, 150, 1e-9);
   EXPECT_NEAR(engaged[1].driver, 390, 1e-6);
-  EXPECT_THAT(engaged[0].cause, HasSubstr("jumps from 0 to 0.00866"));
+  EXPECT_THAT(engaged[0].cause, HasSubstr("jumps from 0 to 0.1511"));
   EXPECT_THAT(released[0].cause, HasSubstr("comes to the end of its guide"));
 }
 

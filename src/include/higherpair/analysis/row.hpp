@@ -22,14 +22,24 @@ struct MotionRow {
   std::vector<bool> arcs_hold;  ///< whether it has been the same contact without a jump since the first row
 };
 
+/// A rate that jumps at an event, for a unit rate of a driver with which the others keep pace.
+struct EventJump {
+  std::string of;     ///< "the acceleration of joint slide"
+  bool turns = true;  ///< whether it is that of an angle or of a length
+  int order = 1;      ///< 1: a velocity, 2: an acceleration
+  int driver = 0;     ///< index of Mechanism::drivers
+  double before = 0;  ///< [rad or m per rad or m^order of the driver]
+  double after = 0;
+};
+
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
   double driver = 0;         ///< coordinate of the first driven joint [rad or m]
   double share = 0;          ///< fraction of the drivers' path from the previous row to this one
   std::optional<int> joint;  ///< where it happens, if one can be named
   std::optional<int> contact;
-  std::string cause;            ///< a sentence
-  std::string effect;           ///< its consequence, "; ..."; or empty
+  std::string cause;  ///< a sentence
+  std::optional<EventJump> jump;
   std::optional<double> value;  ///< for a reversal: the joint's coordinate there [rad or m]
   std::optional<std::array<double, 2>> curvature;  ///< for a jump of curvature: before and after [1/m]
 };
