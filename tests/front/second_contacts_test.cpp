@@ -129,10 +129,10 @@ std::string first_jump(const std::vector<std::string>& overrides) {
 
 TEST(JumpsOfRates, AreThoseOfTheFollowerOnEitherSide) {
   const Motion rows = motion_of(shipped_model(
-      "oval_in_ring", {"driver.positions=[0, 99.3933966, 99.3933968]", R"(driver.velocity="1 rad/s")"}));
+      "oval_in_ring", {"driver.positions=[0, 99.39339, 99.3934]", R"(driver.velocity="1 rad/s")"}));
   const ColumnValues omega = rows.column("ring.omega");
-  EXPECT_NEAR(omega[1] * kPi / 180, 0.428072, 1e-6);
-  EXPECT_NEAR(omega[2] * kPi / 180, -0.250785, 1e-6);
+  EXPECT_NEAR(omega[1] * kPi / 180, 0.428072, 1e-5);
+  EXPECT_NEAR(omega[2] * kPi / 180, -0.250785, 1e-5);
   EXPECT_THAT(first_jump({}), ::testing::HasSubstr("the rate of ring jumps from 0.428072 to -0.250785"));
 }
 
