@@ -4,6 +4,7 @@
 #include "dxf_units.hpp"
 #include "encoding.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "point_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,10 @@ namespace {
 // Entities that contain curves but are not read.
 constexpr std::array<std::string_view, 6> kStrangers = {"INSERT", "3DFACE", "MLINE",
                                                         "BODY",   "REGION", "3DSOLID"};
+
+DxfSweep sweep_of(std::string_view type) {
+  return type == "ARC" ? DxfSweep::kAngles : type.ends_with("POLYLINE") ? DxfSweep::kBulge : DxfSweep::kNone;
+}
 
 std::string_view value_of(const DxfGroup& group, int code, std::string_view otherwise) {
   const auto pair =
@@ -104,6 +109,7 @@ private:
   void entities() {
     const Units units = {.length = unit_.value_or(otherwise_)};
     const Scaling scaling = to_si(dimension::kLength, units);
+    drawing_.unit = scaling.apply(1);
     while (head_ && !fault_ && pair_->value != "ENDSEC") {
       if (pair_->value == "SECTION" || pair_->value == "EOF") {
         fail(pair_->line, "the section ENTITIES has no ENDSEC: is the drawing damaged?");
@@ -135,8 +141,24 @@ private:
       fault_ = shape.error();
       return;
     }
+    const DxfSweep sweep = sweep_of(entity.type);
+    count_decimals(entity, sweep);
+    for (const DxfGroup& vertex : vertices) count_decimals(vertex, sweep);
     for (ContourPiece& piece : shape->pieces) {
-      drawing_.pieces.push_back({std::move(piece), shape->whole, layer, entity.line});
+      drawing_.pieces.push_back({std::move(piece), shape->whole, layer, entity.line, sweep});
+    }
+  }
+
+  void count_decimals(const DxfGroup& group, DxfSweep sweep) {
+    for (const auto& [code, value, line] : group.pairs) {
+      const bool length = (code >= 10 && code < 30) || code == 40;
+      const bool bulge = sweep == DxfSweep::kBulge && code == 42;
+      const bool angle = sweep == DxfSweep::kAngles && (code == 50 || code == 51);
+      if (!length && !bulge && !angle) continue;
+      int& most = length  ? drawing_.decimals_of_lengths
+                  : bulge ? drawing_.decimals_of_bulges
+                          : drawing_.decimals_of_angles;
+      most = std::max(most, decimals_of(value));
     }
   }
 

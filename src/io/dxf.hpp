@@ -12,12 +12,16 @@
 
 namespace higherpair::io_detail {
 
+/// How the sweep of an arc is given.
+enum class DxfSweep { kNone, kBulge, kAngles };
+
 /// A line, arc or other curve of a drawing, in metres.
 struct DxfPiece {
   ContourPiece piece;
   std::optional<Curve> whole;  ///< the whole curve, if it is a full circle or ellipse
   std::size_t layer = 0;       ///< index of DxfDrawing::layers
   int line = 0;                ///< line of the file on which its entity begins
+  DxfSweep sweep = DxfSweep::kNone;
 };
 
 /// An entity that may contain curves but is not read, such as a block insertion or a 3D face.
@@ -31,6 +35,13 @@ struct DxfDrawing {
   std::vector<std::string> layers;  ///< of the entities read, in the order of the file
   std::vector<DxfPiece> pieces;
   std::vector<DxfStranger> strangers;
+  /// \name Largest numbers of decimals with which its curves are written
+  /// @{
+  int decimals_of_lengths = 0;
+  int decimals_of_bulges = 0;
+  int decimals_of_angles = 0;
+  /// @}
+  double unit = 1;  ///< of its lengths [m]
 };
 
 struct DxfFault {

@@ -96,13 +96,7 @@ struct Vertex {
 };
 
 ContourPiece piece_between(const Vertex& a, const Vertex& b) {
-  if (a.bulge == 0) {
-    return LinePiece{a.p, b.p};
-  }
-  const Vector2d chord = b.p - a.p;
-  const double k = a.bulge;
-  const Vector2d center = (a.p + b.p) / 2 + (1 - k * k) / (4 * k) * perp(chord);
-  return ArcPiece{center, (a.p - center).norm(), angle_of(a.p - center), 4 * std::atan(k)};
+  return bow_piece(a.p, b.p, 4 * std::atan(a.bulge));
 }
 
 ReadShape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool closed) {

@@ -7,6 +7,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/core.h>
@@ -98,6 +99,32 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
   return std::nullopt;
 }
 
+// The step to which its coordinates are rounded [m].
+double step_of(const DxfDrawing& drawing) {
+  return std::pow(10, -drawing.decimals_of_lengths) * drawing.unit;
+}
+
+void undo_rounding(const DxfDrawing& drawing, Contour& contour) {
+  const int decimals = drawing.decimals_of_lengths;
+  if (decimals < kLeastRoundedDecimals || decimals > kMostRoundedDecimals) {
+    return;  // fewer may be meant as they are
+  }
+  const auto rounding_of_sweep = [&](int source) -> SweepRounding {
+    switch (drawing.pieces[source].sweep) {
+      case DxfSweep::kBulge:  // half a step of tan(sweep / 4)
+        return {2 * std::pow(10, -drawing.decimals_of_bulges), false};
+      case DxfSweep::kAngles:  // half a step of both angles
+        return {std::pow(10, -drawing.decimals_of_angles) * kPi / 180, true};
+      case DxfSweep::kNone:
+        break;
+    }
+    return {};
+  };
+  std::vector<SweepRounding> sweeps(contour.sources.size());
+  std::transform(contour.sources.begin(), contour.sources.end(), sweeps.begin(), rounding_of_sweep);
+  higherpair::undo_rounding(contour.pieces, contour.closed, step_of(drawing), sweeps);
+}
+
 void report_open(TableReader& table, const Drawing& drawing, const Contour& contour, double tolerance) {
   const Reading& reading = table.reading();
   const auto line = [&](int piece) { return drawing.content.pieces[piece].line; };
@@ -156,7 +183,9 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     report_nothing(table, *drawing);
     return std::nullopt;
   }
-  const double tolerance = given >= 0 ? given : kDefaultGap * size_of(pieces);
+  const double size = size_of(pieces);
+  const double rounding = std::min(kGapInSteps * step_of(drawing->content), kLargestRoundingGap * size);
+  const double tolerance = given >= 0 ? given : std::max(kDefaultGap * size, rounding);
   auto contours = join(pieces, tolerance);
   if (!contours) {
     report_join(table, *drawing, contours.error());
@@ -171,6 +200,7 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     report_open(table, *drawing, contour, tolerance);
     return std::nullopt;
   }
+  undo_rounding(drawing->content, contour);
   Outline outline = {std::move(contour.pieces), true, tolerance};
   const auto piece_at = [&](int source) -> const DxfPiece& { return drawing->content.pieces[source]; };
   for (const int source : contour.sources) {

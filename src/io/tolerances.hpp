@@ -30,6 +30,12 @@ inline constexpr double kNoCoordinate = 1e-12;
 
 /// Components of an extrusion direction in the plane of the drawing count as 0 up to this.
 inline constexpr double kPlanarDrawing = 1e-9;
+/// Drawings whose numbers have so many decimals are taken to be rounded.
+inline constexpr int kLeastRoundedDecimals = 3;
+inline constexpr int kMostRoundedDecimals = 12;
+/// Gap between ends that meet: in steps of their last decimal, and at most relative to the drawing's size.
+inline constexpr double kGapInSteps = 3;
+inline constexpr double kLargestRoundingGap = 1e-3;
 /// Sweeps of an ellipse count as a whole turn if they are this close to one, or to 0: files give parameters
 /// with a limited number of digits [rad].
 inline constexpr double kWholeTurn = 1e-9;

@@ -3,6 +3,7 @@
 #include "higherpair/geometry/boundary.hpp"
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -55,6 +56,25 @@ struct PieceEnd {
 /// Moves the ends of straight lines onto the ends of their neighbours, where rounding separates them.
 /// \pre every piece ends where the next begins, to within rounding
 void close_gaps(std::vector<ContourPiece>& pieces, bool closed);
+
+/// The line (sweep 0) or arc between two points that turns through `sweep` [rad].
+[[nodiscard]] ContourPiece bow_piece(const Vector2d& from, const Vector2d& to, double sweep);
+
+/// How an arc was given by rounded numbers.
+struct SweepRounding {
+  double error = 0;        ///< largest error of its sweep [rad]
+  bool of_circle = false;  ///< given by the centre and radius of its circle
+};
+
+/// Makes joints of arcs with arcs and lines smooth where no more than rounded numbers, as in a drawing, keeps
+/// them from it. Lines between circles that are given become tangents. Otherwise it is the least change of
+/// the ends and sweeps of the pieces, each relative to its rounding, under which their directions agree;
+/// nothing changes where that would take more than the rounding.
+///
+/// \param length  step to which coordinates are rounded [m]
+/// \param sweeps  of each piece; ignored for others than arcs
+void undo_rounding(std::vector<ContourPiece>& pieces, bool closed, double length,
+                   std::span<const SweepRounding> sweeps);
 
 struct Contour {
   std::vector<ContourPiece> pieces;  ///< each begins where the one before ends

@@ -112,6 +112,15 @@ inline constexpr double kSameSplinePoint = 1e-12;
 // Least speed, relative to the speed that the parameter implies.
 inline constexpr double kSlowestSpline = 0.05;
 
+// Drawings with rounded numbers.
+// Largest distance between two places of one point, and change of a piece's direction times its length, in
+// steps of the coordinates.
+inline constexpr double kRoundingAtEnds = 3;
+inline constexpr double kShortPiece = 100;           // length in such steps below which a direction is lost
+inline constexpr double kFarMoved = 10;              // move of a point, in such steps, that is no rounding
+inline constexpr double kMostTurnByRounding = 1e-3;  // a larger turn is meant to be a corner [rad]
+inline constexpr double kSmoothAgain = 1e-15;        // turn at a smooth joint [rad]
+
 // Fillets and offsets.
 inline constexpr double kNoTurn = 1e-7;          // smaller turns count as straight [rad]
 inline constexpr double kTurnBack = kPi - 1e-6;  // larger turns count as reversals [rad]
