@@ -123,8 +123,12 @@ std::optional<SelfCrossing> refined(const Boundary& boundary, const Chord& a, co
       return std::nullopt;
     }
     if (std::abs(dt) <= kCrossingSettled * a.t.width() && std::abs(du) <= kCrossingSettled * b.t.width()) {
-      return is_one_place(boundary, first, second) ? std::nullopt
-                                                   : std::optional(SelfCrossing{first, second, p.p_B});
+      // Where the curves are parallel, as at a smooth joint, the steps are rounding or 0 however far apart
+      // they are.
+      const double length = (a.to - a.from).norm() + (b.to - b.from).norm();
+      return gap.norm() > kCrossingSettled * length || is_one_place(boundary, first, second)
+                 ? std::nullopt
+                 : std::optional(SelfCrossing{first, second, p.p_B});
     }
     first = moved_along(boundary, first, dt);
     second = moved_along(boundary, second, du);
