@@ -1,6 +1,7 @@
 #include "boundary_foot.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +28,11 @@ std::optional<BoundaryPlace> foot_near(const Boundary& boundary, const Vector2d&
     if (next.place.span == place.span && next.place.t == place.t) {
       break;  // it cannot move on
     }
-    place = next.place;
+    // Not farther than to the next span: with its curvature the step may be a small part of this one.
+    const bool forward = corner ? turn > 0 : along > 0;
+    place = next.place.span == place.span
+                ? next.place
+                : end_of(boundary, boundary.next_span(place.span, forward), !forward);
   }
   return stopped ? std::nullopt : std::optional(place);
 }

@@ -215,7 +215,8 @@ Boundary::Advance Boundary::advance(const BoundaryPlace& from, double ds, double
     const double left = span.is_corner() || other.is_corner() ? 0 : beyond * span.at(end).speed;
     place = {next, left == 0 ? start : start + left / other.at(start).speed};
   }
-  return {place};
+  const Bounds range = spans_[place.span]->range();
+  return {{place.span, std::clamp(place.t, range.low, range.high)}};
 }
 
 Curve local_curve(const SpanPoint& point, bool corner, bool arc) {
