@@ -254,7 +254,7 @@ Boundary boundary_of(const Curve& curve, double reach) {
     spans.push_back(corner_span(curve.vertex_B, -kPi, kPi));
   } else if (is_line(curve)) {
     const Vector2d t = -perp(curve.axis_B);
-    spans.push_back(face_span(curve.vertex_B - reach * t, curve.vertex_B + reach * t));
+    spans.push_back(face_span(curve.vertex_B, t, {-reach, reach}));
     closed = false;
   } else {
     const PlacedCurve<double> placed = place(curve, Pose<double>{});

@@ -60,23 +60,22 @@ private:
 // Parametrised by the distance from its beginning.
 class FaceSpan final : public Span {
 public:
-  FaceSpan(const Vector2d& from_B, const Vector2d& to_B)
-      : from_(from_B), length_((to_B - from_B).norm()), t_((to_B - from_B) / length_) {}
+  FaceSpan(const Vector2d& origin_B, const Vector2d& t_B, const Bounds& range)
+      : origin_(origin_B), t_(t_B), range_(range) {}
 
-  [[nodiscard]] SpanPoint at(double t) const override { return {from_ + t * t_, -perp(t_), 0, 0, 1}; }
+  [[nodiscard]] SpanPoint at(double t) const override { return {origin_ + t * t_, -perp(t_), 0, 0, 1}; }
   [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double /*t*/) const override {
     return CurvatureRates{};
   }
-  [[nodiscard]] Bounds range() const override { return {0, length_}; }
+  [[nodiscard]] Bounds range() const override { return range_; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& /*t*/) const override {
     return SpanBounds{{1, 1}, {0, 0}};
   }
   [[nodiscard]] int parts() const override { return 1; }
 
 private:
-  Vector2d from_;
-  double length_;
-  Vector2d t_;
+  Vector2d origin_, t_;
+  Bounds range_;
 };
 
 class CornerSpan final : public Span {
@@ -173,7 +172,12 @@ SpanPtr conic_span(const Curve& curve, double from, double to) {
 
 SpanPtr face_span(const Vector2d& from_B, const Vector2d& to_B) {
   assert(from_B != to_B);
-  return std::make_shared<FaceSpan>(from_B, to_B);
+  const double length = (to_B - from_B).norm();
+  return face_span(from_B, (to_B - from_B) / length, {0, length});
+}
+
+SpanPtr face_span(const Vector2d& origin_B, const Vector2d& t_B, const Bounds& range) {
+  return std::make_shared<FaceSpan>(origin_B, t_B, range);
 }
 
 SpanPtr corner_span(const Vector2d& at_B, double from, double to) {

@@ -45,8 +45,7 @@ SpanPtr span_of(const SupportCurve& curve, std::size_t index, double reach) {
     const double phi = (piece.phi.low + piece.phi.high) / 2;
     const Vector2d n = unit_vector(phi);
     const Vector2d foot = curve.at(index, phi).h * n;
-    return face_span(foot + std::max(piece.along.low, -reach) * perp(n),
-                     foot + std::min(piece.along.high, reach) * perp(n));
+    return face_span(foot, perp(n), {std::max(piece.along.low, -reach), std::min(piece.along.high, reach)});
   }
   const Bounds phi = normals_of(piece);
   const Bounds rho = curve.radius(index, phi);

@@ -68,6 +68,9 @@ using SpanPtr = std::shared_ptr<const Span>;
 [[nodiscard]] SpanPtr conic_span(const Curve& curve, double from, double to);
 /// A straight edge, the material on its left. \pre the two points differ
 [[nodiscard]] SpanPtr face_span(const Vector2d& from_B, const Vector2d& to_B);
+/// A part of the line through a point along a unit vector, by the distance from the point: near it, places on
+/// a long line are exact.
+[[nodiscard]] SpanPtr face_span(const Vector2d& origin_B, const Vector2d& t_B, const Bounds& range);
 /// A convex corner, its normals turning counter-clockwise from `from` to `to` [rad]. \pre from < to
 [[nodiscard]] SpanPtr corner_span(const Vector2d& at_B, double from, double to);
 /// The same points with the material on the other side. \pre not a corner
