@@ -1,6 +1,7 @@
 #include "reduction.hpp"
 
 #include "group_system.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/lu_solver.hpp"
 #include "numeric/singular_values.hpp"
@@ -168,7 +169,29 @@ std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
   const bool parabola =
       std::abs(limit->ahead - limit->lambda * slope / 2) <= kLimitParabola * std::abs(limit->ahead) &&
       missed.lpNorm<1>() <= kLimitParabola * moved.lpNorm<1>();
-  return parabola ? limit : std::nullopt;
+  return parabola && system_at(limit->ahead, limit->x) && stays_on_faces() ? limit : std::nullopt;
+}
+
+// Whether contacts on flat spans, which the conditions take for whole lines, are within their ends in
+// run.work.trial.
+bool Reduction::stays_on_faces() const {
+  const Mechanism& mechanism = run_.mechanism();
+  for (const int index : run_.plan().groups[g_].contacts) {
+    const Contact& contact = mechanism.contacts[index];
+    const ContactMotion& motion = run_.work.trial.contacts[index];
+    for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
+      const CurveRef& ref = side == 0 ? contact.first : contact.second;
+      const Boundary& boundary = boundary_of(mechanism, ref);
+      const BoundaryPlace& place = motion.place[side];
+      if (!is_flat(boundary, place)) continue;
+      const Vector2d& p_W = side == 0 ? motion.at.p1_W : motion.at.p2_W;
+      const SpanPoint from = boundary.at(place);
+      const Vector2d p_B = body_in(run_.work.trial, ref.body).X_WB.inverse_times(p_W);
+      const double t = place.t + (p_B - from.p_B).dot(perp(from.n_B)) / from.speed;
+      if (!range_of(boundary, place.span).contains(t)) return false;
+    }
+  }
+  return true;
 }
 
 std::optional<Reduction::Point> Reduction::crossing_within(double h) {

@@ -62,6 +62,7 @@ public:
 
 private:
   [[nodiscard]] bool make_border();
+  [[nodiscard]] bool stays_on_faces() const;
   [[nodiscard]] bool system_at(double ahead, const Eigen::VectorXd& x);
   [[nodiscard]] std::optional<Point> solve(const Point& guess, double lambda, double ahead);
   struct Second {
