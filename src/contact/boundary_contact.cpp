@@ -58,14 +58,15 @@ public:
   }
 
   // Moves by ds along the tangent, or turns by dphi on a corner. Whether an end stops it.
-  bool advance(double ds, double dphi) {
+  // \param opposite  the other side: against a corner the contact does not rest at a kink
+  bool advance(double ds, double dphi, const PairSide& opposite) {
     if (kink_) {
       turn_at_kink(dphi);
       return false;
     }
     const auto next = boundary.advance(place, ds, dphi);
     if (next.place.span != place.span) {
-      if (next.place.span == came_from_ && !was_at_kink_) {
+      if (next.place.span == came_from_ && !was_at_kink_ && !opposite.corner && !opposite.kink_) {
         kink_ = ds > 0 ? kink_between(boundary, place.span, came_from_)
                        : kink_between(boundary, came_from_, place.span);
       }
@@ -178,12 +179,12 @@ bool leave_flats(PairSide& one, PairSide& two, double turn, double slip) {
   const auto end2 = end_ahead(two.boundary, two.place, !forward);
   if (end1 && !(end2 && end2->way < end1->way)) {
     one.place = end1->behind;
-    two.advance(slip - sense * end1->way, 0);
+    two.advance(slip - sense * end1->way, 0, one);
     return true;
   }
   if (end2) {
     two.place = end2->behind;
-    one.advance(slip + sense * end2->way, 0);
+    one.advance(slip + sense * end2->way, 0, two);
     return true;
   }
   return false;
@@ -200,9 +201,9 @@ int step_along(PairSide& one, PairSide& two, double turn, double slip, double sc
   const double ds1 = link.z * turn + link.w2 * slip;
   const double ds2 = link.z * turn - link.w1 * slip;
   const bool stopped1 =
-      one.advance(limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurnOfPass));
+      one.advance(limited(ds1, longest), limited(link.w1 * turn + link.w * slip, kMostTurnOfPass), two);
   const bool stopped2 =
-      two.advance(limited(-ds2, longest), limited(-(link.w2 * turn - link.w * slip), kMostTurnOfPass));
+      two.advance(limited(-ds2, longest), limited(-(link.w2 * turn - link.w * slip), kMostTurnOfPass), one);
   return stopped1 ? 1 : stopped2 ? 2 : 0;
 }
 
@@ -216,10 +217,10 @@ void hold_at_end_of_flat(PairSide& one, PairSide& two) {
   };
   if (const auto end1 = end_of_flat(one.boundary, one.place)) {
     one.place = *end1;
-    two.advance(along(), 0);
+    two.advance(along(), 0, one);
   } else if (const auto end2 = end_of_flat(two.boundary, two.place)) {
     two.place = *end2;
-    one.advance(along(), 0);
+    one.advance(along(), 0, two);
   }
 }
 
