@@ -62,10 +62,19 @@ public:
     mismatch_ += std::abs(turn - half_ * (a.rates.phi_dot + b.rates.phi_dot));
   }
 
+  // A body's contact point, which may jump to another place of two nearly flat curves where the bodies hardly
+  // feel it.
+  // \param way  from begin to end along the boundary
+  void add_way(double way, double v0, double v1) {
+    const double mismatch = per_size_ * std::abs(way - half_ * (v0 + v1));
+    const double longest = per_size_ * (std::abs(way) + std::abs(half_) * (std::abs(v0) + std::abs(v1)));
+    jumps_ = jumps_ || mismatch > kSmoothWay * longest + kLeastJump;
+  }
+
   // \param kinks  whether a contact may have begun the step at a joint with a kink too small for a corner
   [[nodiscard]] bool holds(bool kinks) const {
     const double rest = kNoMismatch + (kinks ? kTurnOfKink + kVelocityOfKink * step_ : 0);
-    return mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + rest &&
+    return !jumps_ && mismatch_ <= kSmoothStep * (change_ + step_ / 8 * bend_) + rest &&
            farthest_turn_ <= kFarthestBodyTurn;
   }
 
@@ -83,7 +92,16 @@ private:
   double mismatch_ = 0;
   double bend_ = 0;           // change of velocities
   double farthest_turn_ = 0;  // of one body
+  bool jumps_ = false;        // whether a contact point does
 };
+
+// The way of a contact's point along one of its bodies in a step, positive to the left of the normal.
+double way_of(const BodyMotion& from, const BodyMotion& to, const Vector2d& p0_W, const Vector2d& p1_W,
+              const Vector2d& n0_W, const Vector2d& n1_W) {
+  const Vector2d p_B = to.X_WB.inverse_times(p1_W) - from.X_WB.inverse_times(p0_W);
+  const Vector2d n_B = from.X_WB.R_WB.inverse() * n0_W + to.X_WB.R_WB.inverse() * n1_W;
+  return p_B.dot(perp(n_B)) / n_B.norm();
+}
 
 bool is_smooth(const Run& run, const Group& group, double h) {
   const State& from = run.at.state;
@@ -95,7 +113,18 @@ bool is_smooth(const Run& run, const Group& group, double h) {
   }
   for (const int contact : group.contacts) {
     const auto i = static_cast<std::size_t>(contact);
-    smoothness.add(from.contacts[i], to.contacts[i]);
+    const ContactMotion &a = from.contacts[i], &b = to.contacts[i];
+    smoothness.add(a, b);
+    const Contact& pair = run.mechanism().contacts[i];
+    if (pair.by_boundary && a.touches && b.touches) {
+      const int one = pair.first.body, two = pair.second.body;
+      smoothness.add_way(
+          way_of(body_in(from, one), body_in(to, one), a.at.p1_W, b.at.p1_W, a.at.n_W, b.at.n_W),
+          a.rates.along1, b.rates.along1);
+      smoothness.add_way(
+          way_of(body_in(from, two), body_in(to, two), a.at.p2_W, b.at.p2_W, a.at.n_W, b.at.n_W),
+          a.rates.along2, b.rates.along2);
+    }
   }
   const auto& contacts = run.mechanism().contacts;
   return smoothness.holds(
