@@ -125,17 +125,28 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
   return length;
 }
 
-// The sense in which the contact runs along a boundary, from span to span or by its speed at the step's end.
+// The number of joints from a span to another one in one sense; more than there are where there is no way.
+int joints_between(const Boundary& boundary, int from, int to, bool forward) {
+  const int count = static_cast<int>(boundary.spans().size());
+  int passed = 0;
+  for (int span = from; span != to && passed <= count; ++passed) {
+    const int next = boundary.next_span(span, forward);
+    passed = boundary.joint_after(forward ? span : next) == SpanJoint::kEnd ? count : passed;
+    span = next;
+  }
+  return passed;
+}
+
+// The sense in which the contact runs along a boundary, by the fewer joints or by its speed at the step's
+// end.
 bool runs_forward(const Run& run, const SideOfContact& at, double h) {
   const Boundary& boundary = boundary_of_side(run, at);
   const int from = place_in(run.at.state, at).span;
   const int to = place_in(run.work.trial, at).span;
-  // An open boundary's last span is not next to its first.
-  const int next = boundary.next_span(from, true), previous = boundary.next_span(from, false);
-  const bool is_next = to == next && boundary.joint_after(from) != SpanJoint::kEnd;
-  const bool is_previous = to == previous && boundary.joint_after(previous) != SpanJoint::kEnd;
-  if (is_next != is_previous) {
-    return is_next;
+  const int ahead = joints_between(boundary, from, to, true);
+  const int behind = joints_between(boundary, from, to, false);
+  if (ahead != behind) {
+    return ahead < behind;
   }
   const double before = running_speed(run, at, run.at.state);
   const double after = running_speed(run, at, run.work.trial);
