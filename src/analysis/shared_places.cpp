@@ -3,6 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/analysis/touching_places.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/outline.hpp"
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
@@ -47,6 +48,20 @@ Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
 bool is_touch(const Bodies& bodies, const NearPlace& place, double depth) {
   return is_smooth_touch(place) && std::abs(place.at.gap()) <= depth &&
          !(bodies.own && is_place_of(*bodies.own, place, bodies.size()));
+}
+
+// Whether a place is the other end of two flat parts that lie on each other at the contact: the point halfway
+// is on both boundaries.
+bool is_end_of_flat(const Bodies& bodies, const NearPlace& place) {
+  if (!bodies.own) {
+    return false;
+  }
+  const Vector2d halfway_W = (bodies.own->p_W() + place.at.p_W()) / 2;
+  const auto is_on = [&](const Boundary& boundary, const Pose<double>& X_WB) {
+    const Vector2d p_B = X_WB.inverse_times(halfway_W);
+    return (boundary.outline().polyline().nearest(p_B).at - p_B).norm() <= kSameMeeting * bodies.size();
+  };
+  return is_on(bodies.boundary1, bodies.X_W1) && is_on(bodies.boundary2, bodies.X_W2);
 }
 
 // Keeps only places that push the follower in the same sense as the contact: teeth without play touch with
@@ -172,6 +187,8 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
   const Bodies before = bodies_in(run, contact, run.at.state);
   const State after_state = run.work.trial;
   const Bodies after = bodies_in(run, contact, after_state);
+  std::erase_if(touch.before, [&](const NearPlace& place) { return is_end_of_flat(before, place); });
+  std::erase_if(touch.after, [&](const NearPlace& place) { return is_end_of_flat(after, place); });
   const double just_left = kJustLeft * unit_of(run, path);
   std::vector<Change> changes;
   std::size_t places = 1;  // before the first change
