@@ -99,15 +99,18 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
   return std::nullopt;
 }
 
-// The step to which its coordinates are rounded [m].
-double step_of(const DxfDrawing& drawing) {
-  return std::pow(10, -drawing.decimals_of_lengths) * drawing.unit;
+// The step to which its coordinates are rounded [m]; 0 if they have so few decimals that they may be meant as
+// they are, or more than a drawing program rounds to.
+double rounding_of(const DxfDrawing& drawing) {
+  const int decimals = drawing.decimals_of_lengths;
+  const bool rounded = decimals >= kLeastRoundedDecimals && decimals <= kMostRoundedDecimals;
+  return rounded ? std::pow(10, -decimals) * drawing.unit : 0;
 }
 
 void undo_rounding(const DxfDrawing& drawing, Contour& contour) {
-  const int decimals = drawing.decimals_of_lengths;
-  if (decimals < kLeastRoundedDecimals || decimals > kMostRoundedDecimals) {
-    return;  // fewer may be meant as they are
+  const double step = rounding_of(drawing);
+  if (step == 0) {
+    return;
   }
   const auto rounding_of_sweep = [&](int source) -> SweepRounding {
     switch (drawing.pieces[source].sweep) {
@@ -122,7 +125,7 @@ void undo_rounding(const DxfDrawing& drawing, Contour& contour) {
   };
   std::vector<SweepRounding> sweeps(contour.sources.size());
   std::transform(contour.sources.begin(), contour.sources.end(), sweeps.begin(), rounding_of_sweep);
-  higherpair::undo_rounding(contour.pieces, contour.closed, step_of(drawing), sweeps);
+  higherpair::undo_rounding(contour.pieces, contour.closed, step, sweeps);
 }
 
 void report_open(TableReader& table, const Drawing& drawing, const Contour& contour, double tolerance) {
@@ -184,7 +187,7 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     return std::nullopt;
   }
   const double size = size_of(pieces);
-  const double rounding = std::min(kGapInSteps * step_of(drawing->content), kLargestRoundingGap * size);
+  const double rounding = std::min(kGapInSteps * rounding_of(drawing->content), kLargestRoundingGap * size);
   const double tolerance = given >= 0 ? given : std::max(kDefaultGap * size, rounding);
   auto contours = join(pieces, tolerance);
   if (!contours) {

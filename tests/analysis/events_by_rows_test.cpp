@@ -305,4 +305,63 @@ TEST(EventsByRows, ADiscOfTwoArcsIsFollowedOverBothJoints) {
 }
 
 }  // namespace
+Profile of_boundaries(const std::string& name) {
+  auto profile = read_profile_file(HIGHERPAIR_TEST_DATA "/boundaries/" + name + ".toml");
+  EXPECT_TRUE(profile) << name;
+  return profile ? *profile : Profile{};
+}
+
+// Each was lost, reversed or jumped over at some of these numbers of rows.
+class BoundariesByRows : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BoundariesByRows, HaveTheSameEventsAndPositions) {
+  const Profile profile = of_boundaries(GetParam());
+  const RunTable finest = run_with(profile, 721);
+  const Places wanted = events_of(finest);
+  for (const std::int64_t rows : {2, 3, 7, 13, 16, 25, 37, 61, 121}) {
+    const RunTable motion = run_with(profile, rows);
+    const std::string what = fmt::format("{} rows", rows);
+    expect_all_ok(motion);
+    expect_same(events_of(motion), wanted, what);
+    EXPECT_EQ(count_of(motion, EventType::kLimitPosition), 0U) << what;
+    if (720 % (rows - 1) != 0) continue;
+    const auto step = static_cast<std::size_t>(720 / (rows - 1));
+    for (const Body& body : profile.mechanism.bodies) {
+      for (std::size_t k = 0; body.name != "ground" && k < motion.size(); ++k) {
+        ASSERT_NEAR(motion.value(k, body.name + ".angle"), finest.value(k * step, body.name + ".angle"), 1e-9)
+            << what << ' ' << k;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BoundariesByRows,
+                         ::testing::Values("roller_from_flat_to_hollow", "faces_in_series", "corner_onto_arc",
+                                           "triangle_on_hollow_spline", "flats_meet_at_a_fillet",
+                                           "flats_meet_in_a_row"));
+
+// The flat on which the roller's arm would come to its limit, at 0 mm, ends before it.
+TEST(EventsByRows, ALimitBeyondTheEndOfAFlatIsNone) {
+  const Profile profile = of_boundaries("roller_from_flat_to_hollow");
+  for (const std::vector<double>& positions : {std::vector<double>{1, 0}, {1, 0, -2}, {1, 0.5, 0, -1, -2}}) {
+    const RunTable motion = run_with(profile, 0, positions);
+    expect_all_ok(motion);
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      if (motion.value(k, "driver") > 0.06) continue;
+      // The roller's centre, on an arm of 30 about (2, 33), is 5 from the centre of the hollow of 8.
+      const double angle = motion.value(k, "arm.angle") / kTurn;
+      const Vector2d roller = Vector2d(2, 33) + 30 * Vector2d(std::sin(angle), -std::cos(angle));
+      EXPECT_NEAR((roller - Vector2d(0, 8 + motion.value(k, "driver"))).norm(), 5, 1e-12);
+    }
+  }
+}
+
+// The corner of a cam slides along a flat onto an arc, at the root of |R(θ) c - O1| = |joint - O1|.
+TEST(EventsByRows, ACornerReachesTheEndOfAFlatToFullPrecision) {
+  const Profile profile = of_boundaries("corner_onto_arc");
+  for (const std::int64_t rows : {7, 31, 601}) {
+    EXPECT_NEAR(events_of(run_with(profile, rows)).at(0).second, 5.137266154426654, 1e-9) << rows;
+  }
+}
+
 }  // namespace higherpair

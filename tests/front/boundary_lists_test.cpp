@@ -144,5 +144,42 @@ TEST(BoundaryLists, OfAMapThatIsStoppedHaveNothing) {
   }
 }
 
+// A polygon with rounded corners is on one side of each of its tangents: a point far along the face has its
+// foot on the small fillet, which a step by the curvature of a side passes.
+TEST(BoundaryLists, AFaceOnARoundedPolygonIsFree) {
+  const char* const text = R"(
+[bodies.ground]
+points.A = [0, 0]
+points.B = [60, 0]
+[bodies.cam]
+points.P = [0, 0]
+curves.e = { type = "chain", fillet = 1.5, spans = [
+  { type = "segment", from = [-8.6, -4.1], to = [7.7, -11.8] },
+  { type = "segment", from = [7.7, -11.8], to = [11.9, 3.4] },
+  { type = "segment", from = [11.9, 3.4], to = [-0.3, 11.2] },
+  { type = "segment", from = [-0.3, 11.2], to = [-8.6, -4.1] }] }
+[bodies.out]
+pose = { x = 60, angle = -25.7 }
+points.P = [0, 0]
+curves.r = { type = "line", point = [-50, 0], normal = -35 }
+[joints]
+j0 = { type = "revolute", between = ["ground.A", "cam.P"] }
+j4 = { type = "revolute", between = ["ground.B", "out.P"] }
+[contacts]
+k = { between = ["cam.e", "out.r"] }
+[driver]
+joint = "j0"
+)";
+  for (int angle = 0; angle < 360; ++angle) {
+    const auto branches =
+        branches_of(model_of(text, {fmt::format("driver.start={}", angle), "driver.end=400"}));
+    ASSERT_TRUE(branches);
+    ASSERT_EQ(branches->contacts.at(0).entries.size(), 2U) << angle;
+    for (const ContactEntry& entry : branches->contacts.at(0).entries) {
+      EXPECT_TRUE(entry.free) << angle;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -285,5 +285,118 @@ TEST_F(Dxf, TenThousandEntitiesAreOneContour) {
   EXPECT_NEAR(left_area(curve) / (kPi * (2500 + 4.5) * 1e-6), 1, 1e-5);
 }
 
+// A belt about two discs: their outer tangents touch at the angles ±half.
+struct Belt {
+  Vector2d nose = {22.86, 0};
+  double base_radius = 25.4, nose_radius = 8.89;
+
+  [[nodiscard]] double half() const { return std::acos((base_radius - nose_radius) / nose.norm()); }
+  [[nodiscard]] double turned() const { return angle_of(nose); }
+  [[nodiscard]] double support(const Vector2d& n) const {
+    return std::max(base_radius, nose.dot(n) + nose_radius);
+  }
+  [[nodiscard]] Vector2d end(bool of_nose, double sense) const {
+    const Vector2d n = unit_vector(turned() + sense * half());
+    return of_nose ? Vector2d(nose + nose_radius * n) : Vector2d(base_radius * n);
+  }
+
+  [[nodiscard]] std::string as_polyline(int decimals, int bulges) const {
+    std::string text = "0 LWPOLYLINE 8 0 90 4 70 1 ";
+    const auto add = [&](const Vector2d& p, double sweep) {
+      text += fmt::format("10 {:.{}f} 20 {:.{}f} 42 {:.{}f} ", p.x(), decimals, p.y(), decimals,
+                          std::tan(sweep / 4), bulges);
+    };
+    add(end(true, -1), 2 * half());
+    add(end(true, 1), 0);
+    add(end(false, 1), 2 * kPi - 2 * half());
+    add(end(false, -1), 0);
+    return text;
+  }
+
+  [[nodiscard]] std::string as_arcs_and_lines(int decimals) const {
+    const auto arc = [&](const Vector2d& center, double radius, double from, double to) {
+      return fmt::format("0 ARC 8 0 10 {1:.{0}f} 20 {2:.{0}f} 40 {3:.{0}f} 50 {4:.{0}f} 51 {5:.{0}f} ",
+                         decimals, center.x(), center.y(), radius, std::fmod(from * 180 / kPi + 360, 360),
+                         std::fmod(to * 180 / kPi + 360, 360));
+    };
+    const auto side = [&](double sense) {
+      const Vector2d a = end(true, sense), b = end(false, sense);
+      return fmt::format("0 LINE 8 0 10 {1:.{0}f} 20 {2:.{0}f} 11 {3:.{0}f} 21 {4:.{0}f} ", decimals, a.x(),
+                         a.y(), b.x(), b.y());
+    };
+    return arc(nose, nose_radius, turned() - half(), turned() + half()) + side(1) +
+           arc(Vector2d::Zero(), base_radius, turned() + half(), turned() - half()) + side(-1);
+  }
+};
+
+// All joints are smooth, and the outline is the belt to within a few steps of the last decimal.
+void expect_belt(const NamedCurve& curve, const Belt& belt, double step) {
+  ASSERT_NE(curve.boundary, nullptr);
+  const Boundary& boundary = *curve.boundary;
+  ASSERT_EQ(boundary.spans().size(), 4U) << step;
+  for (int i = 0; i < 4; ++i) {
+    const Span &span = *boundary.spans()[i], &next = *boundary.spans()[(i + 1) % 4];
+    const SpanPoint end = span.at(span.range().high), begin = next.at(next.range().low);
+    EXPECT_NEAR(cross(end.n_B, begin.n_B), 0, 1e-14) << step;
+    EXPECT_NEAR((end.p_B - begin.p_B).norm(), 0, 1e-16 + 1e-12 * step) << step;
+    for (int k = 0; k <= 8; ++k) {
+      const SpanPoint point = span.at(span.range().low + span.range().width() * k / 8);
+      EXPECT_NEAR(1e3 * point.p_B.dot(point.n_B), belt.support(point.n_B), 5 * step);
+    }
+  }
+}
+
+TEST_F(Dxf, RoundedArcsMeetLinesSmoothly) {
+  for (const double turn : {0.0, 0.7, 2.9, -1.3}) {
+    Belt belt;
+    belt.nose = belt.nose.norm() * unit_vector(turn);
+    for (const int decimals : {3, 4, 6, 8, 10}) {
+      const double step = std::pow(10, -decimals);
+      expect_belt(of(belt.as_polyline(decimals, decimals)), belt, 60 * step);  // a bulge of 2.5, on 25.4 mm
+      expect_belt(of(belt.as_polyline(decimals, decimals + 3)), belt, step);
+      expect_belt(of(belt.as_arcs_and_lines(decimals)), belt, step);
+    }
+  }
+}
+
+// The centre of an arc is as drawn: a base circle about the pivot stays a dwell.
+TEST_F(Dxf, CirclesOfArcsAreAsDrawn) {
+  const NamedCurve curve = of(Belt{}.as_arcs_and_lines(5));
+  int at_base = 0;
+  for (const SpanPtr& span : curve.boundary->spans()) {
+    const SpanPoint middle = span->at((span->range().low + span->range().high) / 2);
+    if (middle.kappa == 0 || 1 / middle.kappa < 0.02) continue;
+    ++at_base;
+    for (const double t : {span->range().low, span->range().high}) {
+      EXPECT_NEAR(span->at(t).p_B.norm(), 25.4e-3, 1e-17);
+    }
+  }
+  EXPECT_EQ(at_base, 1);
+}
+
+TEST_F(Dxf, CornersLargerThanRoundingStay) {
+  const NamedCurve half =
+      of("0 LWPOLYLINE 90 2 70 1 10 -10.000000 20 0.000000 10 10.000000 20 0.000000 42 1.000000 ");
+  EXPECT_EQ(half.boundary->spans().size(), 4U);  // with two corners
+  // Two half discs joined by lines, one of which is inclined by 0.02 degrees.
+  const double rise = 30 * std::sin(0.02 * kPi / 180);
+  const NamedCurve slot =
+      of(fmt::format("0 LWPOLYLINE 90 4 70 1 10 0.000000 20 0.000000 10 30.000000 20 {:.6f} 42 1.000000 "
+                     "10 30.000000 20 20.000000 10 0.000000 20 20.000000 42 1.000000 ",
+                     -rise));
+  EXPECT_EQ(slot.boundary->spans().size(), 5U);  // with a corner, and a notch
+}
+
+// Chords of a circle: their corners are 0.036 degrees, and the last of 4 decimals turns chords by as much.
+TEST_F(Dxf, LinesMeetInCornersHoweverTheyAreRounded) {
+  std::string text = "0 LWPOLYLINE 90 1000 70 1 ";
+  for (int k = 0; k < 1000; ++k) {
+    const Vector2d p = 20 * unit_vector(2 * kPi * k / 1000);
+    text += fmt::format("10 {:.6f} 20 {:.6f} ", p.x(), p.y());
+  }
+  const NamedCurve curve = of(text);
+  EXPECT_EQ(curve.boundary->spans().size(), 2000U);
+}
+
 }  // namespace
 }  // namespace higherpair

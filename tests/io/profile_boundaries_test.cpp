@@ -329,6 +329,23 @@ TEST_F(ProfileBoundaries, SlightCornersAreNoted) {
           "0): if the joint is to be smooth, give more digits, or leave it to `fillet`"));
 }
 
+// At their joints the spans of a rounded pentagon are parallel to within rounding.
+TEST_F(ProfileBoundaries, ParallelSpansAtAJointDoNotCross) {
+  EXPECT_THAT(messages_of(R"({ type = "chain", spans = [
+    { type = "arc", center = [14.652119973774047, -0.770338176078857], radius = 7.521869292568327, from = 67.74889939719692, to = 135.34009081745992 },
+    { type = "segment", from = [9.301878455663438, 4.516762480459452], to = [-2.212017500286215, -7.134637441830136] },
+    { type = "arc", center = [1.8928123981323388, -11.191024200716287], radius = 5.77095330362478, from = 135.34009081745992, to = 207.09617731700652 },
+    { type = "segment", from = [-3.244739514040612, -13.819609824649017], to = [1.225146789153753, -22.555970822398876] },
+    { type = "arc", center = [5.982640437488241, -20.121838842081022], radius = 5.344038202665575, from = -152.90382268299345, to = -101.16258906849225 },
+    { type = "segment", from = [4.948067768366682, -25.36477730289246], to = [18.004105963815878, -27.941084536895048] },
+    { type = "arc", center = [19.26170392745831, -21.567913343983577], radius = 6.496065246925576, from = -101.16258906849225, to = -27.471972102236105 },
+    { type = "segment", from = [25.02525080176716, -24.564643415237725], to = [31.497180140622064, -12.117320091220726] },
+    { type = "arc", center = [22.02686906409778, -7.193274775712671], radius = 10.673940891503726, from = -27.471972102236126, to = 67.74889939719694 },
+    { type = "segment", from = [26.06873179390447, 2.6858122179682216], to = [17.50039911089285, 6.191401808403191] },
+  ] })"),
+              IsEmpty());
+}
+
 TEST_F(ProfileBoundaries, ACurveThatCrossesItselfIsRefusedWithThePlace) {
   EXPECT_THAT(
       messages_of(

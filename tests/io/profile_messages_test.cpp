@@ -255,8 +255,7 @@ TEST(ProfileMessages, KeysOfTheTopLevelAreToBeMovedUp) {
 TEST(ProfileMessages, TheKeysOfASingleDriverHaveAHeadingOfTheirOwn) {
   std::string text = crank_profile("", "");
   text.replace(text.find("[driver]"), 8, "[drivers]");
-  EXPECT_THAT(messages(text),
-              ElementsAre(HasSubstr("a single driver has the heading [driver]")));
+  EXPECT_THAT(messages(text), ElementsAre(HasSubstr("a single driver has the heading [driver]")));
 }
 
 TEST(ProfileMessages, AWrongKindSaysWhatIsExpectedAndWhatIsFound) {
