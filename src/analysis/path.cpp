@@ -105,11 +105,13 @@ private:
     if (ok && close_open_contact(at_, step_)) {
       return Outcome::kGoesOn;
     }
-    if (const auto passage = joint_within(run_, path_, at_.s, step_)) {
+    const auto passage = joint_within(run_, path_, at_.s, step_);
+    if (passage) {
       if (const auto outcome = pass(*passage)) {
         return *outcome;
       }
     }
+    passed_unseen_ = ok && !passage && has_left_a_span(run_);
     near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
     if (const auto shorter = better_length(ok)) {
       length_.shorten(*shorter);
@@ -129,6 +131,9 @@ private:
 
   // A better length for a step that should end elsewhere, though it need not have failed.
   [[nodiscard]] std::optional<double> better_length(bool ok) const {
+    if (passed_unseen_ && std::abs(step_) > kShortPassing * at_.scale) {
+      return std::abs(step_) / 2;
+    }
     if (near_crossing_ && !last_ && !limit_.is_known() && std::abs(step_) > kLongStep * at_.scale) {
       return 0.618 * std::abs(step_);
     }
@@ -313,9 +318,11 @@ private:
   double step_ = 0;             // the step that is tried
   bool last_ = false;           // whether it leads to the end
   bool near_crossing_ = false;  // whether it could be taken and leads next to where branches may cross
-  StepLength length_;           // the largest step that may be tried
-  LimitAhead limit_;            // the first known limit
-  int refused_ = 0;             // steps refused, until one as long as the first of them is taken
+  bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: there
+                                // is a contact at other spans in between
+  StepLength length_;  // the largest step that may be tried
+  LimitAhead limit_;   // the first known limit
+  int refused_ = 0;    // steps refused, until one as long as the first of them is taken
   double first_refused_ = 0;
   double last_looked_ = kNoValue;  // s of the last limit looked beyond
   double steps_left_;

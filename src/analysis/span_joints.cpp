@@ -271,6 +271,10 @@ bool ends_at(const Run& run, const Path& path, double s, const JointPassage& pas
 
 }  // namespace
 
+bool has_left_a_span(const Run& run) {
+  return changed_place(run).has_value();
+}
+
 std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
   std::vector<Turn> turned = turned_back(run, h);
   if (turned.empty() && !changed_place(run)) {

@@ -11,4 +11,7 @@ namespace higherpair {
 /// run.work.trial is left within the step, at the joint only if JointPassage::solved.
 [[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
 
+/// Whether a contact in run.work.trial is on another span than in run.at.state.
+[[nodiscard]] bool has_left_a_span(const Run& run);
+
 }  // namespace higherpair

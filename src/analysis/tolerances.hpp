@@ -39,6 +39,9 @@ inline constexpr double kLargestSlide = 1.0 / 6;
 /// Fraction of the driver's scale: longer steps may be shortened so that they do not end near a crossing of
 /// branches.
 inline constexpr double kLongStep = 0.02;
+/// Fraction of the driver's scale: longer steps are halved where a contact has passed joints that are not
+/// found.
+inline constexpr double kShortPassing = 1e-4;
 /// Largest step while a contact is open, as a fraction of the largest step otherwise.
 inline constexpr double kOpenShare = 0.2;
 /// Largest turn of a body in one step [rad].

@@ -338,7 +338,7 @@ TEST_P(BoundariesByRows, HaveTheSameEventsAndPositions) {
 INSTANTIATE_TEST_SUITE_P(All, BoundariesByRows,
                          ::testing::Values("roller_from_flat_to_hollow", "faces_in_series", "corner_onto_arc",
                                            "triangle_on_hollow_spline", "flats_meet_at_a_fillet",
-                                           "flats_meet_in_a_row"));
+                                           "flats_meet_in_a_row", "arc_end_on_a_flat"));
 
 // The flat on which the roller's arm would come to its limit, at 0 mm, ends before it.
 TEST(EventsByRows, ALimitBeyondTheEndOfAFlatIsNone) {
