@@ -22,12 +22,26 @@ bool has_just_passed(const OnPath& at, const JointPassage& passage) {
          std::abs(at.s + passage.x - at.passed.x) <= shortest_step(at.scale, 0);
 }
 
+// Whether the contact, at the joint, comes with a corner of one body onto a corner of the other.
+bool meets_corners(const Run& run, const JointPassage& passage) {
+  const std::size_t other = 1 - passage.side;
+  return boundary_at(run, passage.contact, passage.side).is_corner(passage.after) &&
+         boundary_at(run, passage.contact, other)
+             .is_corner(run.at.state.contacts[passage.contact].place[other]);
+}
+
 // Goes on from the joint at which run.at.state is.
 JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   const std::size_t g = *group_with_contact(at.run.plan(), static_cast<int>(passage.contact));
   // At an edge, another place at which the bodies touch takes over, if there is one.
   if (is_on_edge(at.run, passage.contact, passage.side, passage.after) && hand_over(at, g)) {
     return {JointOutcome::kDiverted};
+  }
+  if (meets_corners(at.run, passage)) {
+    // Two corners have no common normal of their own.
+    const bool goes_over = go_over_vertex(at.run, at.path, at.s, g);
+    at.taken_over_at = goes_over ? at.s : at.taken_over_at;
+    return goes_over ? JointOutcome{JointOutcome::kDiverted} : JointOutcome{JointOutcome::kEnds, g};
   }
   if (!lies_flat_behind(at.run, passage)) {
     go_over_joint(at.run, at.path, at.s, passage);
