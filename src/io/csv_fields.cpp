@@ -1,6 +1,7 @@
 #include "csv_fields.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
+#include "higherpair/io/units.hpp"
 #include "numeric/decimal.hpp"
 
 #include <algorithm>

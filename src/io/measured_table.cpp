@@ -2,8 +2,8 @@
 
 #include "csv_fields.hpp"
 #include "encoding.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "names.hpp"
 #include "text_file.hpp"
 
 #include <algorithm>

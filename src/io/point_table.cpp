@@ -2,7 +2,7 @@
 
 #include "csv_fields.hpp"
 #include "encoding.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 
 #include <algorithm>
 #include <charconv>
