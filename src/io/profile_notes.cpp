@@ -1,5 +1,6 @@
 #include "profile_notes.hpp"
 
+#include "condition_notes.hpp"
 #include "contact_notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -52,6 +53,8 @@ public:
         add("contacts." + contact.name, text, ".between");
       }
     }
+    repeated("joints", mechanism_.joints, repeated_joint_note);
+    repeated("contacts", mechanism_.contacts, repeated_contact_note);
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       driver(i, profile_.programs[i]);
     }
@@ -173,6 +176,15 @@ private:
       const bool is_drawn = at(fmt::format("drawing.{}.curves.{}", body.name, name)) != nullptr;
       if (!used && !is_drawn && !has_offset(body, name)) {
         add(fmt::format("bodies.{}.curves.{}", body.name, name), "no contact names this curve");
+      }
+    }
+  }
+
+  template <class Items, class NoteOf>
+  void repeated(const std::string& room, const Items& items, const NoteOf& note_of) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (const std::string text = note_of(mechanism_, i); !text.empty()) {
+        add(room + "." + items[i].name, text, ".between");
       }
     }
   }

@@ -86,6 +86,9 @@ inline constexpr double kFarFromPose = 2.0 / 3;
 /// Relative to the sum of the distances of a face and a curve from the origin: the curve is behind the face
 /// only if it is farther behind it than this.
 inline constexpr double kBehindFace = 1e-9;
+/// Relative to the mechanism's size: points of two joints that are no farther apart are the same; and the
+/// sine of the angle between two directions that are.
+inline constexpr double kSamePoint = 1e-9;
 /// Relative allowances for rounding errors: of a number that is rounded up to its last digit, and of half a
 /// unit of its last digit.
 inline constexpr double kLastDigitUp = 1e-12;

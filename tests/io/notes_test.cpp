@@ -181,6 +181,27 @@ TEST(Notes, AnInertiaInOtherUnits) {
   EXPECT_THAT(inertia("\"2.1e-5 kg m^2\""), IsEmpty());
 }
 
+TEST(Notes, AJointOrContactThatIsGivenTwice) {
+  const std::string undefined =
+      ", so how they share their force is undefined, and it is left empty: leave one of them out";
+  const std::string pin = "[joints.again]\ntype = \"revolute\"\nbetween = ";
+  EXPECT_THAT(notes(crank_profile(pin + "[\"crank.A\", \"ground.A\"]\n")),
+              ElementsAre("test.toml:14:11: note: joints.again: gives the same condition as joints.pivot" +
+                          undefined));
+  EXPECT_THAT(notes(crank_profile(pin + "[\"ground.B\", \"crank.P\"]\n")), IsEmpty());
+  const std::string slide =
+      "[joints.again]\ntype = \"prismatic\"\nbetween = [\"ground.B\", \"slider.S\"]\ndirection = ";
+  EXPECT_THAT(notes(slider_profile("end = 40\n" + slide + "[-3, 0]\n")),
+              ElementsAre("test.toml:16:11: note: joints.again: gives the same condition as joints.slide" +
+                          undefined));
+  EXPECT_THAT(notes(slider_profile("end = 40\n" + slide + "[3, 1]\n")), IsEmpty());
+  const std::string touch = "[contacts.again]\nbetween = [\"follower.roller\", \"cam.disc\"]\n";
+  EXPECT_THAT(
+      notes(testing::kCamProfile + touch),
+      ElementsAre(HasSubstr("contacts.again: gives the same condition as contacts.touch" + undefined)));
+  EXPECT_THAT(notes(testing::kCamProfile + touch + "approach = \"+\"\n"), IsEmpty());
+}
+
 TEST(Notes, WhatADriverDoesNotUse) {
   EXPECT_THAT(notes(crank_profile("positions = [0, 15]\nend = 90\nsamples = 4\n")),
               ElementsAre("test.toml:13:7: note: driver.end = 90: not used, for `positions` are given",
