@@ -370,6 +370,9 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
     return tl::unexpected(std::move(run.error()));
   }
   Diagnostics notes = start_notes(data_->profile, run->at.state.bodies);
+  for (Diagnostic& note : direction_notes(data_->profile, *schedule)) {
+    notes.push_back(std::move(note));
+  }
   if (settings.forces && !has_forces(data_->profile.mechanism)) {
     notes.push_back(
         about(data_->profile.source,

@@ -16,6 +16,7 @@ using testing::crank_profile;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using testing::slider_profile;
 
 std::vector<std::string> texts(const Diagnostics& notes) {
@@ -41,6 +42,8 @@ TEST(Notes, AreNoneAboutTheShippedProfiles) {
     ASSERT_TRUE(profile) << entry.path();
     EXPECT_THAT(texts(profile->notes), IsEmpty());
     EXPECT_THAT(texts(notes_at_start(*profile)), IsEmpty());
+    if (profile->programs.empty()) continue;
+    EXPECT_THAT(texts(direction_notes(*profile, DriverSchedule::analyze(*profile).value())), IsEmpty());
   }
   EXPECT_THAT(notes(testing::kCamProfile), IsEmpty());
 }
@@ -226,6 +229,29 @@ TEST(Notes, ARowTooFewForRoundSteps) {
           "rows are 0.5 apart"));
   EXPECT_THAT(notes(crank_profile("samples = 361\n")), IsEmpty());
   EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
+}
+
+TEST(Notes, RowsThatGoAgainstTheVelocity) {
+  const auto directions = [](const std::string& text, bool in_time = false) {
+    const Profile profile = testing::read(text);
+    return texts(direction_notes(
+        profile, in_time ? DriverSchedule::step(profile).value() : DriverSchedule::analyze(profile).value()));
+  };
+  EXPECT_THAT(directions(slider_profile("start = 95\nend = 40\n")),
+              ElementsAre(HasSubstr(
+                  "note: driver.velocity is 1 mm/s, the default, but the rows go from 95 to 40 mm: rates "
+                  "and friction are those of the motion in the other direction; give velocity = -1")));
+  EXPECT_THAT(directions(crank_profile("start = 0\nend = -360\nvelocity = \"300 rpm\"\n")),
+              ElementsAre(HasSubstr(
+                  "note: driver.velocity is 1800 deg/s, but the rows go from 0 to -360 deg: rates and "
+                  "friction are those of the motion in the other direction; exchange start and end, or "
+                  "set velocity = -1800")));
+  EXPECT_THAT(directions(crank_profile("velocity = -3\n")), SizeIs(1));  // the default end is a turn on
+  EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = -3\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = 0\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nsamples = 1\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("positions = [90, 30]\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nduration = 2\ntime_step = 1\n"), true), IsEmpty());
 }
 
 // The lever of a crank-rocker, with its pose on the other side of the frame.
