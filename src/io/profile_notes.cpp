@@ -2,6 +2,7 @@
 
 #include "condition_notes.hpp"
 #include "contact_notes.hpp"
+#include "flank_notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "tolerances.hpp"
@@ -57,6 +58,9 @@ public:
     repeated("contacts", mechanism_.contacts, repeated_contact_note);
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       driver(i, profile_.programs[i]);
+    }
+    for (const FlankNote& note : flank_notes(document_, profile_)) {
+      add("tolerances." + note.tolerance, note.text);
     }
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Mistake& a, const Mistake& b) { return a.mark < b.mark; });
