@@ -257,8 +257,11 @@ private:
     const auto rows = static_cast<double>(*program.samples);
     const auto is_round = [](double x) { return is_whole(x) || is_whole(1 / x); };
     if (span != 0 && is_round(span / rows) && !is_round(span / (rows - 1))) {
-      add_with_value(path, fmt::format("both ends are rows, so they are {:.6g} apart; {} rows are {:g} apart",
-                                       span / (rows - 1), *program.samples + 1, span / rows));
+      const std::string_view unit = name_of(turns ? profile_.units.angle : profile_.units.length);
+      add_with_value(
+          path,
+          fmt::format("both ends are rows, so they are {:.6g} {} apart; {} rows are {:g} {} apart",
+                      std::abs(span) / (rows - 1), unit, *program.samples + 1, std::abs(span) / rows, unit));
     }
   }
 

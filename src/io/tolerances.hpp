@@ -36,6 +36,8 @@ inline constexpr int kMostRoundedDecimals = 12;
 /// Gap between ends that meet: in steps of their last decimal, and at most relative to the drawing's size.
 inline constexpr double kGapInSteps = 3;
 inline constexpr double kLargestRoundingGap = 1e-3;
+/// Relative to the drawing's size: ends of two contours that are no farther apart are probably meant to meet.
+inline constexpr double kNearEnds = 0.01;
 /// Sweeps of an ellipse count as a whole turn if they are this close to one, or to 0: files give parameters
 /// with a limited number of digits [rad].
 inline constexpr double kWholeTurn = 1e-9;

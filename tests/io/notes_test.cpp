@@ -220,13 +220,14 @@ TEST(Notes, ARowTooFewForRoundSteps) {
   EXPECT_THAT(
       notes(crank_profile("samples = 360\n")),
       ElementsAre(
-          "test.toml:12:11: note: driver.samples = 360: both ends are rows, so they are 1.00279 apart; 361 "
-          "rows are 1 apart"));
+          "test.toml:12:11: note: driver.samples = 360: both ends are rows, so they are 1.00279 deg apart; "
+          "361 rows are 1 deg apart"));
   EXPECT_THAT(
       notes(crank_profile("start = 10\nend = 100\nsamples = 180\n")),
-      ElementsAre(
-          "test.toml:14:11: note: driver.samples = 180: both ends are rows, so they are 0.502793 apart; 181 "
-          "rows are 0.5 apart"));
+      ElementsAre("test.toml:14:11: note: driver.samples = 180: both ends are rows, so they are 0.502793 deg "
+                  "apart; 181 rows are 0.5 deg apart"));
+  EXPECT_THAT(notes(slider_profile("start = 100\nend = 40\nsamples = 60\n")),
+              ElementsAre(HasSubstr("so they are 1.01695 mm apart; 61 rows are 1 mm apart")));
   EXPECT_THAT(notes(crank_profile("samples = 361\n")), IsEmpty());
   EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
 }
