@@ -405,6 +405,33 @@ TEST(Drawing, JoinsCurvesToTheirPivots) {
   }
 }
 
+// Spirals that wind with their pivots, and zigzags that change with their slides.
+TEST(Drawing, HasTheSpringsOfJoints) {
+  const Model model = shipped("cam_with_return_spring",
+                              {"springs.along={ joint = \"guide\", stiffness = 1, free_length = 0 }",
+                               "springs.about={ joint = \"cam_pivot\", stiffness = 1, free_angle = 0 }"});
+  const auto ends = [&](const std::string& name, double at) {
+    SceneSettings settings;
+    settings.at = at;
+    const auto scenes = scenes_of(model, settings).value();
+    for (const Shape& shape : scenes.scenes.front().moving) {
+      if (shape.role != Role::kSpring || shape.name != name) continue;
+      const auto& n = shape.numbers;
+      return std::pair(Vector2d(n[0], n[1]), Vector2d(n[n.size() - 2], n.back()));
+    }
+    throw std::out_of_range(name);
+  };
+  const auto [below, above] = ends("along", 0);
+  const auto [still, moved] = ends("along", 90);
+  EXPECT_GT(above.y(), below.y());
+  EXPECT_NEAR((still - below).norm(), 0, 1e-9);
+  EXPECT_NEAR((moved - above - Vector2d(0, 10)).norm(), 0, 1e-9);
+  const auto [outside, inside] = ends("about", 40);
+  EXPECT_NEAR(angle_of(outside), 0, 1e-12);
+  EXPECT_NEAR(angle_of(inside), 40 * kPi / 180, 1e-12);
+  EXPECT_GT(outside.norm(), inside.norm());
+}
+
 // A bar is drawn behind the face that it carries, even if a point of its body is on the face.
 TEST(Drawing, KeepsBarsBehindFaces) {
   for (const char* name : {"flat_faced_translating", "cam_with_return_spring"}) {
