@@ -405,6 +405,24 @@ TEST(Drawing, JoinsCurvesToTheirPivots) {
   }
 }
 
+TEST(Drawing, HasArcsThatLookRound) {
+  const auto scenes = scenes_of(shipped("four_arc_cam")).value();
+  const auto& fixed = scenes.scenes.front().fixed;
+  const auto cam = std::find_if(fixed.begin(), fixed.end(), [](const Shape& shape) {
+    return shape.role == Role::kBody && shape.name == "cam" && shape.kind == Shape::Kind::kPath;
+  });
+  ASSERT_NE(cam, fixed.end());
+  std::vector<Vector2d> lines;
+  for (std::size_t i = 0; i + 3 < cam->numbers.size(); i += 2) {
+    const Vector2d line(cam->numbers[i + 2] - cam->numbers[i], cam->numbers[i + 3] - cam->numbers[i + 1]);
+    if (line.norm() > 1e-6) lines.push_back(line);
+  }
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const double turn = std::atan2(cross(lines[i], lines[i + 1]), lines[i].dot(lines[i + 1]));
+    EXPECT_LE(std::abs(turn), 0.07) << i;
+  }
+}
+
 // Spirals that wind with their pivots, and zigzags that change with their slides.
 TEST(Drawing, HasTheSpringsOfJoints) {
   const Model model = shipped("cam_with_return_spring",
