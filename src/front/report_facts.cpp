@@ -18,7 +18,10 @@ struct Found {
 
   [[nodiscard]] double range() const { return extremes.high.value - extremes.low.value; }
   [[nodiscard]] const ColumnExtremes::Value& largest() const {
-    return std::abs(extremes.low.value) > std::abs(extremes.high.value) ? extremes.low : extremes.high;
+    const auto& [low, high] = extremes;
+    const double a = std::abs(low.value), b = std::abs(high.value);
+    const bool same = std::abs(a - b) <= kReportNoise * std::max(a, b);
+    return (same ? low.row < high.row : a > b) ? low : high;
   }
   [[nodiscard]] bool is_constant() const {
     return range() <= noise || range() <= kReportNoise * std::abs(largest().value);
