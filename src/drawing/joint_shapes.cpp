@@ -13,8 +13,10 @@ namespace {
 constexpr double kHatch = 1.1;  // distance between hatch lines
 constexpr double kBlock = 5.5;  // length of a sliding block
 constexpr double kBlockWidth = 3.6;
-constexpr double kGuide = 3;  // length of the guide around a rod
-constexpr double kRod = 1.1;  // half the width of a rod
+constexpr double kGuide = 3;           // length of the guide around a rod
+constexpr double kRod = 1.1;           // half the width of a rod
+constexpr double kBesideSlot = 4.5;    // of a spring along a slot from its middle
+constexpr double kShortestSpring = 6;  // length of a spring along a slide where it is shortest
 
 void append_line(std::vector<double>& path, const Vector2d& a, const Vector2d& b) {
   if (!path.empty()) {
@@ -79,18 +81,40 @@ double away_from_contact(const Sketch& sketch, const Joint& joint) {
   return 1;
 }
 
-void add_rod(Sketch& sketch, const Joint& joint) {
-  const double u = sketch.unit;
+// Room for a spring on this joint, when it is shortest [m].
+double spring_room(const Sketch& sketch, const Joint& joint) {
+  const auto& springs = sketch.mechanism.springs;
+  const bool has = std::any_of(springs.begin(), springs.end(), [&](const Spring& spring) {
+    return spring.joint && &sketch.mechanism.joints[*spring.joint] == &joint;
+  });
+  return has ? kShortestSpring * sketch.unit : 0;
+}
+
+// How a rod lies in its guide, along the slide in the sense in which the rod extends.
+struct RodLayout {
+  double sense = 1;
+  double nearest = 0;  // smallest coordinate in that sense
+  double guide = 0;    // middle of the guide
+  double end = 0;      // of the rod, beyond the joint's point
+};
+
+RodLayout rod_layout(const Sketch& sketch, const Joint& joint) {
   const auto [low, high] = travelled_range(sketch, joint);
   const double sense = away_from_contact(sketch, joint);
+  const double nearest = sense > 0 ? low : -high;
+  const double guide = (sense > 0 ? high : -low) + 9 * sketch.unit;
+  const double room = std::max(2 * sketch.unit, spring_room(sketch, joint));
+  return {sense, nearest, guide, guide - nearest + kGuide * sketch.unit + room};
+}
+
+void add_rod(Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const auto [sense, nearest, at, end] = rod_layout(sketch, joint);
   const Vector2d d_A = sense * joint.direction_A;
   const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
   const Vector2d d_B = R_BA * d_A;
   const Vector2d p_A = point_of(sketch.mechanism, joint.first),
                  p_B = point_of(sketch.mechanism, joint.second);
-  const double farthest = sense > 0 ? high : -low, nearest = sense > 0 ? low : -high;
-  const double at = farthest + 9 * u;  // the middle of the guide
-  const double end = at - nearest + (kGuide + 2) * u;
   sketch.shapes.insert(
       sketch.shapes.begin(),
       Shape{Role::kLink, Shape::Kind::kPath, sketch.mechanism.bodies[joint.second.body].name,
@@ -112,8 +136,9 @@ void add_block(Sketch& sketch, const Joint& joint) {
   const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
   const Vector2d& d = joint.direction_A;
   const double room = (kBlock / 2 + 2) * u;
+  const double before = std::max(room, kBlock / 2 * u + spring_room(sketch, joint));
   const Vector2d below = -kBlockWidth / 2 * u * perp(d);
-  const Vector2d a = p_A + (low - room) * d, b = p_A + (high + room) * d;
+  const Vector2d a = p_A + (low - before) * d, b = p_A + (high + room) * d;
   if (joint.first.body == 0) {
     sketch.add(Role::kFixed, joint.name, 0, hatched(a + below, b + below, u));
   } else {
@@ -162,6 +187,28 @@ std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) 
     high = std::max(high, t);
   }
   return {low, high};
+}
+
+StraightSpring spring_along(const Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const double low = travelled_range(sketch, joint)[0];
+  const Vector2d p_A = point_of(sketch.mechanism, joint.first),
+                 p_B = point_of(sketch.mechanism, joint.second);
+  StraightSpring spring = {joint.first.body, joint.second.body, p_A, p_B};
+  const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
+  if (joint.type == JointType::kSlot) {
+    spring.first += (low - kShortestSpring * u) * joint.direction_A;
+    spring.shift = kBesideSlot * u * perp(joint.direction_A);
+  } else if (has_curves(sketch, joint.second.body)) {
+    const RodLayout rod = rod_layout(sketch, joint);
+    const Vector2d d_A = rod.sense * joint.direction_A;
+    spring.first += (rod.guide + kGuide * u) * d_A;
+    spring.second += R_BA * (rod.end * d_A);
+  } else {
+    spring.first += (low - (kBlock / 2 + kShortestSpring) * u) * joint.direction_A;
+    spring.second -= R_BA * (kBlock / 2 * u * joint.direction_A);
+  }
+  return spring;
 }
 
 std::array<double, 2> wheel_radii(const Joint& joint, double distance) {

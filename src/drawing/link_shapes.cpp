@@ -12,6 +12,8 @@ namespace higherpair {
 namespace {
 
 constexpr double kBar = 1.6;  // half the width of a bar [units]
+constexpr double kTurnOfLine =
+    2 * kPi / 96;  // most that an outline turns from one of its lines to the next [rad]
 
 // Sign of the direction along a face's axis that points into its material.
 double material_sense(const Curve& curve) {
@@ -116,8 +118,20 @@ bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>
 
 std::vector<Vector2d> outline_of(const Boundary& boundary) {
   std::vector<Vector2d> points;
-  for (const Boundary::Sample& sample : boundary.samples()) {
-    points.push_back(sample.point.p_B);
+  const auto& samples = boundary.samples();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    points.push_back(samples[i].point.p_B);
+    if (i + 1 == samples.size() || samples[i + 1].place.span != samples[i].place.span) continue;
+    const Span& span = *boundary.spans()[samples[i].place.span];
+    if (span.is_corner()) continue;
+    const Vector2d& a = samples[i].point.n_B;
+    const Vector2d& b = samples[i + 1].point.n_B;
+    const double turn = std::abs(std::atan2(cross(a, b), a.dot(b)));
+    const int parts = static_cast<int>(std::ceil(turn / kTurnOfLine));
+    for (int k = 1; k < parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      points.push_back(span.at(std::lerp(samples[i].place.t, samples[i + 1].place.t, share)).p_B);
+    }
   }
   return points;
 }

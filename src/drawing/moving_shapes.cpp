@@ -15,6 +15,10 @@ namespace {
 constexpr double kNormal = 9;  // half the length of normals and tangents [units]
 constexpr double kDot = 0.55;
 constexpr int kCoils = 8;
+// Springs on pivots: radii [units], and by how much they wind [rad].
+constexpr double kOuterSpiral = 3.4, kInnerSpiral = 1.3;
+constexpr double kSpiralSweep = 4 * kPi, kLeastSpiralSweep = kPi, kMostSpiralSweep = 10 * kPi;
+constexpr int kSpiralPoints = 72;
 
 using Kind = Shape::Kind;
 
@@ -48,9 +52,7 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   for (const Joint& joint : mechanism_->joints) {
     if (joint.type == JointType::kBelt) add_belt(row, joint);
   }
-  for (const Spring& spring : mechanism_->springs) {
-    if (!spring.joint) add_spring(row, spring);
-  }
+  add_springs(row);
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
     const std::size_t first = next_;
     add_contact(row, i);
@@ -93,11 +95,37 @@ void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
   set_circle(next(Role::kContact, contact.name, Kind::kCircle, true), p, kDot * scene_.unit);
 }
 
-void SceneMaker::add_spring(const MotionRow& row, const Spring& spring) {
-  const auto place = [&](const PointRef& ref) {
-    return Vector2d(kMillimetres * (body_in(row, ref.body).X_WB * point_of(*mechanism_, ref)));
-  };
-  const Vector2d a = place(spring.first), b = place(spring.second);
+void SceneMaker::add_springs(const MotionRow& row) {
+  for (std::size_t i = 0; i < mechanism_->springs.size(); ++i) {
+    const Spring& spring = mechanism_->springs[i];
+    if (springs_[i]) {
+      add_straight_spring(row, spring, *springs_[i]);
+    } else {
+      add_spiral_spring(row, spring);
+    }
+  }
+}
+
+// From the first body, outside, to the second one: it winds and unwinds with the joint.
+void SceneMaker::add_spiral_spring(const MotionRow& row, const Spring& spring) {
+  const Joint& joint = mechanism_->joints[*spring.joint];
+  const BodyMotion& first = body_in(row, joint.first.body);
+  const Vector2d center = kMillimetres * (first.X_WB * point_of(*mechanism_, joint.first));
+  const double turned = body_in(row, joint.second.body).theta - first.theta;
+  const double sweep = std::clamp(kSpiralSweep + turned, kLeastSpiralSweep, kMostSpiralSweep);
+  Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
+  for (int i = 0; i <= kSpiralPoints; ++i) {
+    const double share = static_cast<double>(i) / kSpiralPoints;
+    const double radius = scene_.unit * std::lerp(kOuterSpiral, kInnerSpiral, share);
+    append(shape.numbers, center + radius * unit_vector(first.theta + share * sweep));
+  }
+}
+
+void SceneMaker::add_straight_spring(const MotionRow& row, const Spring& spring, const StraightSpring& ends) {
+  const Pose<double>& X_WA = body_in(row, ends.first_body).X_WB;
+  const Vector2d shift = X_WA.R_WB * ends.shift;
+  const Vector2d a = kMillimetres * (X_WA * ends.first + shift);
+  const Vector2d b = kMillimetres * (body_in(row, ends.second_body).X_WB * ends.second + shift);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
   const double length = (b - a).norm();
   if (!(length > 0)) {

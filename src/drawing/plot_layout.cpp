@@ -161,7 +161,6 @@ bool is_monotone(const PlotData& data) {
 PlotLayout lay_out(const PlotData& data, double width, double top) {
   PlotLayout layout;
   layout.data = &data;
-  layout.title = wrapped(data.title, kPlotFont + 1, width - 2 * kPlotMargin);
   layout.title_top = top + kPlotMargin;
   layout.panels = make_panels(data);
   const double height = layout.panels.size() == 1 ? kSingleHeight : kStackedHeight;
@@ -171,6 +170,7 @@ PlotLayout lay_out(const PlotData& data, double width, double top) {
   }
   layout.x.begin = kPlotMargin + widest_label(layout.panels) + kTickGap;
   layout.x.end = width - kPlotMargin - 8;
+  layout.title = wrapped(data.title, kBoldWidth * (kPlotFont + 1), layout.x.end - layout.x.begin);
   const AxisRange range = x_range(data);
   const double room = std::max(layout.x.end - layout.x.begin, kTicksApart);
   layout.x.ticks = make_ticks(range.low, range.high, data.x.unit, static_cast<int>(room / kTicksApart));

@@ -232,7 +232,7 @@ private:
 double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std::string& title,
                  double width) {
   double y = kPolygonMargin;
-  for (const std::string& line : wrapped(title, 14, width - 2 * kPolygonMargin)) {
+  for (const std::string& line : wrapped(title, kBoldWidth * 14, width - 2 * kPolygonMargin)) {
     y += kPolygonLine;
     svg.text({{"class", "title"}, {"x", kPolygonMargin}, {"y", y - 4}}, line);
   }

@@ -66,6 +66,17 @@ void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
   }
 }
 
+// None for a spring on a pivot.
+std::optional<StraightSpring> straight_spring(const Sketch& sketch, const Spring& spring) {
+  const Mechanism& mechanism = sketch.mechanism;
+  if (!spring.joint) {
+    return StraightSpring{spring.first.body, spring.second.body, point_of(mechanism, spring.first),
+                          point_of(mechanism, spring.second)};
+  }
+  const Joint& joint = mechanism.joints[*spring.joint];
+  return joint.type == JointType::kRevolute ? std::nullopt : std::optional(spring_along(sketch, joint));
+}
+
 Extent full_extent(const Sketch& sketch) {
   Extent extent;
   const std::size_t stride = sketch.rows.size() / kRowsLookedAt + 1;
@@ -74,9 +85,9 @@ Extent full_extent(const Sketch& sketch) {
       add_shape(extent, shape, body_in(*sketch.rows[k], shape.body).X_WB);
     }
     for (const Spring& spring : sketch.mechanism.springs) {
-      if (spring.joint) continue;
-      for (const PointRef& end : {spring.first, spring.second}) {
-        extent.extend(body_in(*sketch.rows[k], end.body).X_WB * point_of(sketch.mechanism, end));
+      if (const auto ends = straight_spring(sketch, spring)) {
+        extent.extend(body_in(*sketch.rows[k], ends->first_body).X_WB * ends->first);
+        extent.extend(body_in(*sketch.rows[k], ends->second_body).X_WB * ends->second);
       }
     }
   }
@@ -233,6 +244,9 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
     }
   }
   scene_.places.resize(mechanism.bodies.size());
+  for (const Spring& spring : mechanism.springs) {
+    springs_.push_back(straight_spring(sketch, spring));
+  }
   set_arrow_scales(sketch, scene_);
   set_force_scales(mechanism, reactions, scene_);
   const auto first = static_cast<std::size_t>(sketch.rows.front() - rows.data());

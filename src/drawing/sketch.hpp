@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/row.hpp"
 #include "higherpair/drawing/picture.hpp"
+#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 
 #include <array>
@@ -57,6 +58,10 @@ struct LargestForces {
 /// Sets the scales of arrows so that the longest arrow of all rows fits.
 void set_arrow_scales(const Sketch& sketch, Scene& scene);
 void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene);
+
+/// Where a spring on the coordinate of a slide or slot is drawn: behind the block, beside the slot, or
+/// between the guide of a rod and the rod's end.
+[[nodiscard]] StraightSpring spring_along(const Sketch& sketch, const Joint& joint);
 
 /// Pitch radii of the two wheels of gears or a belt at their distance [m].
 [[nodiscard]] std::array<double, 2> wheel_radii(const Joint& joint, double distance);

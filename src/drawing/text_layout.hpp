@@ -10,6 +10,9 @@ namespace higherpair {
 /// \param size  of the font [px]
 [[nodiscard]] double text_width(std::string_view text, double size);
 
+/// By how much bold letters are wider than others.
+inline constexpr double kBoldWidth = 1.15;
+
 /// Breaks a text into lines at its spaces; a word wider than `width` gets a line of its own.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, double size, double width);
 

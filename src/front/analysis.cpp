@@ -45,14 +45,22 @@ std::vector<double> some_positions(const DriverSchedule& schedule) {
 
 }  // namespace
 
+bool can_be_position(double position, const Dimension& of_driver, const Units& units) {
+  const double si = to_si(of_driver, units).apply(position);
+  return of_driver == dimension::kAngle ? is_sharp_angle(si) : std::abs(si) <= kLargestQuantity;
+}
+
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
   const auto refuse = [&](const std::string& rule) { return wrong(model, "RunSettings::" + rule); };
   if (settings.derivatives && (*settings.derivatives < 3 || *settings.derivatives > kHighestDerivative)) {
     return refuse(
         fmt::format("derivatives = {}: must be from 3 to {}", *settings.derivatives, kHighestDerivative));
   }
-  if (!(settings.tolerance > 0) || !std::isfinite(settings.tolerance)) {
-    return refuse(fmt::format("tolerance = {}: must be > 0", settings.tolerance));
+  if (auto refusal = refuse_tolerance(model, settings.tolerance, "RunSettings")) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  if (std::string fault = fault_of(settings.units.value_or(model.profile.units)); !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   const auto made = [&](const Profile& profile) {
     return (settings.in_time ? DriverSchedule::step(profile, settings.samples)
@@ -62,10 +70,15 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
   if (settings.positions.empty()) {
     return made(model.profile);
   }
-  const bool finite = std::all_of(settings.positions.begin(), settings.positions.end(),
-                                  [](double position) { return std::abs(position) <= kLargestQuantity; });
-  if (settings.in_time || model.profile.programs.size() != 1 || !finite) {
-    return refuse("positions: only for a single driver, not in time, and finite");
+  if (settings.in_time || model.profile.programs.size() != 1) {
+    return refuse("positions: only for a single driver, and not in time");
+  }
+  const Dimension of_driver = driver_dimension(model.profile.mechanism);
+  for (const double position : settings.positions) {
+    if (!can_be_position(position, of_driver, model.profile.units)) {
+      return refuse(fmt::format("positions: {} is not finite, or beyond {}", position,
+                                of_driver == dimension::kAngle ? "1e9 turns" : "1e50 m"));
+    }
   }
   Profile other = model.profile;
   other.programs.front().positions = settings.positions;
@@ -357,6 +370,9 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
     return tl::unexpected(std::move(run.error()));
   }
   Diagnostics notes = start_notes(data_->profile, run->at.state.bodies);
+  for (Diagnostic& note : direction_notes(data_->profile, *schedule)) {
+    notes.push_back(std::move(note));
+  }
   if (settings.forces && !has_forces(data_->profile.mechanism)) {
     notes.push_back(
         about(data_->profile.source,

@@ -19,6 +19,9 @@ namespace higherpair {
 
 /// Positions of the drivers in each row of a run. Fails for invalid settings. \pre the mechanism has a
 /// driver.
+/// Whether a profile could have this position of a driver.
+[[nodiscard]] bool can_be_position(double position, const Dimension& of_driver, const Units& units);
+
 [[nodiscard]] Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings);
 
 /// The columns of a run. \pre the mechanism has a plan.

@@ -245,6 +245,9 @@ bool can_certify() {
 
 Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings) {
   const Model::Data& data = model.data();
+  if (auto refusal = refuse_tolerance(data, settings.tolerance, "BranchesSettings")) {
+    return tl::unexpected(*std::move(refusal));
+  }
   const auto schedule = first_schedule(data);
   if (!schedule) {
     return tl::unexpected(schedule.error());

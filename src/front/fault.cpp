@@ -1,5 +1,6 @@
 // Checks a mechanism that was built in C++ for what the reader of profiles ensures.
 #include "higherpair/geometry/support_chains.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
 #include "model_data.hpp"
 #include "tolerances.hpp"
@@ -47,9 +48,10 @@ private:
   template <class Items, class Check>
   void each(const std::string& room, const Items& items, const Check& check_one) {
     for (std::size_t i = 0; i < items.size() && found_.empty(); ++i) {
-      check_one(
-          items[i].name.empty() ? fmt::format("{}[{}]", room, i) : fmt::format("{}.{}", room, items[i].name),
-          items[i]);
+      const std::string& name = items[i].name;
+      check_one(name.empty() ? fmt::format("{}[{}]", room, i)
+                             : fmt::format("{}.{}", room, io_detail::visible(name)),
+                items[i]);
     }
   }
 
@@ -57,6 +59,12 @@ private:
     if (!holds && found_.empty()) {
       found_ = fault(where, rule);
     }
+  }
+
+  // Names are parts of those of columns, so the rule of profiles is theirs, too.
+  void expect_name(const std::string& name, const std::string& where) {
+    expect(!name.empty(), where, "needs a name");
+    expect(io_detail::is_name(name), where, std::string(io_detail::kNameRule));
   }
 
   bool exists(const std::string& where, int body) {
@@ -87,11 +95,12 @@ private:
   }
 
   void check(const std::string& at, const Body& body) {
-    expect(!body.name.empty(), at, "needs a name");
+    expect_name(body.name, at);
     expect(body.guess_p_WB.allFinite() && std::isfinite(body.guess_theta), at, "its pose must be finite");
     for (const NamedPoint& point : body.points) {
-      expect(!point.name.empty() && point.p_B.allFinite(), at + ".points." + point.name,
-             "needs a name and finite coordinates");
+      const std::string where = fmt::format("{}.points.{}", at, io_detail::visible(point.name));
+      expect_name(point.name, where);
+      expect(point.p_B.allFinite(), where, "needs finite coordinates");
     }
     if (body.mass) {
       expect(body.mass->mass >= 0 && body.mass->inertia >= 0 && body.mass->center_of_mass_B.allFinite(),
@@ -100,7 +109,7 @@ private:
   }
 
   void check(const std::string& at, const Joint& joint) {
-    expect(!joint.name.empty(), at, "needs a name");
+    expect_name(joint.name, at);
     if (!exists(at + ".first", joint.first) || !exists(at + ".second", joint.second)) {
       return;
     }
@@ -125,7 +134,7 @@ private:
   }
 
   void check(const std::string& at, const Contact& contact) {
-    expect(!contact.name.empty(), at, "needs a name");
+    expect_name(contact.name, at);
     if (exists(at + ".first", contact.first) && exists(at + ".second", contact.second)) {
       expect(contact.first.body != contact.second.body, at, "is of a body with itself");
       if (needs_boundaries(m_, contact)) {
@@ -161,6 +170,7 @@ private:
                                     [&](const Driver& other) { return other.joint == driver.joint; });
     expect(same == 1, at, "another driver drives joints." + joint.name + " already");
     expect(m_.drivers.size() == 1 || !driver.name.empty(), at, "each of several drivers needs a name");
+    expect(driver.name.empty() || io_detail::is_name(driver.name), at, std::string(io_detail::kNameRule));
   }
 
   void check(const std::string& at, const Load& load) {
@@ -187,6 +197,34 @@ private:
 
 std::string fault_of(const Mechanism& mechanism) {
   return Checker(mechanism).run();
+}
+
+std::string fault_of(const Units& units) {
+  struct Member {
+    const char* name;
+    Unit unit;
+    Dimension dimension;
+  };
+  for (const auto& [name, unit, dimension] : {Member{"length", units.length, dimension::kLength},
+                                              {"angle", units.angle, dimension::kAngle},
+                                              {"mass", units.mass, dimension::kMass},
+                                              {"time", units.time, dimension::kTime},
+                                              {"force", units.force, dimension::kForce}}) {
+    if (dimension_of(unit) != dimension) {
+      return fault(fmt::format("Units::{} = {}", name, name_of(unit)),
+                   fmt::format("is the unit of {}, expected that of {}", describe(dimension_of(unit)),
+                               describe(dimension)));
+    }
+  }
+  return "";
+}
+
+std::optional<Error> refuse_tolerance(const Model::Data& model, double tolerance, std::string_view settings) {
+  if (tolerance > 0 && std::isfinite(tolerance)) {
+    return std::nullopt;
+  }
+  return error_about(model, ErrorKind::kInput,
+                     fmt::format("{}::tolerance = {}: must be > 0", settings, tolerance));
 }
 
 }  // namespace higherpair

@@ -245,6 +245,9 @@ std::string refusal_of(const MapReport& report) {
 
 Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   const Model::Data& data = model.data();
+  if (auto refusal = refuse_tolerance(data, settings.tolerance, "MapSettings")) {
+    return tl::unexpected(*std::move(refusal));
+  }
   const auto schedule = first_schedule(data);
   if (!schedule) {
     return tl::unexpected(schedule.error());

@@ -131,6 +131,9 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
   if (std::string fault = fault_of(mechanism); !fault.empty()) {
     return wrong({about(name, std::move(fault))});
   }
+  if (std::string fault = fault_of(units); !fault.empty()) {
+    return wrong({about(name, std::move(fault))});
+  }
   if (programs.empty()) {
     for (const Driver& driver : mechanism.drivers) {
       programs.push_back(default_program(mechanism, driver, units));

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -51,5 +52,13 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 /// The first error in a mechanism that was built by a program, as "joints.guide.first.point = 3: …"; empty if
 /// there is none.
 [[nodiscard]] std::string fault_of(const Mechanism& mechanism);
+
+/// The first of the units that is one of another quantity, as "Units::angle = m: …"; empty if there is none.
+[[nodiscard]] std::string fault_of(const Units& units);
+
+/// The objection to a relative tolerance that is not positive and finite.
+/// \param settings  the name of the struct that has it
+[[nodiscard]] std::optional<Error> refuse_tolerance(const Model::Data& model, double tolerance,
+                                                    std::string_view settings);
 
 }  // namespace higherpair

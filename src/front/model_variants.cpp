@@ -4,11 +4,14 @@
 
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace higherpair {
 
 struct ModelVariants::Impl {
   Model like;  // whose plan is used again
   ProfileVariants profiles;
+  std::size_t paths;
 };
 
 ModelVariants::ModelVariants(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -24,10 +27,14 @@ Result<ModelVariants> ModelVariants::of(const Model& model, std::span<const std:
   if (!profiles) {
     return wrong(std::move(profiles.error()));
   }
-  return ModelVariants(std::make_unique<Impl>(Impl{model, *std::move(profiles)}));
+  return ModelVariants(std::make_unique<Impl>(Impl{model, *std::move(profiles), paths.size()}));
 }
 
 Result<Model> ModelVariants::with(std::span<const double> values) {
+  if (values.size() != impl_->paths) {
+    return wrong(impl_->like,
+                 fmt::format("{} values for {} paths: each path needs its own", values.size(), impl_->paths));
+  }
   auto profile = impl_->profiles.read(values);
   if (!profile) {
     return wrong(std::move(profile.error()));

@@ -49,14 +49,12 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
 // Positions have the bounds of those of a profile.
 std::optional<Error> out_of_range(const Model& model, double at) {
   const Dimension of_driver = driver_dimension(model.mechanism());
-  const bool turns = of_driver == dimension::kAngle;
-  const double si = to_si(of_driver, model.units()).apply(at);
-  if (turns ? is_sharp_angle(si) : std::abs(si) <= kLargestQuantity) {
+  if (can_be_position(at, of_driver, model.units())) {
     return std::nullopt;
   }
-  return error_about(
-      model.data(), ErrorKind::kInput,
-      fmt::format("driver = {}: expected a position of at most {}", at, turns ? "1e9 turns" : "1e50 m"));
+  return error_about(model.data(), ErrorKind::kInput,
+                     fmt::format("driver = {}: expected a position of at most {}", at,
+                                 of_driver == dimension::kAngle ? "1e9 turns" : "1e50 m"));
 }
 
 // The run after its last row, and the last limit position on the path.

@@ -52,6 +52,22 @@ void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) 
   }
 }
 
+// Of values that are equal to within rounding the first one of the page is named.
+void name_first(ReportData& data, std::size_t driver) {
+  for (std::size_t k = 0; k < data.extremes.size(); ++k) {
+    auto& [low, high] = data.extremes[k];
+    const double rounding = kReportNoise * std::max(std::abs(low.value), std::abs(high.value));
+    for (ColumnExtremes::Value* extreme : {&low, &high}) {
+      const auto first = std::find_if(data.rows.begin(), data.rows.end(), [&](const Row& row) {
+        return std::abs(row.values[k] - extreme->value) <= rounding;
+      });
+      if (first != data.rows.end() && first->number < extreme->row) {
+        *extreme = {extreme->value, first->values[driver], first->number};
+      }
+    }
+  }
+}
+
 // Number of rows of the run from one row of the page to the next.
 std::int64_t stride_of(std::int64_t size, const ReportSettings& settings) {
   const std::int64_t gaps = settings.most_rows - 1;
@@ -81,6 +97,7 @@ ReportData collect(const Model& model, Analysis& analysis, const ReportSettings&
   data.events = analysis.events();
   data.good = analysis.good();
   data.scales = scales_of(data);
+  name_first(data, driver);
   return data;
 }
 

@@ -18,7 +18,10 @@ struct Found {
 
   [[nodiscard]] double range() const { return extremes.high.value - extremes.low.value; }
   [[nodiscard]] const ColumnExtremes::Value& largest() const {
-    return std::abs(extremes.low.value) > std::abs(extremes.high.value) ? extremes.low : extremes.high;
+    const auto& [low, high] = extremes;
+    const double a = std::abs(low.value), b = std::abs(high.value);
+    const bool same = std::abs(a - b) <= kReportNoise * std::max(a, b);
+    return (same ? low.row < high.row : a > b) ? low : high;
   }
   [[nodiscard]] bool is_constant() const {
     return range() <= noise || range() <= kReportNoise * std::abs(largest().value);
@@ -51,6 +54,12 @@ public:
   void largest(const std::string& of, const std::string& column, const std::string& name) {
     if (const auto found = find(data_, column)) {
       add(of, name, *found, found->largest().value, {found->largest()});
+    }
+  }
+  // The largest value without its sign, as of a speed; the place still has it.
+  void fastest(const std::string& of, const std::string& column, const std::string& name) {
+    if (const auto found = find(data_, column)) {
+      add(of, name, *found, std::abs(found->largest().value), {found->largest()});
     }
   }
   void smallest(const std::string& of, const std::string& column, const std::string& name) {
@@ -117,20 +126,20 @@ std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
   for (const Joint* joint : outputs(mechanism)) {
     const std::string& name = joint->name;
     list.range(name, name + ".position", has_angle(joint->type) ? "Swing" : "Stroke");
-    list.largest(name, name + ".velocity", "Max. speed");
+    list.fastest(name, name + ".velocity", "Max. speed");
     list.largest(name, name + ".acceleration", "Max. acceleration");
   }
   for (const Contact& contact : mechanism.contacts) {
     list.largest(contact.name, contact.name + ".pressure", "Max. pressure angle");
     list.smallest(contact.name, contact.name + ".transmission", "Min. transmission");
-    list.largest(contact.name, contact.name + ".sliding", "Max. sliding");
+    list.fastest(contact.name, contact.name + ".sliding", "Max. sliding");
     list.smallest(contact.name, contact.name + ".force", "Min. force");
   }
   for (const Driver& driver : mechanism.drivers) {
     const std::string name = driver_name(driver);
     if (is_driven_alone(mechanism)) {
       list.range(name, name, "Travel");
-      list.largest(name, name + ".velocity", "Max. speed");
+      list.fastest(name, name + ".velocity", "Max. speed");
       list.largest(name, name + ".acceleration", "Max. acceleration");
     }
     list.largest(name, name + ".effort", "Max. effort");

@@ -51,6 +51,13 @@ Result<std::vector<double>> values_by_rows(const Model& model, const Sensitivity
       });
 }
 
+// Whether a report has the slopes by these numbers, in their order.
+bool is_about(const SensitivityReport& report, const ToleranceTask& tolerances) {
+  return std::equal(report.numbers.begin(), report.numbers.end(), tolerances.tolerances.begin(),
+                    tolerances.tolerances.end(),
+                    [](const SensitivityNumber& a, const Tolerance& b) { return a.paths == b.paths; });
+}
+
 double quantile_of(std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto low = static_cast<std::size_t>(place);
@@ -103,7 +110,15 @@ struct Collected {
 
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
+  if (!model.profile().tolerances) {
+    return wrong(model, "there is no [tolerances]: it says how far which numbers scatter");
+  }
   const ToleranceTask& tolerances = *model.profile().tolerances;
+  if (!is_about(report, tolerances)) {
+    return wrong(
+        model,
+        "the report is about other numbers than those of [tolerances]: take sensitivity() without `by`");
+  }
   const auto by_rows = values_by_rows(model, report, run_settings(settings, report.in_time));
   if (!by_rows) {
     return tl::unexpected(by_rows.error());

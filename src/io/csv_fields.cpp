@@ -1,10 +1,13 @@
 #include "csv_fields.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
+#include "higherpair/io/units.hpp"
 #include "numeric/decimal.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -46,6 +49,17 @@ std::optional<double> number_in(std::string_view field) {
   const auto [end, error] = read_decimal(field.data(), field.data() + field.size(), value);
   const bool whole = error == std::errc() && end == field.data() + field.size() && !field.empty();
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string number_advice(std::string_view field, std::string_view column) {
+  if (field.find(',') != std::string_view::npos) {
+    return ": decimals are written with a point, not a comma";
+  }
+  std::string_view unit = field;
+  if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);
+  return find_unit(unit.substr(0, unit.find_first_of("*/^ ")))
+             ? fmt::format(": units stand behind the names in the first line, {}[{}]", visible(column), unit)
+             : "";
 }
 
 void for_each_line(std::string_view text,

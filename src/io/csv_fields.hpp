@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace higherpair::io_detail {
 
 /// The number if a finite decimal, with or without a sign, fills the whole field.
 [[nodiscard]] std::optional<double> number_in(std::string_view field);
+
+/// What is wrong with a field that should be a number, for the end of a message: a decimal comma, or a unit
+/// that belongs to the header. Empty if nothing is known.
+[[nodiscard]] std::string number_advice(std::string_view field, std::string_view column);
 
 /// Calls `line` with the text and number of each line, without its line end; skips a byte order mark, empty
 /// lines and lines that begin with #.

@@ -1,6 +1,6 @@
 #include "document.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 #include "syntax_help.hpp"
 
 #include <algorithm>

@@ -145,7 +145,8 @@ private:
     count_decimals(entity, sweep);
     for (const DxfGroup& vertex : vertices) count_decimals(vertex, sweep);
     for (ContourPiece& piece : shape->pieces) {
-      drawing_.pieces.push_back({std::move(piece), shape->whole, layer, entity.line, sweep});
+      drawing_.pieces.push_back(
+          {std::move(piece), shape->whole, layer, entity.line, sweep, std::string(entity.type)});
     }
   }
 

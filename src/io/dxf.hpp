@@ -22,6 +22,7 @@ struct DxfPiece {
   std::size_t layer = 0;       ///< index of DxfDrawing::layers
   int line = 0;                ///< line of the file on which its entity begins
   DxfSweep sweep = DxfSweep::kNone;
+  std::string type;  ///< of its entity: "LINE"
 };
 
 /// An entity that may contain curves but is not read, such as a block insertion or a 3D face.

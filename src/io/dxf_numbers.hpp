@@ -2,7 +2,7 @@
 
 #include "dxf.hpp"
 #include "dxf_pairs.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 #include "numeric/decimal.hpp"
 #include "tolerances.hpp"
 

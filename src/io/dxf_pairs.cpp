@@ -1,6 +1,6 @@
 #include "dxf_pairs.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 
 #include <charconv>
 

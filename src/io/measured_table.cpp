@@ -2,8 +2,8 @@
 
 #include "csv_fields.hpp"
 #include "encoding.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "names.hpp"
 #include "text_file.hpp"
 
 #include <algorithm>
@@ -118,10 +118,9 @@ private:
       column.values.push_back(value.value_or(kMissing));
       column.present += value ? 1 : 0;
       if (value || is_missing(fields[i]) || column.mistake) continue;
-      const bool comma = fields[i].find(',') != std::string_view::npos;
       column.mistake = {place(line, fields[i], number),
                         fmt::format("`{}` is no number{}", visible(fields[i].substr(0, 40)),
-                                    comma ? ": decimals are written with a point, not a comma" : "")};
+                                    io_detail::number_advice(fields[i], column.name))};
     }
   }
 

@@ -5,6 +5,7 @@
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "schedule_timing.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -80,6 +81,34 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
                                         "better pose",
                                         body.name, moved.name, length(moved.by), length(size))));
     }
+  }
+  return notes;
+}
+
+Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedule) {
+  const Mechanism& mechanism = profile.mechanism;
+  Diagnostics notes;
+  if (schedule.is_timed() || schedule.is_listed()) {
+    return notes;
+  }
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const double velocity = profile.programs[i].velocity;
+    const double from = schedule.state(0, i).profile.position;
+    const double to = schedule.state(schedule.size() - 1, i).profile.position;
+    if (!((to - from) * velocity < 0)) {
+      continue;
+    }
+    const Dimension position = driver_dimension(mechanism, i);
+    const bool is_default =
+        velocity == default_program(mechanism, mechanism.drivers[i], profile.units).velocity;
+    notes.push_back(io_detail::mistake(
+        profile, i, "velocity",
+        fmt::format(
+            "is {:.6g} {}{}, but the rows go from {:.6g} to {:.6g} {}: rates and friction are those of the "
+            "motion in the other direction; {} velocity = {:.6g}",
+            velocity, unit_text(position / dimension::kTime, profile.units),
+            is_default ? ", the default" : "", from, to, unit_text(position, profile.units),
+            is_default ? "give" : "exchange start and end, or set", -velocity)));
   }
   return notes;
 }

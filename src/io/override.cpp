@@ -1,6 +1,6 @@
 #include "document.hpp"
 #include "encoding.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,7 @@
 
 #include "csv_fields.hpp"
 #include "encoding.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -93,9 +93,8 @@ private:
       const std::string_view field = fields[place_[k]];
       const auto value = number_in(field);
       if (!value) {
-        const bool comma = field.find(',') != std::string_view::npos;
         fail(line, fmt::format("`{}` is no number{}", visible(field.substr(0, 40)),
-                               comma ? ": decimals are written with a point, not a comma" : ""));
+                               number_advice(field, columns_.names[k])));
         return;
       }
       point[k] = quantity(*value, k);

@@ -1,7 +1,7 @@
 #include "higherpair/io/profile_document.hpp"
 
 #include "document_content.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 #include "text_file.hpp"
 
 #include <memory>

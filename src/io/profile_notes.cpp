@@ -1,6 +1,8 @@
 #include "profile_notes.hpp"
 
+#include "condition_notes.hpp"
 #include "contact_notes.hpp"
+#include "flank_notes.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "tolerances.hpp"
@@ -52,8 +54,13 @@ public:
         add("contacts." + contact.name, text, ".between");
       }
     }
+    repeated("joints", mechanism_.joints, repeated_joint_note);
+    repeated("contacts", mechanism_.contacts, repeated_contact_note);
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       driver(i, profile_.programs[i]);
+    }
+    for (const FlankNote& note : flank_notes(document_, profile_)) {
+      add("tolerances." + note.tolerance, note.text);
     }
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Mistake& a, const Mistake& b) { return a.mark < b.mark; });
@@ -177,6 +184,15 @@ private:
     }
   }
 
+  template <class Items, class NoteOf>
+  void repeated(const std::string& room, const Items& items, const NoteOf& note_of) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (const std::string text = note_of(mechanism_, i); !text.empty()) {
+        add(room + "." + items[i].name, text, ".between");
+      }
+    }
+  }
+
   // Whether another curve of the body is an offset of this one.
   [[nodiscard]] bool has_offset(const Body& body, const std::string& name) const {
     return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& other) {
@@ -241,8 +257,11 @@ private:
     const auto rows = static_cast<double>(*program.samples);
     const auto is_round = [](double x) { return is_whole(x) || is_whole(1 / x); };
     if (span != 0 && is_round(span / rows) && !is_round(span / (rows - 1))) {
-      add_with_value(path, fmt::format("both ends are rows, so they are {:.6g} apart; {} rows are {:g} apart",
-                                       span / (rows - 1), *program.samples + 1, span / rows));
+      const std::string_view unit = name_of(turns ? profile_.units.angle : profile_.units.length);
+      add_with_value(
+          path,
+          fmt::format("both ends are rows, so they are {:.6g} {} apart; {} rows are {:g} {} apart",
+                      std::abs(span) / (rows - 1), unit, *program.samples + 1, std::abs(span) / rows, unit));
     }
   }
 

@@ -1,8 +1,8 @@
 #include "higherpair/io/profile_reader.hpp"
 
 #include "document_content.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
-#include "names.hpp"
 #include "profile_notes.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"

@@ -1,6 +1,6 @@
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/io/units.hpp"
-#include "names.hpp"
 #include "numeric/decimal.hpp"
 #include "unit_table.hpp"
 

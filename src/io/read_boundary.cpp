@@ -38,12 +38,13 @@ void note_slight_corners(TableReader& table, const Outline& outline) {
     const Vector2d t = begin_of(outline.pieces[(i + 1) % count]).t_B;
     const double turn = std::atan2(cross(end.t_B, t), end.t_B.dot(t));
     if (std::abs(turn) > kNoTurn && std::abs(turn) < kSlightTurn) {
-      note_whole(
-          table,
-          fmt::format("{} and {} meet in a {} of {:.2g} deg at {}: if the joint is to be smooth, "
-                      "give more digits, or leave it to `fillet`",
-                      name_of_piece(outline, i), name_of_piece(outline, i + 1), turn > 0 ? "corner" : "notch",
-                      std::abs(turn) * 180 / kPi, point_text(table.reading(), end.p_B)));
+      const std::string first = name_of_piece(outline, i), second = name_of_piece(outline, i + 1);
+      note_whole(table, fmt::format("{} meet in a {} of {:.2g} deg at {}: if the joint is to be smooth, give "
+                                    "more digits{}",
+                                    first == second ? "two parts of " + first : first + " and " + second,
+                                    turn > 0 ? "corner" : "notch", std::abs(turn) * 180 / kPi,
+                                    point_text(table.reading(), end.p_B),
+                                    outline.has_fillet ? ", or leave it to `fillet`" : ""));
       return;
     }
   }

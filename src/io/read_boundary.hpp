@@ -32,6 +32,7 @@ struct Outline {
   /// The points by which the curve was given, and their names for messages.
   std::vector<Vector2d> points = {};
   std::vector<std::string> point_names = {};
+  bool has_fillet = false;                    ///< whether the type of the curve has the key `fillet`
   std::optional<Curve> whole = std::nullopt;  ///< the circle or ellipse that all of it is, if any
 };
 

@@ -112,6 +112,7 @@ std::optional<NamedCurve> read_chain(TableReader& table) {
   const auto item = table.need("spans", "a list of spans, [{ type = \"arc\", … }, …]");
   const double fillet = table.quantity("fillet", {dimension::kLength, Sign::kNotNegative});
   Outline outline;
+  outline.has_fillet = true;
   outline.closed = table.flag("closed", true);
   const double tolerance = table.quantity("tolerance", {dimension::kLength, Sign::kNotNegative}, -1);
   const auto pieces = item ? read_pieces(table, *item) : std::nullopt;

@@ -15,9 +15,12 @@
 namespace higherpair::io_detail {
 namespace {
 
+constexpr std::size_t kMostEndsCompared = 5000;  // takes time ~ their square
+
 struct Drawing {
   DxfDrawing content;  // of the wanted layer only
   Item file;
+  std::string name;  // of the file, as the profile has it
 };
 
 // Reads the drawing, or only the layer that the table names.
@@ -36,8 +39,9 @@ std::optional<Drawing> read_drawing(TableReader& table) {
     report_in_file(table, *item, read.error().line, read.error().message);
     return std::nullopt;
   }
+  const std::string name_of_file = std::get<std::string>(item->value->content);
   if (!name) {
-    return Drawing{*std::move(read), *item};
+    return Drawing{*std::move(read), *item, name_of_file};
   }
   const auto& layers = read->layers;
   const auto found = std::find(layers.begin(), layers.end(), *name);
@@ -51,7 +55,7 @@ std::optional<Drawing> read_drawing(TableReader& table) {
   const auto index = static_cast<std::size_t>(found - layers.begin());
   std::erase_if(read->pieces, [&](const DxfPiece& piece) { return piece.layer != index; });
   std::erase_if(read->strangers, [&](const DxfStranger& stranger) { return stranger.layer != index; });
-  return Drawing{*std::move(read), *item};
+  return Drawing{*std::move(read), *item, name_of_file};
 }
 
 double distance(const Contour& contour, const Vector2d& p) {
@@ -64,6 +68,51 @@ double distance(const Contour& contour, const Vector2d& p) {
     }
   }
   return least;
+}
+
+// Two ends of contours that are near each other, but do not meet.
+struct NearEnds {
+  Vector2d p_B, q_B;
+  int p_line = 0, q_line = 0;
+  double distance = kInf;
+};
+
+// The nearest ends of two open contours, if they are near enough to be meant to meet: those of this contour
+// and another one, or of any.
+std::optional<NearEnds> near_ends(const Drawing& drawing, const std::vector<Contour>& contours,
+                                  std::optional<std::size_t> only = std::nullopt) {
+  struct End {
+    std::size_t contour;
+    Vector2d p_B;
+    int line;
+  };
+  std::vector<End> ends;
+  std::vector<ContourPiece> pieces;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const Contour& contour = contours[i];
+    pieces.insert(pieces.end(), contour.pieces.begin(), contour.pieces.end());
+    if (contour.closed) continue;
+    const auto line = [&](int source) { return drawing.content.pieces[source].line; };
+    ends.push_back({i, begin_of(contour.pieces.front()).p_B, line(contour.sources.front())});
+    ends.push_back({i, end_of(contour.pieces.back()).p_B, line(contour.sources.back())});
+  }
+  NearEnds nearest;
+  for (std::size_t i = 0; i < ends.size() && ends.size() <= kMostEndsCompared; ++i) {
+    for (std::size_t k = i + 1; k < ends.size(); ++k) {
+      const bool wanted = !only || ends[i].contour == *only || ends[k].contour == *only;
+      const double apart = (ends[i].p_B - ends[k].p_B).norm();
+      if (wanted && ends[i].contour != ends[k].contour && apart < nearest.distance) {
+        nearest = {ends[i].p_B, ends[k].p_B, ends[i].line, ends[k].line, apart};
+      }
+    }
+  }
+  return nearest.distance <= kNearEnds * size_of(pieces) ? std::optional(nearest) : std::nullopt;
+}
+
+std::string text_of(const Reading& reading, const NearEnds& ends) {
+  return fmt::format("{} (line {}) and {} (line {}) are {} apart: a `tolerance` above that joins them",
+                     point_text(reading, ends.p_B), ends.p_line, point_text(reading, ends.q_B), ends.q_line,
+                     length_text(reading, ends.distance));
 }
 
 // The only contour, or of several the one nearest to `near`.
@@ -89,10 +138,12 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
           fmt::format("{} (line {})", point_text(reading, begin_of(contour.pieces.front()).p_B), first.line));
     }
   }
+  const auto ends = near_ends(drawing, contours);
   report_whole(
       table,
-      fmt::format("the drawing has {} contours, from {}{}; say which one with {}`near = [x, y]`",
+      fmt::format("the drawing has {} contours, from {}{}; {}say which one with {}`near = [x, y]`",
                   contours.size(), joined_words(places), contours.size() > places.size() ? ", …" : "",
+                  ends ? fmt::format("the ends {}; else ", text_of(reading, *ends)) : "",
                   layers.size() > 1 ? fmt::format("`layer` ({}) or ",
                                                   joined_words(std::vector(layers.begin(), layers.end())))
                                     : ""));
@@ -128,18 +179,22 @@ void undo_rounding(const DxfDrawing& drawing, Contour& contour) {
   higherpair::undo_rounding(contour.pieces, contour.closed, step, sweeps);
 }
 
-void report_open(TableReader& table, const Drawing& drawing, const Contour& contour, double tolerance) {
+void report_open(TableReader& table, const Drawing& drawing, const std::vector<Contour>& contours,
+                 std::size_t index, double tolerance) {
   const Reading& reading = table.reading();
+  const Contour& contour = contours[index];
   const auto line = [&](int piece) { return drawing.content.pieces[piece].line; };
   const Vector2d begin = begin_of(contour.pieces.front()).p_B;
   const Vector2d end = end_of(contour.pieces.back()).p_B;
+  const auto ends = near_ends(drawing, contours, index);
   report_in_file(
       table, drawing.file, line(contour.sources.back()),
       fmt::format("the contour does not close: nothing goes on at {} (line {}), and it begins at {} "
-                  "(line {}), {} away; ends within `tolerance` ({}) meet",
+                  "(line {}), {} away; ends within `tolerance` ({}) meet{}",
                   point_text(reading, end), line(contour.sources.back()), point_text(reading, begin),
                   line(contour.sources.front()), length_text(reading, (end - begin).norm()),
-                  length_text(reading, tolerance)));
+                  length_text(reading, tolerance),
+                  ends ? fmt::format("; the ends {}", text_of(reading, *ends)) : ""));
 }
 
 void report_join(TableReader& table, const Drawing& drawing, const JoinFault& fault) {
@@ -200,14 +255,15 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
   }
   Contour& contour = (*contours)[*index];
   if (!contour.closed) {
-    report_open(table, *drawing, contour, tolerance);
+    report_open(table, *drawing, *contours, *index, tolerance);
     return std::nullopt;
   }
   undo_rounding(drawing->content, contour);
   Outline outline = {std::move(contour.pieces), true, tolerance};
   const auto piece_at = [&](int source) -> const DxfPiece& { return drawing->content.pieces[source]; };
   for (const int source : contour.sources) {
-    outline.names.push_back(fmt::format("line {}", piece_at(source).line));
+    outline.names.push_back(
+        fmt::format("the {} on line {} of {}", piece_at(source).type, piece_at(source).line, drawing->name));
   }
   if (contour.pieces.size() == 1 || contour.sources.size() == 1) {
     outline.whole = piece_at(contour.sources.front()).whole;

@@ -58,6 +58,17 @@ struct Curves {
   static const std::vector<NamedPoint>& others_of(const Body& body) { return body.points; }
 };
 
+// Another body that has this member and whose name differs from that of `owner` in capital letters only.
+template <class Kind>
+const Body* spelt_alike(const Mechanism& mechanism, const Body& owner, const std::string& name) {
+  for (const Body& body : mechanism.bodies) {
+    if (&body != &owner && edit_distance(body.name, owner.name) == 0 && index_of(Kind::of(body), name)) {
+      return &body;
+    }
+  }
+  return nullptr;
+}
+
 // "body.name"
 template <class Kind>
 std::optional<Member> member(Reading& reading, const Item& item, const Mechanism& mechanism) {
@@ -79,6 +90,15 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   if (!index_of(Kind::of(owner), name) && index_of(Kind::others_of(owner), name)) {
     report(reading, item, fmt::format("this is a {}, expected a {}", Kind::kOtherKind, Kind::kKind));
     return std::nullopt;
+  }
+  if (!index_of(Kind::of(owner), name)) {
+    if (const Body* other = spelt_alike<Kind>(mechanism, owner, name)) {
+      report(reading, item,
+             fmt::format("there is no {} of `{}` `{}`, but one of `{}`: capital and small letters differ{}",
+                         Kind::kKind, owner.name, name, other->name,
+                         *body == 0 ? ", and the frame is `ground`" : ""));
+      return std::nullopt;
+    }
   }
   const auto index =
       named_thing(reading, item, name, fmt::format("{} of `{}`", Kind::kKind, owner.name), Kind::of(owner));

@@ -112,8 +112,8 @@ std::string text_of(const Reading& reading, const Given& given, const SplineFaul
   const auto place = [&](int i) { return point_text(reading, given.points[i]); };
   switch (fault.kind) {
     case SplineFault::Kind::kTooFew:
-      return fmt::format("{} points are too few: degree {} takes at least {}", given.points.size(), degree,
-                         degree + 1);
+      return fmt::format("{} points are too few: degree {} takes at least {}{}", given.points.size(), degree,
+                         degree + 1, degree == 5 ? ", `degree = 3` at least 4" : "");
     case SplineFault::Kind::kRepeated:
       return fmt::format("{} and {} are the same point {}: leave one out{}", name(fault.first),
                          name(fault.second), place(fault.first),

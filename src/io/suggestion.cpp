@@ -249,7 +249,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {
   if (existing.empty()) {
-    return "there is none";
+    return "none is defined";
   }
   std::string likely = did_you_mean(name, existing);
   if (!likely.empty()) {

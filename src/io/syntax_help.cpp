@@ -1,6 +1,6 @@
 #include "syntax_help.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "syntax_scan.hpp"
 
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include "encoding.hpp"
-#include "names.hpp"
+#include "higherpair/io/names.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
+#include "higherpair/io/names.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "names.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "table_reader.hpp"
 
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -160,10 +160,7 @@ void for_each_named(Reading& reading, const std::optional<Item>& item, std::stri
     if (is_name(entry.key)) {
       read(entry.key, {&entry.value, path});
     } else {
-      reading.mistakes.push_back(
-          {entry.key_mark,
-           fmt::format("{}: a name begins with a letter or _ and goes on with letters, digits, _ and -",
-                       path)});
+      reading.mistakes.push_back({entry.key_mark, fmt::format("{}: {}", path, kNameRule)});
     }
   }
 }

@@ -36,6 +36,8 @@ inline constexpr int kMostRoundedDecimals = 12;
 /// Gap between ends that meet: in steps of their last decimal, and at most relative to the drawing's size.
 inline constexpr double kGapInSteps = 3;
 inline constexpr double kLargestRoundingGap = 1e-3;
+/// Relative to the drawing's size: ends of two contours that are no farther apart are probably meant to meet.
+inline constexpr double kNearEnds = 0.01;
 /// Sweeps of an ellipse count as a whole turn if they are this close to one, or to 0: files give parameters
 /// with a limited number of digits [rad].
 inline constexpr double kWholeTurn = 1e-9;
@@ -86,6 +88,9 @@ inline constexpr double kFarFromPose = 2.0 / 3;
 /// Relative to the sum of the distances of a face and a curve from the origin: the curve is behind the face
 /// only if it is farther behind it than this.
 inline constexpr double kBehindFace = 1e-9;
+/// Relative to the mechanism's size: points of two joints that are no farther apart are the same; and the
+/// sine of the angle between two directions that are.
+inline constexpr double kSamePoint = 1e-9;
 /// Relative allowances for rounding errors: of a number that is rounded up to its last digit, and of half a
 /// unit of its last digit.
 inline constexpr double kLastDigitUp = 1e-12;

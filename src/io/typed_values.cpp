@@ -243,6 +243,13 @@ std::optional<Vector2d> as_vector(Reading& reading, const Item& item, const Dime
 }
 
 std::optional<Vector2d> as_direction(Reading& reading, const Item& item) {
+  if (const auto* text = std::get_if<std::string>(&item.value->content)) {
+    if (text->find_first_of("0123456789") == std::string::npos) {
+      report(reading, item,
+             "is no direction: expected [dx, dy], such as [0, 1], or an angle, such as \"90 deg\"");
+      return std::nullopt;
+    }
+  }
   if (!std::holds_alternative<Array>(item.value->content)) {
     const auto angle = as_quantity(reading, item, {dimension::kAngle});
     return angle ? std::optional(direction_of(angle->si)) : std::nullopt;

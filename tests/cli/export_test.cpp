@@ -108,4 +108,14 @@ TEST_F(ExportCommand, RefusesWhatIsWrong) {
   EXPECT_THAT(refused(flank + "-o w.dxf --curves a"), HasSubstr("did you mean `--curve`?"));
 }
 
+TEST_F(ExportCommand, RefusesTheCutterOfItsPageAsThatSays) {
+  const std::string page = read_file(HIGHERPAIR_SOURCE_DIR "/docs/export.md");
+  const std::string profile = "profiles/groove_cam.toml";
+  const std::size_t begin = page.find(profile + ": a cutter") + profile.size();
+  const std::string message = page.substr(begin, page.find('\n', begin) - begin);
+  const Outcome outcome = run(shipped_profile("groove_cam.toml") + " --curve cam.inner --cutter 35 -o w.dxf");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr(message));
+}
+
 }  // namespace

@@ -96,6 +96,22 @@ TEST_F(LongRun, WritesHdf5WithUnitsAndEvents) {
   EXPECT_THAT(dumped("-d status -s 8999 -c 1 one.h5"), HasSubstr("(8999): ok"));
 }
 
+TEST_F(LongRun, WritesSmallHdf5FilesForFewRows) {
+  if (run_program("analyze ellipse_cam_roller.toml --hdf5 few.h5 --csv few.csv --quiet").code == 2) {
+    GTEST_SKIP() << "built without HDF5";
+  }
+  EXPECT_EQ(
+      run_program("analyze ellipse_cam_roller.toml --hdf5 many.h5 --csv many.csv --samples 70000 --quiet")
+          .code,
+      0);
+  const auto ratio = [&](const std::string& name) {
+    return static_cast<double>(fs::file_size(folder_ / (name + ".h5"))) /
+           static_cast<double>(fs::file_size(folder_ / (name + ".csv")));
+  };
+  EXPECT_LT(ratio("few"), 3);  // every column has a header and an index of some kilobytes
+  EXPECT_LT(ratio("many"), 1);
+}
+
 TEST_F(LongRun, WritesHdf5BesideOtherFilesOrNone) {
   if (run_program("analyze four_bar.toml --hdf5 t.h5 --quiet").code == 2) {
     GTEST_SKIP() << "built without HDF5";

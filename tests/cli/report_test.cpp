@@ -51,6 +51,23 @@ TEST_F(Report, SaysWhatIsMissingWhereThePageWasNotBuilt) {
   EXPECT_FALSE(fs::exists(page_));
 }
 
+// The force is least in both dwells, and the torque as large in one sense as in the other; speeds have no
+// sign.
+TEST_F(Report, NamesTheFirstOfEqualExtremes) {
+  if (!has_page_) GTEST_SKIP() << "this build has no page";
+  EXPECT_EQ(run(report_profile("checked_cam") + to_page()).code, 0);
+  const std::string page = read_file(page_);
+  const auto fact = [&](const std::string& name) {
+    const std::size_t begin = page.find("\"name\":\"" + name + "\"");
+    return page.substr(begin, page.find("]}", begin) - begin);
+  };
+  EXPECT_THAT(fact("Min. force"), HasSubstr("\"driver\":0,"));
+  EXPECT_THAT(fact("Max. effort"), HasSubstr("\"driver\":57,"));
+  EXPECT_THAT(fact("Max. pressure angle"), HasSubstr("\"driver\":54,"));
+  EXPECT_THAT(fact("Max. speed"), HasSubstr("\"value\":1200,"));
+  EXPECT_THAT(fact("Max. sliding"), AllOf(HasSubstr("\"value\":2513.27"), HasSubstr("\"driver\":120,")));
+}
+
 TEST_F(Report, WritesOnePageThatAsksForNothing) {
   if (!has_page_) GTEST_SKIP() << "this build has no page";
   EXPECT_EQ(run(report_profile("knife_edge") + to_page()).code, 0);

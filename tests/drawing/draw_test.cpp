@@ -405,6 +405,51 @@ TEST(Drawing, JoinsCurvesToTheirPivots) {
   }
 }
 
+TEST(Drawing, HasArcsThatLookRound) {
+  const auto scenes = scenes_of(shipped("four_arc_cam")).value();
+  const auto& fixed = scenes.scenes.front().fixed;
+  const auto cam = std::find_if(fixed.begin(), fixed.end(), [](const Shape& shape) {
+    return shape.role == Role::kBody && shape.name == "cam" && shape.kind == Shape::Kind::kPath;
+  });
+  ASSERT_NE(cam, fixed.end());
+  std::vector<Vector2d> lines;
+  for (std::size_t i = 0; i + 3 < cam->numbers.size(); i += 2) {
+    const Vector2d line(cam->numbers[i + 2] - cam->numbers[i], cam->numbers[i + 3] - cam->numbers[i + 1]);
+    if (line.norm() > 1e-6) lines.push_back(line);
+  }
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const double turn = std::atan2(cross(lines[i], lines[i + 1]), lines[i].dot(lines[i + 1]));
+    EXPECT_LE(std::abs(turn), 0.07) << i;
+  }
+}
+
+// Spirals that wind with their pivots, and zigzags that change with their slides.
+TEST(Drawing, HasTheSpringsOfJoints) {
+  const Model model = shipped("cam_with_return_spring",
+                              {"springs.along={ joint = \"guide\", stiffness = 1, free_length = 0 }",
+                               "springs.about={ joint = \"cam_pivot\", stiffness = 1, free_angle = 0 }"});
+  const auto ends = [&](const std::string& name, double at) {
+    SceneSettings settings;
+    settings.at = at;
+    const auto scenes = scenes_of(model, settings).value();
+    for (const Shape& shape : scenes.scenes.front().moving) {
+      if (shape.role != Role::kSpring || shape.name != name) continue;
+      const auto& n = shape.numbers;
+      return std::pair(Vector2d(n[0], n[1]), Vector2d(n[n.size() - 2], n.back()));
+    }
+    throw std::out_of_range(name);
+  };
+  const auto [below, above] = ends("along", 0);
+  const auto [still, moved] = ends("along", 90);
+  EXPECT_GT(above.y(), below.y());
+  EXPECT_NEAR((still - below).norm(), 0, 1e-9);
+  EXPECT_NEAR((moved - above - Vector2d(0, 10)).norm(), 0, 1e-9);
+  const auto [outside, inside] = ends("about", 40);
+  EXPECT_NEAR(angle_of(outside), 0, 1e-12);
+  EXPECT_NEAR(angle_of(inside), 40 * kPi / 180, 1e-12);
+  EXPECT_GT(outside.norm(), inside.norm());
+}
+
 // A bar is drawn behind the face that it carries, even if a point of its body is on the face.
 TEST(Drawing, KeepsBarsBehindFaces) {
   for (const char* name : {"flat_faced_translating", "cam_with_return_spring"}) {

@@ -256,6 +256,23 @@ TEST(Plot, EscapesWhatNamesHold) {
   EXPECT_EQ(read_back(svg)[1].text, data.title);
 }
 
+TEST(Plot, BreaksALongTitleBeforeTheMargin) {
+  PlotData data = line({0, 1}, {0, 1});
+  data.title =
+      "A very long title that a person may well give to a mechanism, about offsets and base circles of a "
+      "disc cam with a roller follower";
+  int lines = 0;
+  for (const Element& element : read_back(plots_svg({data}, 720))) {
+    const auto kind = element.attributes.find("class");
+    if (kind == element.attributes.end() || kind->second != "title") continue;
+    ++lines;
+    const double mean_letter = 8.3;  // of bold DejaVu Sans at 13 px
+    EXPECT_LE(element.number("x") + mean_letter * static_cast<double>(element.text.size()), 720)
+        << element.text;
+  }
+  EXPECT_EQ(lines, 2);
+}
+
 TEST(Plot, LeavesOutPointsThatLieOnEachOther) {
   std::vector<double> x, y;
   for (int i = 0; i < 200'000; ++i) {

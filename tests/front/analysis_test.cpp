@@ -219,8 +219,17 @@ TEST(Settings, ThatAreWrongAreErrorsOfTheInput) {
   settings.samples = 0;
   EXPECT_THAT(refusal(settings), HasSubstr("must be an integer from 1"));
   settings = {};
-  settings.positions = {0, INFINITY};
-  EXPECT_THAT(refusal(settings), HasSubstr("positions"));
+  for (const double position : {double(INFINITY), 1e30, -3.7e12}) {
+    settings.positions = {position};
+    EXPECT_THAT(refusal(settings), HasSubstr("positions: ")) << position;
+    EXPECT_THAT(refusal(settings), HasSubstr("is not finite, or beyond 1e9 turns")) << position;
+  }
+  settings.positions.clear();
+  settings.units = kSiUnits;
+  settings.units->angle = Unit::kMetre;
+  EXPECT_THAT(refusal(settings),
+              HasSubstr("Units::angle = m: is the unit of a length, expected that of an angle"));
+  settings = {};
   settings.positions = {0, 1};
   settings.in_time = true;
   EXPECT_THAT(refusal(settings), HasSubstr("positions"));

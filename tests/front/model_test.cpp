@@ -158,7 +158,7 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
             "four-bar: drivers[0]: each of several drivers needs a name");
   EXPECT_EQ(
       refusal([](Mechanism& m) { m.bodies[2].points[0].p_B.x() = std::numeric_limits<double>::quiet_NaN(); }),
-      "four-bar: bodies.coupler.points.B: needs a name and finite coordinates");
+      "four-bar: bodies.coupler.points.B: needs finite coordinates");
   EXPECT_EQ(refusal([](Mechanism& m) {
               m.bodies[1].mass = MassProperties{-1, Vector2d::Zero(), 0};
             }),
@@ -176,9 +176,20 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
             }),
             "four-bar: springs.s.joint = 4: there are 4 joints");
   EXPECT_EQ(refusal([](Mechanism& m) { m.gravity_W = {INFINITY, 0}; }), "four-bar: gravity: must be finite");
+  const std::string rule = ": a name begins with a letter or _ and goes on with letters, digits, _ and -";
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].name = "my body,[x]\n"; }),
+            "four-bar: bodies.my body,[x]?" + rule);
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].points[0].name = "A.x"; }),
+            "four-bar: bodies.crank.points.A.x" + rule);
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].name = "2"; }), "four-bar: joints.2" + rule);
+  EXPECT_EQ(refusal([](Mechanism& m) { m.drivers[0].name = "a b"; }), "four-bar: drivers.a b" + rule);
   const auto programs = Model::from(four_bar(), {}, std::vector<DriverProgram>(2));
   ASSERT_FALSE(programs);
   EXPECT_THAT(to_string(programs.error()), HasSubstr("2 programs for 1 drivers"));
+  const auto units = Model::from(four_bar(), {.angle = Unit::kMetre});
+  ASSERT_FALSE(units);
+  EXPECT_EQ(to_string(units.error()),
+            "four-bar: Units::angle = m: is the unit of a length, expected that of an angle");
 }
 
 TEST(Model, WithOtherNumbersRunsAsIfReadWithThem) {

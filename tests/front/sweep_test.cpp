@@ -337,6 +337,12 @@ TEST(ModelVariants, AreTheModelsThatWithMakes) {
   const auto wrong = variants.with(std::vector<double>{-1, 300});
   ASSERT_FALSE(wrong);
   EXPECT_THAT(to_string(wrong.error()), HasSubstr("roller.radius = -1 mm: must be > 0"));
+  for (const std::vector<double>& values : {std::vector<double>{}, {7.3}, {7.3, 300, 3}}) {
+    const auto refused = variants.with(values);
+    ASSERT_FALSE(refused) << values.size();
+    EXPECT_EQ(refused.error().kind, ErrorKind::kInput);
+    EXPECT_THAT(to_string(refused.error()), HasSubstr("values for 2 paths: each path needs its own"));
+  }
 }
 
 TEST(ModelVariants, NeedAProfileAndPathsOfIt) {

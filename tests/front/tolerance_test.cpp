@@ -14,6 +14,7 @@
 namespace higherpair {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::kCam;
 using testing::kSlider;
 using testing::model_of;
@@ -216,6 +217,18 @@ results.stroke = { column = "slider.x", of = "range" }
   const ToleranceVariants variants = tolerance_variants(model, report, settings).value();
   EXPECT_TRUE(variants.bands[0].curved);
   EXPECT_GT(variants.bands[0].high, 60.02);
+}
+
+TEST(ToleranceVariantsOf, AModelWithoutTolerancesOrAReportByOtherNumbersAreRefused) {
+  const Model without = model_of(kCam, {"driver.samples=7"});
+  const auto refused = tolerance_variants(without, sensitivity(without).value());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kInput);
+  EXPECT_THAT(to_string(refused.error()), HasSubstr("test.toml: there is no [tolerances]"));
+  const Model with = model_of(kCam + std::string(kLinear), {"driver.samples=7"});
+  const auto other = tolerance_variants(with, sensitivity(without).value());
+  ASSERT_FALSE(other);
+  EXPECT_THAT(to_string(other.error()), HasSubstr("other numbers than those of [tolerances]"));
 }
 
 TEST(ToleranceVariantsOf, StopWhenTold) {

@@ -187,7 +187,7 @@ TEST_F(Dxf, ContoursThatDoNotCloseAreRefusedWithTheirEnds) {
       ElementsAre("test.toml:13:28: bodies.crank.curves.c.file = \"d.dxf\": line 38: the contour does not "
                   "close: nothing goes on at (0, "
                   "0.01) (line 38), and it begins at (0, 0) (line 6), 0.01 mm away; ends within `tolerance` "
-                  "(3.80789e-05 mm) meet"));
+                  "(0.00380789 mm) meet"));
   EXPECT_THAT(messages_about(drawing(line(0, 0, 7, 0) + line(7, 0, 7, 3) + line(7, 3, 0, 0.01)),
                              ", tolerance = 0.02"),
               IsEmpty());
@@ -195,6 +195,31 @@ TEST_F(Dxf, ContoursThatDoNotCloseAreRefusedWithTheirEnds) {
       messages_about(drawing(kTriangle + line(7, 0, 9, 9))),
       ElementsAre(AllOf(HasSubstr("line 6: "), HasSubstr("more than two ends meet at (7, 0) (lines 6, 22, "
                                                          "54): a contour goes on in one way only"))));
+}
+
+TEST_F(Dxf, SmallGapsAreNamedWithWhatJoinsThem) {
+  const std::string square = line(-20, -20, 20.0123, -20) + line(20, -20, 20.0123, 20) +
+                             line(20, 20, -19.9877, 20) + line(-20, 20, -19.9877, -20);
+  EXPECT_THAT(
+      messages_about(drawing(square)),
+      ElementsAre(AllOf(HasSubstr("the drawing has 4 contours, from "),
+                        HasSubstr(" are 0.0123 mm apart: a `tolerance` above that joins them; else say "
+                                  "which one with `near = [x, y]`"))));
+  EXPECT_THAT(messages_about(drawing(square), ", near = [-20, 0]"),
+              ElementsAre(AllOf(HasSubstr("the contour does not close"),
+                                HasSubstr(" are 0.0123 mm apart: a `tolerance` above that joins them"))));
+  EXPECT_THAT(messages_about(drawing(square), ", tolerance = 0.02"), IsEmpty());
+}
+
+TEST_F(Dxf, SlightCornersAreNotedWithTheDrawingAndTheEntity) {
+  write("d.dxf",
+        drawing("0 POLYLINE 8 0 66 1 70 1 0 VERTEX 8 0 10 0 20 0 0 VERTEX 8 0 10 7 20 0 0 VERTEX 8 0 10 14 "
+                "20 0.01 0 VERTEX 8 0 10 7 20 9 0 SEQEND 8 0 "));
+  EXPECT_THAT(
+      notes_of("{ type = \"dxf\", file = \"d.dxf\" }"),
+      ElementsAre(
+          "test.toml:13:5: bodies.crank.curves.c: two parts of the POLYLINE on line 6 of d.dxf meet in "
+          "a corner of 0.082 deg at (7, 0): if the joint is to be smooth, give more digits"));
 }
 
 TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {

@@ -12,7 +12,9 @@
 namespace higherpair {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 // A profile of a cam that contains these parts.
 struct Parts {
@@ -324,6 +326,31 @@ direction = [0, 1])";
   Parts rolling;
   rolling.between += "\nrolling = true";
   EXPECT_THAT(mistakes_in(rolling), HasSubstr("curves with ends or of several parts slip"));
+}
+
+TEST(Flanks, AreCutAnewForTolerancesAsANoteSays) {
+  const auto notes = [](const std::string& path) {
+    const auto profile = read_profile_text(
+        profile_with({}) + "[tolerances]\nr = { path = \"" + path +
+            "\", plus_minus = 0.05 }\nresults.y = { column = \"slide.position\", of = \"max\" }\n",
+        "test.toml");
+    EXPECT_TRUE(profile) << path;
+    std::vector<std::string> texts;
+    for (const Diagnostic& note : profile ? profile->notes : Diagnostics{}) texts.push_back(note.message);
+    return texts;
+  };
+  EXPECT_THAT(
+      notes("bodies.follower.curves.roller.radius"),
+      ElementsAre("tolerances.r: the flank cam.flank is cut anew for every value of "
+                  "bodies.follower.curves.roller.radius, so that the other body moves by the law all the "
+                  "same; to see what a deviation does to a flank that is cut once, `export` cam.flank and "
+                  "read the file as its curve"));
+  for (const char* path : {"bodies.ground.points.O.0", "bodies.follower.pose.y", "joints.slide.direction.0",
+                           "bodies.follower.points.P.0", "bodies.cam.points.O.1"}) {
+    EXPECT_THAT(notes(path), ElementsAre(HasSubstr(std::string("cut anew for every value of ") + path)));
+  }
+  EXPECT_THAT(notes("laws.lift.segments.0.rise"), IsEmpty());
+  EXPECT_THAT(notes("bodies.ground.points.Q.0"), IsEmpty());
 }
 
 }  // namespace

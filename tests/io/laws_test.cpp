@@ -317,7 +317,7 @@ TEST(LawMessages, ReachTheDriver) {
       messages(crank_profile("law = \"lft\"\n[laws.lift]\nsegments = [{ over = 1, law = \"dwell\" }]\n")),
       ElementsAre(HasSubstr("driver.law = \"lft\": there is no law `lft`; did you mean `lift`?")));
   EXPECT_THAT(messages(crank_profile("law = \"lift\"\n")),
-              ElementsAre(HasSubstr("driver.law = \"lift\": there is no law `lift`; there is none")));
+              ElementsAre(HasSubstr("driver.law = \"lift\": there is no law `lift`; none is defined")));
   for (const std::string key :
        {"start = 0", "end = 3", "velocity = 1", "acceleration = 1", "positions = [1]"}) {
     EXPECT_THAT(messages(crank_profile(

@@ -16,6 +16,7 @@ using testing::crank_profile;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using testing::slider_profile;
 
 std::vector<std::string> texts(const Diagnostics& notes) {
@@ -41,6 +42,8 @@ TEST(Notes, AreNoneAboutTheShippedProfiles) {
     ASSERT_TRUE(profile) << entry.path();
     EXPECT_THAT(texts(profile->notes), IsEmpty());
     EXPECT_THAT(texts(notes_at_start(*profile)), IsEmpty());
+    if (profile->programs.empty()) continue;
+    EXPECT_THAT(texts(direction_notes(*profile, DriverSchedule::analyze(*profile).value())), IsEmpty());
   }
   EXPECT_THAT(notes(testing::kCamProfile), IsEmpty());
 }
@@ -181,6 +184,27 @@ TEST(Notes, AnInertiaInOtherUnits) {
   EXPECT_THAT(inertia("\"2.1e-5 kg m^2\""), IsEmpty());
 }
 
+TEST(Notes, AJointOrContactThatIsGivenTwice) {
+  const std::string undefined =
+      ", so how they share their force is undefined, and it is left empty: leave one of them out";
+  const std::string pin = "[joints.again]\ntype = \"revolute\"\nbetween = ";
+  EXPECT_THAT(notes(crank_profile(pin + "[\"crank.A\", \"ground.A\"]\n")),
+              ElementsAre("test.toml:14:11: note: joints.again: gives the same condition as joints.pivot" +
+                          undefined));
+  EXPECT_THAT(notes(crank_profile(pin + "[\"ground.B\", \"crank.P\"]\n")), IsEmpty());
+  const std::string slide =
+      "[joints.again]\ntype = \"prismatic\"\nbetween = [\"ground.B\", \"slider.S\"]\ndirection = ";
+  EXPECT_THAT(notes(slider_profile("end = 40\n" + slide + "[-3, 0]\n")),
+              ElementsAre("test.toml:16:11: note: joints.again: gives the same condition as joints.slide" +
+                          undefined));
+  EXPECT_THAT(notes(slider_profile("end = 40\n" + slide + "[3, 1]\n")), IsEmpty());
+  const std::string touch = "[contacts.again]\nbetween = [\"follower.roller\", \"cam.disc\"]\n";
+  EXPECT_THAT(
+      notes(testing::kCamProfile + touch),
+      ElementsAre(HasSubstr("contacts.again: gives the same condition as contacts.touch" + undefined)));
+  EXPECT_THAT(notes(testing::kCamProfile + touch + "approach = \"+\"\n"), IsEmpty());
+}
+
 TEST(Notes, WhatADriverDoesNotUse) {
   EXPECT_THAT(notes(crank_profile("positions = [0, 15]\nend = 90\nsamples = 4\n")),
               ElementsAre("test.toml:13:7: note: driver.end = 90: not used, for `positions` are given",
@@ -196,15 +220,39 @@ TEST(Notes, ARowTooFewForRoundSteps) {
   EXPECT_THAT(
       notes(crank_profile("samples = 360\n")),
       ElementsAre(
-          "test.toml:12:11: note: driver.samples = 360: both ends are rows, so they are 1.00279 apart; 361 "
-          "rows are 1 apart"));
+          "test.toml:12:11: note: driver.samples = 360: both ends are rows, so they are 1.00279 deg apart; "
+          "361 rows are 1 deg apart"));
   EXPECT_THAT(
       notes(crank_profile("start = 10\nend = 100\nsamples = 180\n")),
-      ElementsAre(
-          "test.toml:14:11: note: driver.samples = 180: both ends are rows, so they are 0.502793 apart; 181 "
-          "rows are 0.5 apart"));
+      ElementsAre("test.toml:14:11: note: driver.samples = 180: both ends are rows, so they are 0.502793 deg "
+                  "apart; 181 rows are 0.5 deg apart"));
+  EXPECT_THAT(notes(slider_profile("start = 100\nend = 40\nsamples = 60\n")),
+              ElementsAre(HasSubstr("so they are 1.01695 mm apart; 61 rows are 1 mm apart")));
   EXPECT_THAT(notes(crank_profile("samples = 361\n")), IsEmpty());
   EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
+}
+
+TEST(Notes, RowsThatGoAgainstTheVelocity) {
+  const auto directions = [](const std::string& text, bool in_time = false) {
+    const Profile profile = testing::read(text);
+    return texts(direction_notes(
+        profile, in_time ? DriverSchedule::step(profile).value() : DriverSchedule::analyze(profile).value()));
+  };
+  EXPECT_THAT(directions(slider_profile("start = 95\nend = 40\n")),
+              ElementsAre(HasSubstr(
+                  "note: driver.velocity is 1 mm/s, the default, but the rows go from 95 to 40 mm: rates "
+                  "and friction are those of the motion in the other direction; give velocity = -1")));
+  EXPECT_THAT(directions(crank_profile("start = 0\nend = -360\nvelocity = \"300 rpm\"\n")),
+              ElementsAre(HasSubstr(
+                  "note: driver.velocity is 1800 deg/s, but the rows go from 0 to -360 deg: rates and "
+                  "friction are those of the motion in the other direction; exchange start and end, or "
+                  "set velocity = -1800")));
+  EXPECT_THAT(directions(crank_profile("velocity = -3\n")), SizeIs(1));  // the default end is a turn on
+  EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = -3\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = 0\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nsamples = 1\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("positions = [90, 30]\n")), IsEmpty());
+  EXPECT_THAT(directions(crank_profile("end = -360\nduration = 2\ntime_step = 1\n"), true), IsEmpty());
 }
 
 // The lever of a crank-rocker, with its pose on the other side of the frame.

@@ -373,7 +373,8 @@ TEST_F(ProfileBoundaries, SplinesSayWhichPointIsWrong) {
               ElementsAre(HasSubstr("c.points is missing: expected [[x, y], …] (or a `file` with them)")));
   EXPECT_THAT(
       spline("points = [[0, 0], [1, 0], [1, 1]]"),
-      ElementsAre("test.toml:13:5: bodies.crank.curves.c: 3 points are too few: degree 5 takes at least 6"));
+      ElementsAre("test.toml:13:5: bodies.crank.curves.c: 3 points are too few: degree 5 takes at least 6, "
+                  "`degree = 3` at least 4"));
   EXPECT_THAT(
       spline("points = [[0, 0], [1, 0], [1, 0], [2, 1], [1, 2], [0, 1]]"),
       ElementsAre("test.toml:13:42: bodies.crank.curves.c: points.1 and points.2 are the same point (1, 0): "
@@ -426,6 +427,10 @@ TEST_F(ProfileBoundaries, FilesOfPointsSayTheirLine) {
   EXPECT_THAT(file("n, a, b\n1, 2, 3\n"), ElementsAre(HasSubstr("line 1: expected two columns, x and y")));
   EXPECT_THAT(file("x[kg], y\n1, 2\n"),
               ElementsAre(HasSubstr("line 1: x[kg]: kg is a mass, expected a length")));
+  EXPECT_THAT(
+      file("x;y\nmm;mm\n1;2\n"),
+      ElementsAre(where +
+                  "line 2: `mm` is no number: units stand behind the names in the first line, x[mm]"));
   EXPECT_THAT(file("1e60 2\n"), ElementsAre(HasSubstr("line 1: 1e+60 is too large")));
   EXPECT_THAT(file("1 nan\n"), ElementsAre(HasSubstr("`nan` is no number")));
   EXPECT_THAT(file(""), ElementsAre(where + "has no points"));

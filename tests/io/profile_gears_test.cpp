@@ -166,7 +166,7 @@ TEST(ProfileGears, WaitForPinsWhoseNamesAreRight) {
   profile.erase(profile.find("points.O = [0, 0]\n"), 18);
   EXPECT_THAT(messages(profile),
               ElementsAre("test.toml:17:12: joints.arm_pivot.between.0 = \"ground.X\": there is "
-                          "no point of `ground` `X`; there is none"));
+                          "no point of `ground` `X`; none is defined"));
 }
 
 TEST(ProfileGears, NeedTheNameOfTheCarrierWhereSeveralBodiesWouldDo) {

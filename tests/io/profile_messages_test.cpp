@@ -67,7 +67,7 @@ length = "furlong"
           "test.toml:7:8: joints.pivot.type = \"revolut\": expected one of revolute, prismatic, slot, "
           "gears, belt; did you mean `revolute`?",
           "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": there is no point of `ground` `A`; "
-          "there is none",
+          "none is defined",
           "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": there is no point of `crank` `B`; "
           "did you mean `A`?",
           "test.toml:9:1: bodies.crank.center_of_mass is missing: expected [x, y]",
@@ -444,6 +444,11 @@ TEST(ProfileMessages, NormalsAndDirectionsMustPointSomewhere) {
   EXPECT_THAT(
       about_curve("{ type = \"line\", point = [0, 0], normal = [0, 0] }"),
       ElementsAre("test.toml:13:47: bodies.crank.curves.c.normal = [0, 0]: must not be the zero vector"));
+  EXPECT_THAT(
+      messages(slider_profile("", "\"y\"")),
+      ElementsAre(
+          "test.toml:10:13: joints.slide.direction = \"y\": is no direction: expected [dx, dy], such as "
+          "[0, 1], or an angle, such as \"90 deg\""));
   EXPECT_THAT(messages(slider_profile("", "[0, 0.0]")),
               ElementsAre("test.toml:10:13: joints.slide.direction = [0, 0]: must not be the zero vector"));
 }
@@ -568,8 +573,8 @@ TEST(ProfileMessages, ContactsAreBetweenCurves) {
       about("[contacts.k]\nbetween = [\"ground.A\", \"crank.c\"]\napproach = \"near\"\nrolling = 1\n"),
       ElementsAre(
           "test.toml:13:12: contacts.k.between.0 = \"ground.A\": this is a point, expected a curve",
-          "test.toml:13:24: contacts.k.between.1 = \"crank.c\": there is no curve of `crank` `c`; there "
-          "is none",
+          "test.toml:13:24: contacts.k.between.1 = \"crank.c\": there is no curve of `crank` `c`; none "
+          "is defined",
           "test.toml:14:12: contacts.k.approach = \"near\": expected one of nearest, +, -; did you mean "
           "`nearest`?",
           "test.toml:15:11: contacts.k.rolling = 1: expected true or false, found an integer"));
@@ -602,7 +607,21 @@ direction = [1, 0]
 [driver]
 joint = "guide"
 )"),
-              ElementsAre(HasSubstr("there is no point of `ground` `O`")));
+              ElementsAre(HasSubstr("there is no point of `ground` `O`; none is defined")));
+  EXPECT_THAT(
+      messages(R"([bodies.Ground]
+points.O = [0, 0]
+[bodies.slide]
+points.P = [0, 0]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "slide.P"]
+direction = [1, 0]
+[driver]
+joint = "guide"
+)"),
+      ElementsAre(HasSubstr("there is no point of `ground` `O`, but one of `Ground`: capital and small "
+                            "letters differ, and the frame is `ground`")));
 }
 
 TEST(ProfileMessages, ThereIsOneDriverOrAreNamedOnes) {
@@ -666,7 +685,8 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
       ElementsAre(
           "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A` or "
           "`P`?",
-          "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; there is none"));
+          "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; none is "
+          "defined"));
   EXPECT_THAT(
       about("[drawing.crank]\ncolour = \"red\"\ncolor = \"#fff\"\noutline = 1\n"),
       ElementsAre(

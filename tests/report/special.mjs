@@ -13,6 +13,21 @@ export async function checkTitle({ report, profiles, open }, checks) {
   await page.close();
 }
 
+/** Nothing in the cards at the top leaves its card, and speeds there have no sign. */
+export async function checkCards({ report, profiles, open }, checks) {
+  const page = await open(await report(join(profiles, "valve_train.toml"), "cards"));
+  for (const width of [375, 800, 1024, 1280, 1350, 1400, 1600, 1920, 2560]) {
+    await page.setViewportSize({ width, height: 800 });
+    const wide = await page.evaluate(() =>
+      [...document.querySelectorAll(".card")].filter((card) => card.scrollWidth > card.clientWidth).map((card) => card.textContent),
+    );
+    checks.equal(wide.join(), "", `cards that overflow at ${width} px`);
+  }
+  const speeds = await page.locator(".card dt:text-is('Max. speed') + dd").allTextContents();
+  checks.true(speeds.length > 0 && speeds.every((text) => !text.includes("−")), `speeds with a sign: ${speeds}`);
+  await page.close();
+}
+
 /** The page of a long run contains part of it, says so, and knows the extremes of the whole run. */
 export async function checkLongRun({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));

@@ -16,7 +16,16 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr hsize_t kChunk = 65536;  // rows
+constexpr hsize_t kLargestChunk = 65536;  // rows
+
+// The rows of one chunk, for a table of so many: space is taken by whole chunks, so a small table has a small
+// one, and those of a large table are of equal size.
+hsize_t chunk_of(std::int64_t rows) {
+  if (rows <= 0) return kLargestChunk;
+  const auto size = static_cast<hsize_t>(rows);
+  const hsize_t chunks = (size + kLargestChunk - 1) / kLargestChunk;
+  return (size + chunks - 1) / chunks;
+}
 
 // Thrown and caught within this file only.
 struct Failure : std::runtime_error {
@@ -87,12 +96,12 @@ hid_t make_words(const Column& column) {
 // A column that can grow. It stores no times, so that equal tables give equal bytes.
 class Dataset {
 public:
-  Dataset(hid_t file, const std::string& name, hid_t type) {
+  Dataset(hid_t file, const std::string& name, hid_t type, hsize_t chunk) {
     const hsize_t none = 0;
     const hsize_t any = H5S_UNLIMITED;
     const Handle space(H5Screate_simple(1, &none, &any), H5Sclose, "a space");
     const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "a list of properties");
-    check(H5Pset_chunk(list, 1, &kChunk), "a chunk");
+    check(H5Pset_chunk(list, 1, &chunk), "a chunk");
     check(H5Pset_obj_track_times(list, false), "a property");
     id_.emplace(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
                 "a dataset");
@@ -118,17 +127,18 @@ private:
 // A column and its buffer of values not written yet.
 class ColumnFile {
 public:
-  ColumnFile(hid_t file, const Column& column, bool is_whole)
-      : is_words_(!column.words.empty()),
+  ColumnFile(hid_t file, const Column& column, bool is_whole, hsize_t chunk)
+      : chunk_(chunk),
+        is_words_(!column.words.empty()),
         type_(is_words_ ? make_words(column) : H5Tcopy(is_whole ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE),
               H5Tclose, "a type"),
-        data_(file, column.name, type_) {
+        data_(file, column.name, type_, chunk) {
     if (!is_words_) set_attribute(data_.id(), "unit", column.unit);
   }
 
   void add(double value) {
     values_.push_back(value);
-    if (values_.size() == kChunk) flush();
+    if (values_.size() == chunk_) flush();
   }
 
   void flush() {
@@ -145,6 +155,7 @@ public:
   }
 
 private:
+  hsize_t chunk_;
   bool is_words_;
   Handle type_;
   Dataset data_;
@@ -154,14 +165,15 @@ private:
 class Table {
 public:
   Table(hid_t place, const Hdf5Columns& columns) {
+    const hsize_t chunk = chunk_of(columns.rows);
     for (const Column& column : columns.columns) {
       const auto& whole = columns.integers;
       const bool is_whole = std::find(whole.begin(), whole.end(), column.name) != whole.end();
-      columns_.push_back(std::make_unique<ColumnFile>(place, column, is_whole));
+      columns_.push_back(std::make_unique<ColumnFile>(place, column, is_whole, chunk));
     }
     const Handle text(make_text_type(H5T_VARIABLE), H5Tclose, "a type of text");
     for (const std::string& name : columns.texts) {
-      texts_.push_back(std::make_unique<Dataset>(place, name, text));
+      texts_.push_back(std::make_unique<Dataset>(place, name, text, chunk));
     }
   }
 

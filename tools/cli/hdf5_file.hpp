@@ -3,6 +3,7 @@
 #include "higherpair/front/motion.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ struct Hdf5Columns {
   std::vector<Column> columns;        ///< numbers with the attribute `unit`, words as an enumeration
   std::vector<std::string> integers;  ///< names of the columns whose numbers are integers
   std::vector<std::string> texts;     ///< names of columns of text
+  std::int64_t rows = 0;              ///< number of rows to come, about; 0: unknown
 };
 
 /// An HDF5 file with tables that grow. Its content depends only on what is given here, not on the time of

@@ -24,11 +24,12 @@ std::string attribute_of(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-RowHdf5::RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns)
+RowHdf5::RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns,
+                 std::int64_t rows)
     : title_(std::move(title)), file_(std::make_unique<OutputFile>(path)), data_(file_->place()) {
   data_.set_attribute("title", title_.title);
   data_.set_attribute("profile", title_.profile);
-  rows_ = data_.add_table("", {columns, {}, {}});
+  rows_ = data_.add_table("", {columns, {}, {}, rows});
   check();
 }
 
@@ -46,7 +47,8 @@ void RowHdf5::end(const std::vector<Event>& events, const std::vector<std::strin
   data_.set_attribute("events", attribute_of(lines));
   const std::vector<Column> columns = {
       {"driver", title_.driver_unit, {}}, {"time", title_.time_unit, {}}, {"row", "1", {}}};
-  const std::size_t table = data_.add_table("events", {columns, {"row"}, {"type", "item", "cause"}});
+  const std::size_t table = data_.add_table(
+      "events", {columns, {"row"}, {"type", "item", "cause"}, static_cast<std::int64_t>(events.size())});
   std::vector<double> values;
   std::vector<std::string> types;
   std::vector<std::string> items;

@@ -4,6 +4,7 @@
 #include "higherpair/front/motion.hpp"
 #include "output_file.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct RowTitle {
 class RowHdf5 {
 public:
   /// \param path  a regular file
-  RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns);
+  /// \param rows  number of rows to come
+  RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns, std::int64_t rows);
 
   void write(const RowBlock& block);
   /// Writes the events; nothing may be written after this.

@@ -96,7 +96,7 @@ public:
     if (options.hdf5) {
       const RowTitle head = {title, options.profile, driver_unit(model),
                              std::string(unit_text(dimension::kTime, model.units()))};
-      hdf5_.emplace(*options.hdf5, head, analysis.columns());
+      hdf5_.emplace(*options.hdf5, head, analysis.columns(), analysis.size());
     }
     if (writers_.empty() && !hdf5_ && !options.summary) add("-", RowWriter::Format::kCsv);
     if (options.summary) summary_.emplace(analysis);

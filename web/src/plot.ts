@@ -8,6 +8,9 @@ import type { Column, Rows } from "./model";
 const SERIES = ["--series-1", "--series-2", "--series-3", "--series-4", "--series-5", "--series-6"] as const;
 const DASHES: readonly number[][] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 4], [4, 4]];
 const HEIGHT = 170; // px
+const FONT = "12px system-ui, sans-serif";
+const LEAST_LABEL_ROOM = 62; // px: the same for most plots, so that they are in line
+const LABEL_GAP = 9; // px
 
 /** The axis common to all plots of a page. */
 export interface Axis {
@@ -115,7 +118,7 @@ export class Plot {
 
   private options(): uPlot.Options {
     const units = [...new Set(this.shown.map((k) => this.context.columns[k]?.unit ?? ""))];
-    const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: "12px system-ui, sans-serif" };
+    const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: FONT };
     const values = (_: uPlot, ticks: number[]): string[] => ticks.map((tick) => number(tick, 0, 5));
     const scales: Record<string, uPlot.Scale> = { x: { time: false } };
     for (const name of units) scales[`y${name}`] = { range: (_, low, high) => range(low, high, this.noiseOf(name)) };
@@ -131,7 +134,7 @@ export class Plot {
           ...axis,
           scale: `y${name}`,
           side: i === 0 ? 3 : 1,
-          size: 62,
+          size: labelRoom,
           ...(i === 0 ? {} : { grid: { show: false } }),
           values,
         })),
@@ -207,6 +210,16 @@ export class Plot {
     this.chart.setSize({ width, height: HEIGHT });
     this.show(this.row);
   }
+}
+
+// Room for the longest label beside a plot, in px.
+function labelRoom(chart: uPlot, labels: readonly string[] | null): number {
+  const { ctx } = chart;
+  ctx.save();
+  ctx.font = FONT;
+  const widths = (labels ?? []).map((label) => ctx.measureText(label).width);
+  ctx.restore();
+  return Math.max(LEAST_LABEL_ROOM, Math.ceil(Math.max(0, ...widths)) + LABEL_GAP);
 }
 
 // A constant column gets some room around it instead of a magnified rounding error.

@@ -75,8 +75,8 @@ public:
   [[nodiscard]] const Diagnostics& notes() const { return profile().notes; }
 
   /// Runs this model at the drivers' positions, or in time: run() computes all rows, start() lets them be
-  /// taken one after the other. Fails for invalid settings (kInput), for a mechanism that cannot be started
-  /// (kMechanism), and if it is stopped before the first row.
+  /// taken one after the other. Fails for invalid settings (kInput) and for a mechanism that cannot be
+  /// started (kMechanism). A run that is stopped before its first row has none, and says that it was stopped.
   [[nodiscard]] Result<Motion> run(const RunSettings& settings = {}) const;
   [[nodiscard]] Result<Analysis> start(const RunSettings& settings = {}) const;
 
@@ -103,8 +103,8 @@ public:
   ModelVariants& operator=(ModelVariants&& other) noexcept;
   ~ModelVariants();
 
-  /// The model with these numbers, in the profile's units, at the paths. Fails if the profile would be
-  /// invalid.
+  /// The model with these numbers, in the profile's units, at the paths, one each. Fails if the profile would
+  /// be invalid.
   [[nodiscard]] Result<Model> with(std::span<const double> values);
 
 private:

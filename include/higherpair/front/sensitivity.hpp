@@ -29,7 +29,7 @@ struct SensitivitySettings {
   /// Empty: those of [tolerances], else those of [sweep], else default_results().
   std::vector<NamedMeasure> results;
   /// Paths or globs ("bodies.*") of the numbers by which to differentiate. Empty: those of [tolerances], else
-  /// every number of bodies, joints, loads, springs and gravity.
+  /// the variables of [design], else every number of bodies, joints, loads, springs and gravity.
   std::vector<std::string> by;
   int threads = 0;                          ///< number of threads; 0: one for each available core
   const std::atomic<bool>* stop = nullptr;  ///< as RunSettings::stop
@@ -217,7 +217,8 @@ struct ToleranceVariants {
 /// Runs random variants of the model, whose numbers scatter according to the tolerances, and collects their
 /// results. Extremes are those of the rows, corrected by what the rows of the model itself miss of its
 /// extreme.
-/// \pre report is sensitivity() of the model with its [tolerances]. Fails as Sweep::of does
+/// Fails as Sweep::of does, for a model without [tolerances], and for a report by other numbers than theirs.
+/// \param report  sensitivity() of the model, whose results need not be those of [tolerances]
 [[nodiscard]] Result<ToleranceVariants> tolerance_variants(const Model& model,
                                                            const SensitivityReport& report,
                                                            const ToleranceVariantSettings& settings = {});

@@ -69,7 +69,7 @@ std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep,
   Hdf5File file(temporary);
   file.set_attribute("title", title.title);
   file.set_attribute("profile", title.profile);
-  const std::size_t table = file.add_table("", {sweep.columns(), {"variant"}, {"cause"}});
+  const std::size_t table = file.add_table("", {sweep.columns(), {"variant"}, {"cause"}, sweep.size()});
   const bool all = each([&](const SweepBlock& block) { file.append(table, block.values, {block.causes}); });
   file.close();
   std::string failure = all ? file.error() : "not all blocks can be read";

@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/description.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@ namespace higherpair {
 
 /// Whether the row has positions of the bodies, as in its table, even if they are not to be trusted.
 [[nodiscard]] bool has_place(const MotionRow& row);
+
+/// The ends of a spring that is drawn straight, each in the frame of a body [m].
+struct StraightSpring {
+  int first_body = 0, second_body = 0;
+  Vector2d first = Vector2d::Zero(), second = Vector2d::Zero();
+  Vector2d shift = Vector2d::Zero();  ///< of both, in the frame of the first body
+};
 
 /// Makes the scenes of one mechanism, row by row.
 class SceneMaker {
@@ -38,12 +46,17 @@ private:
   Scene scene_;
   double largest_ = 1;  // radius up to which curves are drawn as circles [mm]
   bool forces_ = false;
+  // One for each spring of the mechanism; none: it is on a pivot.
+  std::vector<std::optional<StraightSpring>> springs_;
+
   std::size_t next_ = 0;  // next index in scene_.moving while that is filled
 
   Shape& next(Role role, const std::string& name, Shape::Kind kind, bool closed = false);
   void add_contact(const MotionRow& row, std::size_t index);
   void add_linkage(const MotionRow& row, std::size_t index);
-  void add_spring(const MotionRow& row, const Spring& spring);
+  void add_springs(const MotionRow& row);
+  void add_straight_spring(const MotionRow& row, const Spring& spring, const StraightSpring& ends);
+  void add_spiral_spring(const MotionRow& row, const Spring& spring);
   void add_belt(const MotionRow& row, const Joint& joint);
   void add_motion(const MotionRow& row, int body);
   void add_forces(const MotionRow& row, const Reactions& reactions);

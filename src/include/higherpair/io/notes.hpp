@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/geometry/pose.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile.hpp"
 
 #include <atomic>
@@ -13,6 +14,11 @@ namespace higherpair {
 /// that are far from where the poses put them once the mechanism is assembled.
 /// \param bodies  at the first driver position, those of the mechanism in their order
 [[nodiscard]] Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& bodies);
+
+/// Notes on drivers whose rows go from start to end against their velocity: the rates are then those of the
+/// motion in the other direction.
+/// \param schedule  of the profile's rows; none have a note if they are in time or listed
+[[nodiscard]] Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedule);
 
 /// Where the (first) driver could start instead, for the end of a message that the mechanism cannot be
 /// assembled with its drivers at these positions: "; it can be with driver.start from -65.8 to 65.8 deg".

@@ -17,6 +17,9 @@ namespace higherpair::io_detail {
                      [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; });
 }
 
+inline constexpr std::string_view kNameRule =
+    "a name begins with a letter or _ and goes on with letters, digits, _ and -";
+
 /// `text` without leading and trailing spaces and tabs.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpaces = " \t";
