@@ -448,6 +448,29 @@ TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
   EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
 }
 
+// The pressure angle tends to 90 degrees at the limit position, wherever the samples beside it lie.
+TEST(Check, DoesNotDecideALimitThatAFigureStillGrowsTowards) {
+  const CheckReport report =
+      checked(shipped_model("lock_up", {"limits.max_pressure_angle=85", "limits.min_convex_radius=1",
+                                        "limits.max_sliding_speed=\"5 m/s\""}));
+  const CheckFigure pressure = figure(report, "contacts.touch", "pressure_angle");
+  EXPECT_LT(pressure.value, 85);
+  EXPECT_EQ(pressure.verdict, Verdict::kUndecided);
+  EXPECT_THAT(pressure.remark, HasSubstr("still grows"));
+  EXPECT_THAT(figure(report, "contacts.touch", "pressure_angle_at_contact").remark, HasSubstr("still grows"));
+  EXPECT_EQ(figure(report, "contacts.touch", "sliding_speed").verdict, Verdict::kUndecided);
+  EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.disc").verdict, Verdict::kKept);
+  EXPECT_EQ(figure(checked(shipped_model("lock_up", {"limits.max_pressure_angle=70"})), "contacts.touch",
+                   "pressure_angle")
+                .verdict,
+            Verdict::kExceeded);
+  // Ending before it, the angle is known.
+  const CheckReport before =
+      checked(shipped_model("lock_up", {"driver.end=65", "limits.max_pressure_angle=85"}));
+  EXPECT_EQ(figure(before, "contacts.touch", "pressure_angle").verdict, Verdict::kKept);
+  EXPECT_TRUE(before.good);
+}
+
 // The right crank turns like the left one, through two change points where derivatives are mere rounding.
 TEST(Check, OfAParallelogramFindsNoAcceleration) {
   const CheckReport report = checked(shipped_model("parallelogram"));
