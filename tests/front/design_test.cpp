@@ -342,6 +342,62 @@ above = )" + angle(50) + "\n",
   EXPECT_NEAR(other.cost * kPi / 180, one.cost, 1e-5 * std::abs(one.cost) + 1e-9);
 }
 
+// Two places that the point passes between the same rows, wanted in the other order: the best that it can do
+// in that order, by brute force over all pairs of places.
+TEST(Design, PlacesOfAPathKeepTheirOrderBetweenRows) {
+  struct Point {
+    double x, y;
+  };
+  const auto points = [](const std::vector<std::string>& overrides) {
+    const Motion motion = shipped_model("toleranced_linkage", overrides).run().value();
+    const ColumnValues x = motion.column("coupler.E.x"), y = motion.column("coupler.E.y");
+    std::vector<Point> all;
+    for (std::size_t k = 0; k < x.size(); ++k) all.push_back({x[k], y[k]});
+    return all;
+  };
+  const auto squared = [](const Point& a, const Point& b) {
+    return std::pow(a.x - b.x, 2) + std::pow(a.y - b.y, 2);
+  };
+  const std::vector<Point> dense = points({"driver.start=0", "driver.end=360", "driver.samples=36001"});
+  for (const auto& [samples, first, second] :
+       {std::tuple(37, 64, 56), std::tuple(181, 61, 59), std::tuple(73, 66, 54)}) {
+    const std::vector<Point> wanted =
+        points({"driver.positions=[" + std::to_string(first) + ", " + std::to_string(second) + "]"});
+    double nearest = 1e9, least = 1e9;
+    for (const Point& point : dense) {
+      nearest = std::min(nearest, squared(point, wanted[0]));
+      least = std::min(least, nearest + squared(point, wanted[1]));
+    }
+    const auto before = [&, samples = samples](const char* closed) {
+      const auto report = design(shipped_model(
+          "toleranced_linkage",
+          {"driver.start=0", "driver.end=360", "driver.samples=" + std::to_string(samples), "design.starts=1",
+           "design.variables.E={ path = \"bodies.coupler.points.E.0\", min = 34.9, max = 35.1 }",
+           fmt::format("design.objectives=[{{ path = {{ point = \"coupler.E\", closed = {}, through = "
+                       "[[{:.17g}, {:.17g}], [{:.17g}, {:.17g}]] }} }}]",
+                       closed, wanted[0].x, wanted[0].y, wanted[1].x, wanted[1].y)}));
+      EXPECT_TRUE(report) << (report ? "" : to_string(report.error()));
+      return report ? report->objectives[0].before : std::nan("");
+    };
+    EXPECT_GT(least, 1e-3);
+    EXPECT_NEAR(before("false"), least, 1e-4 * least) << samples;
+    EXPECT_NEAR(before("true"), 0, 1e-12) << samples;  // the second one a lap later
+  }
+}
+
+TEST(Design, AClosedPathOfARunThatDoesNotCloseIsNoted) {
+  const auto notes = [](const std::string& end) {
+    std::string all;
+    for (const Diagnostic& note : design_notes(shipped_model("design_ellipse_path", {"driver.end=" + end}))) {
+      all += to_string(note) + "\n";
+    }
+    return all;
+  };
+  EXPECT_EQ(notes("360"), "");
+  EXPECT_THAT(notes("350"), HasSubstr("design.objectives.0.path.closed: the path of coupler.E does not end "
+                                      "where it begins"));
+}
+
 // A likely mistake that does not prevent the design: a note says which unit seems to be meant.
 TEST(Design, TargetsThatLookLikeAnotherUnitAreNoted) {
   const auto notes = [](const std::vector<std::string>& overrides) {
