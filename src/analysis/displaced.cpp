@@ -86,11 +86,12 @@ double step_of_loads(const Run& run, const Mechanism& derivative) {
 }
 
 // Derivative at 0 from samples on both sides. If the slopes of the two sides differ by more than a smooth
-// function allows, returns that of the side without a kink or jump, if there is one: the absolute value of an
-// angle has a kink at 0, and an arc starts elsewhere, a full turn away, when its curve's axis turns through
-// an angle of π. \param at  (0: +, 1: -; number of steps)
+// function allows, there is a kink or a jump: at 0 itself if both sides are smooth, as that of a size |x| at
+// x = 0, and then each side has its own slope. Otherwise it is beside 0, and the slope is that of the side
+// without it: an angle's size has its kink nearby, and an arc starts elsewhere, a full turn away, when its
+// curve's axis turns through an angle of π. \param at  (0: +, 1: -; number of steps)
 template <class F>
-double derivative_of_samples(F at, double h) {
+SidedSlope slope_of_samples(F at, double h) {
   std::array<double, 2> slope{}, bend{};
   double largest = 0;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -105,15 +106,24 @@ double derivative_of_samples(F at, double h) {
   const double none = kKinkOfBends * bend[smooth] +
                       kKinkOfSlopes * h * std::max(std::abs(slope[0]), std::abs(slope[1])) +
                       kKinkOfValues * largest;
-  if (apart > none && bend[1 - smooth] > none) {
-    return slope[smooth];
+  const bool kink = apart > none;
+  if (kink && bend[1 - smooth] > none) {
+    return {slope[smooth], slope[smooth]};
   }
-  return eighth_order_difference(
+  const bool mirrored = h * std::abs(slope[0] + slope[1]) <= none;
+  if (kink && !mirrored) {
+    return {slope[1], slope[0]};
+  }
+  // With its sign a size is smooth.
+  const double down = kink ? -1 : 1;
+  const double both = eighth_order_difference(
       [&](double step) {
         const double k = std::round(step / h);
-        return at(k > 0 ? 0 : 1, static_cast<std::size_t>(std::abs(k)));
+        const double change = at(k > 0 ? 0 : 1, static_cast<std::size_t>(std::abs(k))) - at(0, 0);
+        return k > 0 ? change : down * change;
       },
       h);
+  return {down * both, both};
 }
 
 // Largest relative change of a radius of curvature by a displacement: the radii of nearly flat curves change
@@ -132,7 +142,7 @@ double change_of_radii(const MotionRow& row, const MotionRow& displaced) {
 
 }  // namespace
 
-std::vector<double> derivative_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
+std::vector<SidedSlope> slopes_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
                                      const std::function<std::vector<double>(const Run&, double)>& f) {
   const Mechanism derivative = by.derivative_at(run, &of_row);
   const double displacement = displacement_of(run, derivative, of_row);
@@ -159,10 +169,19 @@ std::vector<double> derivative_along(const Run& run, const Sensitivity& by, cons
       samples[side][k] = values_at((side == 0 ? h : -h) * static_cast<double>(k));
     }
   }
-  std::vector<double> derivatives;
+  std::vector<SidedSlope> slopes;
   for (Eigen::Index i = 0; i < samples[0][0].size(); ++i) {
-    derivatives.push_back(
-        derivative_of_samples([&](std::size_t side, std::size_t k) { return samples[side][k](i); }, h));
+    slopes.push_back(
+        slope_of_samples([&](std::size_t side, std::size_t k) { return samples[side][k](i); }, h));
+  }
+  return slopes;
+}
+
+std::vector<double> derivative_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
+                                     const std::function<std::vector<double>(const Run&, double)>& f) {
+  std::vector<double> derivatives;
+  for (const SidedSlope& slope : slopes_along(run, by, of_row, f)) {
+    derivatives.push_back((slope.down + slope.up) / 2);
   }
   return derivatives;
 }

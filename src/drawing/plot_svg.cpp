@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/core.h>
+
 namespace higherpair {
 namespace {
 
@@ -110,7 +112,7 @@ private:
     svg_.open("g", {{"data-role", "axis"},
                     {"data-name", name},
                     {"data-unit", unit},
-                    {"data-domain", pair(scale.ticks.low, scale.ticks.high)},
+                    {"data-domain", fmt::format("{:.9g} {:.9g}", scale.ticks.low, scale.ticks.high)},
                     {"data-range", pair(scale.begin, scale.end)}});
   }
 

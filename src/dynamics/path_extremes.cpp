@@ -230,13 +230,19 @@ private:
     const bool nothing = largest <= blocks_[b].sought[k].noise;
     const double at = settled(peak->at);
     return PathExtreme{nothing ? 0 : sign * peak->value, at, path_.at(at).front().position,
-                       !nothing && grows_at(at)};
+                       !nothing && grows_at(at, index, sign, limits.noise)};
   }
 
-  [[nodiscard]] bool grows_at(double at) const {
+  // Whether a place is the sample next to something singular, and the quantity has risen up to there.
+  [[nodiscard]] bool grows_at(double at, std::size_t index, double sign, double noise) const {
     return std::any_of(stretches_.begin(), stretches_.end(), [&](const Stretch& stretch) {
-      return !stretch.at.empty() && ((stretch.singular_from && at == stretch.at.front()) ||
-                                     (stretch.singular_to && at == stretch.at.back()));
+      const std::size_t count = stretch.at.size();
+      const auto rises = [&](std::size_t end, std::size_t beside) {
+        const std::vector<double>& values = stretch.values[index];
+        return at == stretch.at[end] && (count == 1 || !(sign * (values[end] - values[beside]) <= noise));
+      };
+      return count > 0 &&
+             ((stretch.singular_from && rises(0, 1)) || (stretch.singular_to && rises(count - 1, count - 2)));
     });
   }
 

@@ -78,8 +78,8 @@ void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, con
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  static constexpr std::array kNames = {"", "kept", "exceeded"};
-  static_assert(kNames.size() == static_cast<std::size_t>(Verdict::kExceeded) + 1);
+  static constexpr std::array kNames = {"", "kept", "exceeded", "undecided"};
+  static_assert(kNames.size() == static_cast<std::size_t>(Verdict::kUndecided) + 1);
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
@@ -163,9 +163,10 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   add_size_figures(profile, figures);
   figures.note_unused();
   report.stopped = is_stopped(start);
-  report.good = report.good &&
-                std::none_of(report.figures.begin(), report.figures.end(),
-                             [](const CheckFigure& figure) { return figure.verdict == Verdict::kExceeded; });
+  report.good =
+      report.good && std::all_of(report.figures.begin(), report.figures.end(), [](const CheckFigure& figure) {
+        return figure.verdict == Verdict::kNoLimit || figure.verdict == Verdict::kKept;
+      });
   return report;
 }
 

@@ -213,8 +213,9 @@ private:
       const auto add = [&](const std::string& quantity, const std::optional<PathExtreme>& extreme,
                            const GivenLimit* limit) {
         if (extreme) {
-          figures.add(quantity, dimension::kAngle, extreme->value, extreme->driver, limited ? limit : nullptr,
-                      Bound::kMost);
+          mark_growing(figures.add(quantity, dimension::kAngle, extreme->value, extreme->driver,
+                                   limited ? limit : nullptr, Bound::kMost),
+                       *extreme);
         }
       };
       add(name, ranges[out].greatest, most);
@@ -238,12 +239,16 @@ private:
       figures.add("convex_radius", dimension::kLength, 0.0, corner.greatest->driver,
                   figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
     } else if (range.greatest && range.greatest->value > straight) {
-      figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
-                  figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast);
+      mark_growing(
+          figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
+                      figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast),
+          *range.greatest, Bound::kLeast);
     }
     if (range.least && range.least->value < -straight) {
-      figures.add("concave_radius", dimension::kLength, -1 / range.least->value, range.least->driver,
-                  figures.of_contact(index_, LimitKey::kMinConcaveRadius), Bound::kLeast);
+      mark_growing(
+          figures.add("concave_radius", dimension::kLength, -1 / range.least->value, range.least->driver,
+                      figures.of_contact(index_, LimitKey::kMinConcaveRadius), Bound::kLeast),
+          *range.least, Bound::kLeast);
     }
   }
 
@@ -251,8 +256,10 @@ private:
     if (!range.least || !range.greatest) {
       return;
     }
-    figures.add("face_width", dimension::kLength, range.greatest->value - range.least->value,
-                range.greatest->driver, figures.of_contact(index_, LimitKey::kMaxFaceWidth), Bound::kMost);
+    mark_growing(figures.add("face_width", dimension::kLength, range.greatest->value - range.least->value,
+                             range.greatest->driver, figures.of_contact(index_, LimitKey::kMaxFaceWidth),
+                             Bound::kMost),
+                 range.greatest->grows ? *range.greatest : *range.least);
   }
 
   void read_speeds(const PathRanges& ranges, CheckFigures& figures) const {
@@ -274,8 +281,10 @@ private:
     const auto& [least, greatest] = ranges[kEntrainment];
     const bool reverses = least->value < 0 && greatest->value > 0;
     const bool none = reverses || slowest->value < kNoEntrainment * std::abs(fastest->value);
-    figures.add("least_entrainment_speed", dimension::kVelocity, none ? 0 : slowest->value, slowest->driver,
-                figures.of_contact(index_, LimitKey::kMinEntrainmentSpeed), Bound::kLeast);
+    CheckFigure& figure = figures.add(
+        "least_entrainment_speed", dimension::kVelocity, none ? 0 : slowest->value, slowest->driver,
+        figures.of_contact(index_, LimitKey::kMinEntrainmentSpeed), Bound::kLeast);
+    if (!none) mark_growing(figure, *slowest, Bound::kLeast);
   }
 
   std::size_t index_;

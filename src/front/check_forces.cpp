@@ -114,7 +114,9 @@ private:
       figure.verdict = most != nullptr ? Verdict::kExceeded : figure.verdict;
       figure.remark = "unbounded at a sharp corner";
     } else if (pressure) {
-      figures.add("contact_pressure", kPressureUnit, pressure->value, pressure->driver, most, Bound::kMost);
+      mark_growing(figures.add("contact_pressure", kPressureUnit, pressure->value, pressure->driver, most,
+                               Bound::kMost),
+                   *pressure);
     } else {
       return;
     }

@@ -46,32 +46,36 @@ private:
   bool known_ = true;
 };
 
-// Accelerations and jerks of the joints on which bodies move against ground.
+// Accelerations and jerks of the joints on which bodies move against ground, driven ones included.
 class CheckedJoints {
 public:
   explicit CheckedJoints(const CheckedPath& checked)
-      : outputs_(checked.start.at.outputs),
-        jerks_(checked.profile, checked.schedule),
+      : jerks_(checked.profile, checked.schedule),
         size_(checked.start.plan().size),
         rate_(driver_rate(checked)) {
-    for (const OutputJoint& output : outputs_) {
-      names_.push_back(checked.start.mechanism().joints[output.joint].name);
+    const Mechanism& mechanism = checked.start.mechanism();
+    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+      const Joint& joint = mechanism.joints[i];
+      if ((joint.first.body == 0) == (joint.second.body == 0) || !can_be_driven(joint.type)) continue;
+      const int index = static_cast<int>(i);
+      joints_.push_back({index, joint.first.body == 0 ? joint.second.body : joint.first.body,
+                         joint.type == JointType::kRevolute, is_driven(mechanism, index), joint.name});
     }
   }
 
   /// \param order  of the derivative \param rounding  relative to size · rate^order
   [[nodiscard]] std::vector<Sought> sought(int order, double rounding) const {
     std::vector<Sought> all;
-    for (const OutputJoint& output : outputs_) {
-      all.push_back({true, true, rounding * std::pow(rate_, order) * (output.turns ? 1 : size_)});
+    for (const Moving& joint : joints_) {
+      all.push_back({true, true, rounding * std::pow(rate_, order) * (joint.turns ? 1 : size_)});
     }
     return all;
   }
 
   void fill_accelerations(const Run& run, std::span<double> out) const {
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      const Joint& joint = run.mechanism().joints[outputs_[i].joint];
-      if (run.row.has_rates[outputs_[i].body]) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const Joint& joint = run.mechanism().joints[joints_[i].joint];
+      if (run.row.has_rates[joints_[i].body]) {
         out[i] = joint_motion(run.mechanism(), joint, run.row.bodies).acceleration;
       }
     }
@@ -82,22 +86,24 @@ public:
       return;
     }
     const auto bodies = true_jerks_of(run, jerks_.at(at));
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      out[i] = joint_jerk(run, outputs_[i].joint, bodies).value_or(out[i]);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      out[i] = joint_jerk(run, joints_[i].joint, bodies).value_or(out[i]);
     }
   }
 
   void read(const PathRanges& accelerations, const PathRanges& jerks, CheckFigures& figures) const {
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      const auto joint = static_cast<std::size_t>(outputs_[i].joint);
-      const bool turns = outputs_[i].turns;
-      figures.about("joints." + names_[i]);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const auto joint = static_cast<std::size_t>(joints_[i].joint);
+      const bool turns = joints_[i].turns;
+      figures.about("joints." + joints_[i].name);
       const auto add = [&](const std::string& quantity, const Dimension& of, const PathRange& range,
                            LimitKey key) {
-        if (const auto peak = peak_of(range)) {
-          mark_growing(figures.add(quantity, of, peak->value, peak->driver, figures.of_joint(joint, key),
-                                   Bound::kMost),
-                       *peak);
+        const auto peak = peak_of(range);
+        const GivenLimit* limit = figures.of_joint(joint, key);
+        // That a driver runs evenly is worth a figure only where it is limited.
+        const bool worth = peak && (!joints_[i].driven || peak->value != 0 || limit != nullptr);
+        if (worth) {
+          mark_growing(figures.add(quantity, of, peak->value, peak->driver, limit, Bound::kMost), *peak);
         }
       };
       add("acceleration", turns ? dimension::kAngularAcceleration : dimension::kAcceleration,
@@ -108,8 +114,15 @@ public:
   }
 
 private:
-  std::vector<OutputJoint> outputs_;
-  std::vector<std::string> names_;
+  struct Moving {
+    int joint;
+    int body;  // that moves against ground
+    bool turns;
+    bool driven;
+    std::string name;
+  };
+
+  std::vector<Moving> joints_;
   DriverJerks jerks_;
   double size_;  // of the mechanism
   double rate_;  // largest of the drivers

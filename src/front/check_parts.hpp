@@ -82,8 +82,10 @@ inline constexpr Sought kBoth = {true, true, 0};
 /// the path.
 [[nodiscard]] std::optional<PathExtreme> peak_of(const PathRange& range);
 
-/// Remarks on a figure that its extreme still grows towards a singular position.
-void mark_growing(CheckFigure& figure, const PathExtreme& extreme);
+/// Remarks on a figure that its extreme still grows towards a singular position, and takes back that it keeps
+/// its limit. \param bound  kLeast: a figure that falls where its extreme grows
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme,
+                  CheckFigures::Bound bound = CheckFigures::Bound::kMost);
 
 /// \name Parts of a check: what each follows along the path, and how it makes figures of the ranges found
 /// @{

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 namespace higherpair {
 
 std::optional<PathExtreme> peak_of(const PathRange& range) {
@@ -17,9 +19,11 @@ std::optional<PathExtreme> peak_of(const PathRange& range) {
   return (same ? least->at < greatest->at : low > high) ? least : greatest;
 }
 
-void mark_growing(CheckFigure& figure, const PathExtreme& extreme) {
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme, CheckFigures::Bound bound) {
   if (extreme.grows) {
-    figure.remark = "it still grows there, towards a limit position or dead point";
+    figure.remark = fmt::format("it still {} there, towards a limit position or dead point",
+                                bound == CheckFigures::Bound::kMost ? "grows" : "falls");
+    figure.verdict = figure.verdict == Verdict::kKept ? Verdict::kUndecided : figure.verdict;
   }
 }
 

@@ -39,12 +39,13 @@ std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::
   return rows;
 }
 
-double degrees(double sine) {
-  return std::asin(std::clamp(sine, 0.0, 1.0)) * 180 / kPi;
+// The angle with this sine, in the unit of tables, and the reverse.
+double angle_of(double sine, const Units& units) {
+  return from_si(dimension::kAngle, units).apply(std::asin(std::clamp(sine, 0.0, 1.0)));
 }
 
-double sine_of(double angle_deg) {
-  return std::sin(angle_deg * kPi / 180);
+double sine_of(double angle, const Units& units) {
+  return std::sin(to_si(dimension::kAngle, units).apply(angle));
 }
 
 class ModelEvaluator : public DesignEvaluator {
@@ -128,7 +129,9 @@ public:
     std::size_t transmission = 0;
     for (const DesignTask::Constraint& constraint : task_.constraints) {
       if (constraint.transmission) {
-        score.constraints.push_back(rows_->started ? degrees(rows_->transmissions[transmission]) : kNoValue);
+        score.constraints.push_back(
+            rows_->started ? angle_of(rows_->transmissions[transmission], setup_->numbers.model().units())
+                           : kNoValue);
         ++transmission;
       } else {
         score.constraints.push_back(measured(measure++));
@@ -194,8 +197,9 @@ private:
                                 ? rows_->transmissions[transmission]
                                 : kNoValue;
         ++transmission;
-        if (constraint.above) add(sine_of(*constraint.above) - sine);
-        if (constraint.below) add(sine - sine_of(*constraint.below));
+        const Units& units = setup_->numbers.model().units();
+        if (constraint.above) add(sine_of(*constraint.above, units) - sine);
+        if (constraint.below) add(sine - sine_of(*constraint.below, units));
         continue;
       }
       const double value = measured(measure++);

@@ -140,10 +140,12 @@ private:
     } else {
       for (std::size_t i = 0; i < places.size(); ++i) {
         const auto index = static_cast<Eigen::Index>(i);
-        const Vector2d off = places[i].p_W - path.through[i];
+        const Vector2d off = places[i].p_W - places[i].compared_with(path.through[i]);
+        const double factor = places[i].shared ? places[i].shared->factor : 1;
         const Vector2d outward =
             places[i].along.isZero() ? Vector2d(off.stableNormalized()) : perp(places[i].along);
-        jacobian_.residuals.row(row + index) = scale * outward.transpose() * slopes.middleRows<2>(2 * index);
+        jacobian_.residuals.row(row + index) =
+            scale * factor * outward.transpose() * slopes.middleRows<2>(2 * index);
       }
     }
   }

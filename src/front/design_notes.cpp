@@ -1,4 +1,5 @@
-// Notes on targets of a design that look like numbers in another unit.
+// Notes on parts of a design that are probably not as they are meant: targets that look like numbers in
+// another unit, closed paths that do not close.
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -47,9 +48,9 @@ double spread_of(const std::vector<double>& values) {
   return high - low;
 }
 
-class UnitNotes {
+class TaskNotes {
 public:
-  explicit UnitNotes(const DesignSetup& setup)
+  explicit TaskNotes(const DesignSetup& setup)
       : setup_(setup), task_(setup.numbers.task()), units_(setup.numbers.model().units()) {}
 
   Diagnostics notes() {
@@ -59,6 +60,7 @@ public:
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       if (objective.path) {
+        note_open(objective);
         note_path(objective);
         continue;
       }
@@ -78,6 +80,26 @@ private:
     if (!motion || !motion->find_column(name)) return {};
     const auto values = motion->column(name);
     return {values.begin(), values.end()};
+  }
+
+  // A path that is to be closed, of a run that does not end where it began.
+  void note_open(const DesignTask::Objective& objective) {
+    if (!objective.path->closed) return;
+    const std::string& point = objective.path->point;
+    const std::vector<double> xs = column(point + ".x"), ys = column(point + ".y");
+    double length = 0;
+    for (std::size_t k = 1; k < xs.size() && k < ys.size(); ++k) {
+      length += std::hypot(xs[k] - xs[k - 1], ys[k] - ys[k - 1]);
+    }
+    if (xs.size() < 2 || xs.size() != ys.size() ||
+        std::hypot(xs.back() - xs.front(), ys.back() - ys.front()) <= kClosedPath * length) {
+      return;
+    }
+    notes_.push_back(
+        {objective.place,
+         fmt::format("{}.path.closed: the path of {} does not end where it begins: its places count as those "
+                     "of an open path. Let the driver make a whole turn",
+                     objective.path_of_key, point)});
   }
 
   void note_path(const DesignTask::Objective& objective) {
@@ -138,7 +160,7 @@ private:
 Diagnostics design_notes(const Model& model) {
   if (!model.data().document) return {};
   const auto setup = design_setup(model);
-  return setup && (*setup)->start_branch ? UnitNotes(**setup).notes() : Diagnostics();
+  return setup && (*setup)->start_branch ? TaskNotes(**setup).notes() : Diagnostics();
 }
 
 }  // namespace higherpair

@@ -9,13 +9,13 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 namespace higherpair {
 namespace {
 
 constexpr int kMostPasses = 12;         // of Newton's method
 constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
+constexpr double kReachOfPlace = 1.5;   // steps between rows: how far a place may lie from its row
 
 using Rows = std::vector<std::size_t>;
 
@@ -115,8 +115,14 @@ public:
              double high, bool loop)
       : path_(path), rows_(rows), p_B_(p_B), low_(low), high_(high), loop_(loop) {}
 
+  // A place on the path, not wrapped to one lap.
+  struct Nearest {
+    double t = 0;
+    PathMiss miss;
+  };
+
   // The place nearest to `target`, near the driver's position t and no farther from it than `reach`.
-  PathMiss nearest(double t, double reach, const Vector2d& target) {
+  Nearest nearest(double t, double reach, const Vector2d& target) {
     const double from = loop_ ? t - reach : std::max(low_, t - reach);
     const double to = loop_ ? t + reach : std::min(high_, t + reach);
     for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -136,7 +142,7 @@ public:
     miss.driver = wrapped(t);
     const bool at_end = t <= from || t >= to;  // of the path, or of the range of the search
     if (!at_end && v_.norm() > 0) miss.along = v_.normalized();
-    return miss;
+    return {t, miss};
   }
 
 private:
@@ -165,7 +171,8 @@ private:
 
 namespace {
 
-// Finds the places of an untimed path, starting from the rows next to them.
+// Finds the places of an untimed path, starting from the rows next to them, in the order of the targets if
+// they have one.
 class NearestPlaces {
 public:
   NearestPlaces(DesignRows& rows, std::span<const Vector2d> points)
@@ -179,14 +186,41 @@ public:
     const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
     const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
     const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
-    PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, path.closed && is_loop(points_));
+    const bool loop = path.closed && is_loop(points_);
+    PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, loop);
     // In the order of driver positions, which keeps the moves of the run short.
     std::vector<std::size_t> order(misses.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
+    const double reach = kReachOfPlace * step;
+    std::vector<Block> blocks(misses.size());
+    const double lap = rows_.positions.back() - rows_.positions.front();
+    for (std::size_t i = 0; i < misses.size(); ++i) {
+      Block& block = blocks[i];
+      block.first = i;
+      block.start = misses[i].driver;
+      if (loop && i > 0 && (block.start - blocks[i - 1].start) * lap < 0) block.start += lap;
+    }
     for (const std::size_t i : order) {
-      misses[i] = search.nearest(misses[i].driver, 1.5 * step, path.through[i]);
+      blocks[i].place = search.nearest(blocks[i].start, reach, path.through[i]);
+    }
+    if (loop ? !is_in_one_lap(blocks, lap) : path.ordered && is_one_way()) {
+      const double ends = loop ? lap : 0;
+      if (path.is_free()) {
+        keep_rows(blocks, ends, misses);
+      } else {
+        put_in_order(blocks, ends, [&](Block& block) {
+          block.place = search.nearest(block.start, reach + block.spread, center_of(block, path.through));
+        });
+      }
+    }
+    for (const Block& block : blocks) {
+      for (std::size_t i = 0; i < block.count; ++i) {
+        PathMiss& miss = misses[(block.first + i) % misses.size()];
+        miss = block.place.miss;
+        if (block.count > 1) miss.shared = share_of(block, i, path.through);
+      }
     }
     return misses;
   }
@@ -200,6 +234,113 @@ public:
   }
 
 private:
+  // Targets that follow one another and share a place.
+  struct Block {
+    std::size_t first = 0;
+    std::size_t count = 1;
+    double start = 0;   // driver position of the rows next to the targets: their mean
+    double spread = 0;  // and the farthest of them from it
+    PathSearch::Nearest place;
+  };
+
+  // Whether the driver does not turn back.
+  [[nodiscard]] bool is_one_way() const {
+    const std::vector<double>& at = rows_.positions;
+    return std::is_sorted(at.begin(), at.end()) || std::is_sorted(at.rbegin(), at.rend());
+  }
+
+  static Vector2d center_of(const Block& block, std::span<const Vector2d> targets) {
+    Vector2d center = Vector2d::Zero();
+    for (std::size_t i = 0; i < block.count; ++i) {
+      center += targets[(block.first + i) % targets.size()] / static_cast<double>(block.count);
+    }
+    return center;
+  }
+
+  // With n targets q_i about their mean c, Σ |p - q_i|² = n |p - c|² + Σ |c - q_i|²: the first one takes the
+  // first part, the others the rest, which does not change.
+  static PathMiss::Shared share_of(const Block& block, std::size_t i, std::span<const Vector2d> targets) {
+    PathMiss::Shared share;
+    share.center = center_of(block, targets);
+    const auto count = static_cast<double>(block.count);
+    if (i == 0) {
+      share.factor = std::sqrt(count);
+      return share;
+    }
+    for (std::size_t k = 0; k < block.count; ++k) {
+      share.rest += squared(share.center, targets[(block.first + k) % targets.size()]) / (count - 1);
+    }
+    share.rest = std::sqrt(share.rest);
+    return share;
+  }
+
+  // Takes places that have passed each other back to their rows, which are in order.
+  // \param lap  as in put_in_order
+  void keep_rows(std::vector<Block>& blocks, double lap, std::span<const PathMiss> in_rows) const {
+    const double way = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
+    const auto keep = [&](std::size_t k) { blocks[k].place = {blocks[k].start, in_rows[k]}; };
+    for (bool passed = true; passed;) {
+      passed = false;
+      for (std::size_t k = 0; k + (lap == 0 ? 1 : 0) < blocks.size(); ++k) {
+        const std::size_t next = (k + 1) % blocks.size();
+        const double beyond = next > k ? 0 : lap;
+        if (way * (blocks[next].place.t + beyond - blocks[k].place.t) >= 0) continue;
+        keep(k);
+        keep(next);
+        passed = true;
+      }
+    }
+  }
+
+  // Whether all places of a loop follow one another within one lap, wherever it begins.
+  static bool is_in_one_lap(const std::vector<Block>& blocks, double lap) {
+    double laps = 0;
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const double on = (blocks[(k + 1) % blocks.size()].place.t - blocks[k].place.t) / lap;
+      laps += on - std::floor(on);
+    }
+    return laps < 1.5;
+  }
+
+  // Places that have passed each other between rows become one: among places in order, the sum of squares of
+  // both targets is least where they share one, the nearest to the mean of the targets.
+  // \param lap  of a loop: the last place is at most so far beyond the first; 0: no loop
+  template <class F>
+  void put_in_order(std::vector<Block>& blocks, double lap, F find) const {
+    const double way = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
+    const auto merge = [&](Block& into, const Block& next, double shift) {
+      const double both = static_cast<double>(into.count + next.count);
+      const double mean = (static_cast<double>(into.count) * into.start +
+                           static_cast<double>(next.count) * (next.start + shift)) /
+                          both;
+      into.spread = std::max(std::abs(into.start - mean) + into.spread,
+                             std::abs(next.start + shift - mean) + next.spread);
+      into.start = mean;
+      into.count += next.count;
+      find(into);
+    };
+    for (std::size_t k = 0; k + 1 < blocks.size();) {
+      if (way * (blocks[k + 1].place.t - blocks[k].place.t) >= 0) {
+        ++k;
+        continue;
+      }
+      merge(blocks[k], blocks[k + 1], 0);
+      blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      k = k > 0 ? k - 1 : 0;
+    }
+    while (lap != 0 && blocks.size() > 1 &&
+           way * (blocks.front().place.t + lap - blocks.back().place.t) < 0) {
+      merge(blocks.back(), blocks.front(), lap);
+      blocks.erase(blocks.begin());
+      // What was moved back may have passed the places before it.
+      for (std::size_t k = blocks.size(); k-- > 1;) {
+        if (way * (blocks[k].place.t - blocks[k - 1].place.t) >= 0) break;
+        merge(blocks[k - 1], blocks[k], 0);
+        blocks.pop_back();
+      }
+    }
+  }
+
   DesignRows& rows_;
   std::span<const Vector2d> points_;
   bool between_rows_;
@@ -246,12 +387,15 @@ Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const Pat
   }
   Eigen::VectorXd numbers(miss_count(path));
   for (std::size_t i = 0; i < misses.size(); ++i) {
-    const Vector2d off = (misses[i].p_W - path.through[i]) / unit;
+    const Vector2d off = (misses[i].p_W - misses[i].compared_with(path.through[i])) / unit;
     const auto k = static_cast<Eigen::Index>(i);
     if (path.timed) {
       numbers.segment<2>(2 * k) = off;
+    } else if (misses[i].shared && misses[i].shared->factor == 0) {
+      numbers(k) = misses[i].shared->rest / unit;
     } else {
-      numbers(k) = misses[i].along.isZero() ? off.norm() : cross(misses[i].along, off);
+      const double factor = misses[i].shared ? misses[i].shared->factor : 1;
+      numbers(k) = factor * (misses[i].along.isZero() ? off.norm() : cross(misses[i].along, off));
     }
   }
   return numbers;

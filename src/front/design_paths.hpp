@@ -18,6 +18,19 @@ struct PathMiss {
       Vector2d::Zero();  ///< unit tangent there; 0: the place is a given row, or an end of the path
   double driver = 0;     ///< position of the driver there [rad or m]
   std::optional<std::size_t> row = std::nullopt;  ///< set: the place is this row
+
+  /// Targets that would be nearest to the path in another order share a place: one of them stands for all,
+  /// with the distance of their mean; the others have a distance that does not depend on the path.
+  struct Shared {
+    Vector2d center = Vector2d::Zero();  ///< mean of the targets [m]
+    double factor = 0;                   ///< on the distance of the mean; 0: of the others
+    double rest = 0;                     ///< distance of the others [m]
+  };
+  std::optional<Shared> shared = std::nullopt;
+
+  [[nodiscard]] const Vector2d& compared_with(const Vector2d& target) const {
+    return shared ? shared->center : target;
+  }
 };
 
 /// The place of the path nearest to each of its target points: in the given row if the path is timed, else

@@ -190,7 +190,9 @@ private:
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
       const std::string what = words_of(constraint);
-      const std::string unit = constraint.transmission ? "deg" : setup_.quantities[measure++].unit;
+      const std::string unit = constraint.transmission
+                                   ? unit_text(dimension::kAngle, setup_.numbers.model().units())
+                                   : setup_.quantities[measure++].unit;
       const auto add = [&](std::string_view side, double limit, double sign,
                            std::optional<Eigen::Index> place) {
         DesignReport::Constraint line;
@@ -225,8 +227,9 @@ private:
                                std::optional<Eigen::Index> place) const {
     const auto k = static_cast<std::size_t>(place.value_or(0));
     if (!place || k >= outcome_.multipliers.size()) return 0;
+    const Scaling angle = to_si(dimension::kAngle, setup_.numbers.model().units());
     const double by_unit = task_.constraints[constraint].transmission
-                               ? std::cos(limit * kPi / 180) * kPi / 180
+                               ? std::cos(angle.apply(limit)) * angle.apply(1)
                                : 1 / setup_.scales[constraint];
     return outcome_.multipliers[k] * by_unit;
   }

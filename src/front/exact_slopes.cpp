@@ -7,19 +7,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
 
 constexpr std::size_t kChunk = 64;  // rows that are differentiated at once
+constexpr int kGoldenSteps = 40;    // between two places of a stretch: its 2e-8th part, where gains are level
+
+// How much weight times a column gains with a small step of the number to one side (1: up, -1: down).
+double gain_of(const SidedSlope& slope, double weight, double side) {
+  return side * weight * (side > 0 ? slope.up : slope.down);
+}
 
 }  // namespace
-
-// A run that has moved to a place.
-struct ExactSlopes::Stop {
-  PathPlace place;
-  Run run;
-};
 
 ExactSlopes::ExactSlopes(PathColumns& columns, const std::vector<PathResult>& results,
                          const std::vector<Measure>& measures,
@@ -47,32 +48,102 @@ void ExactSlopes::take_places() {
   std::sort(places.begin(), places.end(), [](auto& a, auto& b) { return a.row < b.row; });
   const auto same = [](auto& a, auto& b) { return a.row == b.row; };
   places.erase(std::unique(places.begin(), places.end(), same), places.end());
-  std::vector<Stop> stops;
   PathWalk walk(columns_);
   for (const PathPlace& place : places) {
     if (stopped()) return;
-    stops.push_back({place, walk.go_to(place)});
-    place_index_[place.row] = stops.size() - 1;
+    stops_.push_back({place, walk.go_to(place)});
+    place_index_[place.row] = stops_.size() - 1;
   }
   at_places_.resize(slopes_.size());
+  extremes_.assign(slopes_.size(), std::vector<SidedSlope>(results_.size()));
   for_each_on_threads(slopes_.size(), threads_, [&](std::size_t i) {
-    for (const Stop& stop : stops) {
+    for (const Stop& stop : stops_) {
       if (stopped()) return;
       at_places_[i].push_back(slopes_at(i, stop));
+    }
+    for (std::size_t m = 0; m < results_.size() && !stopped(); ++m) {
+      for (const auto& part : results_[m].parts) {
+        const SidedSlope slope = of_part(i, m, part);
+        extremes_[i][m].down += results_[m].factor * slope.down;
+        extremes_[i][m].up += results_[m].factor * slope.up;
+      }
     }
   });
 }
 
-std::vector<double> ExactSlopes::slopes_at(std::size_t number, const Stop& stop) const {
+// Of the largest weighted value of the column among the places of a part: each side follows the one that
+// gains most. None where the column has a kink at an extreme that is a single place: the extreme moves along
+// the path with it.
+SidedSlope ExactSlopes::of_part(std::size_t number, std::size_t measure,
+                                const std::vector<ExtremePlace>& part) const {
+  const std::size_t column = results_[measure].column;
+  SidedSlope slope;
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<double> gains;
+    for (const ExtremePlace& at : part) {
+      const SidedSlope& there = at_places_[number][place_index_.at(at.place.row)][column];
+      const bool moves = is_extreme(measures_[measure].of) && at.stretch == 0 && there.is_kink() &&
+                         columns_.path().path.knots.size() > 1;
+      gains.push_back(moves ? kNoValue : gain_of(there, at.weight, side));
+    }
+    const auto best = static_cast<std::size_t>(std::max_element(gains.begin(), gains.end()) - gains.begin());
+    const double least = *std::min_element(gains.begin(), gains.end());
+    double most = gains[best];
+    if (std::any_of(gains.begin(), gains.end(), [](double gain) { return std::isnan(gain); })) {
+      most = kNoValue;
+    } else if (most - least > kSameSlope * std::max(std::abs(least), std::abs(most))) {
+      const auto same = [&](std::size_t k) {
+        return k < part.size() && part[k].stretch > 0 && part[k].stretch == part[best].stretch &&
+               part[k].weight == part[best].weight;
+      };
+      const std::size_t from = same(best - 1) ? best - 1 : best, to = same(best + 1) ? best + 1 : best;
+      if (from < to) most = std::max(most, gain_between(number, column, part[from], part[to], side));
+    }
+    (side < 0 ? slope.down : slope.up) = side * most;
+  }
+  return slope;
+}
+
+// The largest gain between two places of a stretch, by golden section.
+double ExactSlopes::gain_between(std::size_t number, std::size_t column, const ExtremePlace& first,
+                                 const ExtremePlace& last, double side) const {
+  Stop stop = stops_[place_index_.at(first.place.row)];
+  const auto gain = [&](double at) {
+    stop.place = columns_.place(at);
+    move_to(stop.run, motions_of(columns_.drivers().at(stop.place)));
+    return gain_of(slopes_at(number, stop)[column], first.weight, side);
+  };
+  const double golden = (std::sqrt(5) - 1) / 2;
+  double from = first.place.at, to = last.place.at;
+  double low = to - golden * (to - from), high = from + golden * (to - from);
+  double at_low = gain(low), at_high = gain(high), most = std::max(at_low, at_high);
+  for (int i = 0; i < kGoldenSteps && !stopped(); ++i) {
+    if (at_low > at_high) {
+      to = high;
+      high = std::exchange(low, high - golden * (high - from));
+      at_high = std::exchange(at_low, gain(low));
+    } else {
+      from = low;
+      low = std::exchange(high, low + golden * (to - low));
+      at_low = std::exchange(at_high, gain(high));
+    }
+    most = std::max({most, at_low, at_high});
+  }
+  return most;
+}
+
+std::vector<SidedSlope> ExactSlopes::slopes_at(std::size_t number, const Stop& stop) const {
   const std::size_t count = columns_.columns().size();
   switch (slopes_[number]->state()) {
     case NumberSlopes::State::kNoInfluence:
-      return std::vector<double>(count, 0.0);
+      return std::vector<SidedSlope>(count);
     case NumberSlopes::State::kExact:
-      return slopes_[number]->at(stop.run, stop.place).value_or(std::vector<double>(count, kNoValue));
+      if (auto slopes = slopes_[number]->at(stop.run, stop.place)) return *std::move(slopes);
+      break;
     default:
-      return std::vector<double>(count, kNoValue);
+      break;
   }
+  return std::vector<SidedSlope>(count, {kNoValue, kNoValue});
 }
 
 // Derivatives of means, over all rows that have a value.
@@ -80,7 +151,7 @@ void ExactSlopes::take_rows() {
   const bool needed = std::any_of(measures_.begin(), measures_.end(), [](const Measure& measure) {
     return measure.of == MeasureKind::kMean || measure.of == MeasureKind::kRms;
   });
-  means_.assign(slopes_.size(), std::vector<double>(measures_.size(), 0.0));
+  means_.assign(slopes_.size(), std::vector<SidedSlope>(measures_.size()));
   std::vector<std::int64_t> counted(measures_.size(), 0);
   const std::int64_t rows = columns_.drivers().schedule().size();
   PathWalk walk(columns_);
@@ -101,20 +172,33 @@ void ExactSlopes::take_rows() {
       for (std::size_t k = 0; k < stops.size() && !stopped(); ++k) add_means(i, stops[k], at[k]);
     });
   }
-  for (std::vector<double>& means : means_) {
-    for (std::size_t m = 0; m < means.size(); ++m) means[m] /= static_cast<double>(counted[m]);
+  for (std::vector<SidedSlope>& means : means_) {
+    for (std::size_t m = 0; m < means.size(); ++m) {
+      means[m].down /= static_cast<double>(counted[m]);
+      means[m].up /= static_cast<double>(counted[m]);
+      if (vanishes(m)) means[m] = {-std::sqrt(means[m].down), std::sqrt(means[m].up)};
+    }
   }
 }
 
+// A root mean square of zeros: it grows with the size of every change, as the root of the mean square of the
+// slopes.
+bool ExactSlopes::vanishes(std::size_t measure) const {
+  return measures_[measure].of == MeasureKind::kRms &&
+         !(results_[measure].value > results_[measure].rounding);
+}
+
 void ExactSlopes::add_means(std::size_t number, const Stop& stop, const std::vector<double>& values) {
-  const std::vector<double> slopes = slopes_at(number, stop);
+  const std::vector<SidedSlope> slopes = slopes_at(number, stop);
   for (std::size_t m = 0; m < measures_.size(); ++m) {
     const std::size_t column = results_[m].column;
     if (std::isnan(values[column])) continue;
-    const double weight = measures_[m].of == MeasureKind::kRms
-                              ? (results_[m].value > 0 ? values[column] / results_[m].value : 0)
-                              : 1;
-    means_[number][m] += weight * slopes[column];
+    const auto [down, up] = slopes[column];
+    const bool root = measures_[m].of == MeasureKind::kRms;
+    means_[number][m].down += vanishes(m) ? down * down
+                              : root      ? values[column] / results_[m].value * down
+                                          : down;
+    means_[number][m].up += vanishes(m) ? up * up : root ? values[column] / results_[m].value * up : up;
   }
 }
 
@@ -124,23 +208,9 @@ Slope ExactSlopes::of(std::size_t number, std::size_t measure) const {
   if (std::isnan(result.value)) {
     return slope;
   }
-  if (result.parts.empty()) {
-    slope.down = slope.up = means_[number][measure];
-  } else {
-    slope.down = slope.up = 0;
-    for (const auto& part : result.parts) {
-      double least = kInf, most = -least;
-      for (const ExtremePlace& extreme : part) {
-        const double one =
-            extreme.weight * at_places_[number][place_index_.at(extreme.place.row)][result.column];
-        least = std::isnan(one) ? one : std::min(least, one);
-        most = std::isnan(one) ? one : std::max(most, one);
-        if (std::isnan(one)) break;
-      }
-      slope.down += result.factor * least;
-      slope.up += result.factor * most;
-    }
-  }
+  const SidedSlope& sided = (result.parts.empty() ? means_ : extremes_)[number][measure];
+  slope.down = sided.down;
+  slope.up = sided.up;
   const bool kink =
       std::abs(slope.up - slope.down) > kSameSlope * std::max(std::abs(slope.up), std::abs(slope.down));
   if (!kink) slope.down = slope.up = (slope.down + slope.up) / 2;

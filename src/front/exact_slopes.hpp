@@ -11,7 +11,8 @@
 namespace higherpair {
 
 /// Exact derivatives of results by numbers: that of an extreme from its column at the extreme's places, that
-/// of a mean from all rows.
+/// of a mean from all rows. Where a column keeps to its extreme on a stretch of the path, the result follows
+/// the place at which it changes most.
 class ExactSlopes {
 public:
   /// All arguments must outlive this. \param slopes  for each number
@@ -26,12 +27,21 @@ public:
   [[nodiscard]] Slope of(std::size_t number, std::size_t measure) const;
 
 private:
-  struct Stop;
+  // A run that has moved to a place.
+  struct Stop {
+    PathPlace place;
+    Run run;
+  };
 
   void take_places();
   void take_rows();
-  [[nodiscard]] std::vector<double> slopes_at(std::size_t number, const Stop& stop) const;
+  [[nodiscard]] std::vector<SidedSlope> slopes_at(std::size_t number, const Stop& stop) const;
+  [[nodiscard]] SidedSlope of_part(std::size_t number, std::size_t measure,
+                                   const std::vector<ExtremePlace>& part) const;
+  [[nodiscard]] double gain_between(std::size_t number, std::size_t column, const ExtremePlace& first,
+                                    const ExtremePlace& last, double side) const;
   void add_means(std::size_t number, const Stop& stop, const std::vector<double>& values);
+  [[nodiscard]] bool vanishes(std::size_t measure) const;
   [[nodiscard]] bool stopped() const;
 
   PathColumns& columns_;
@@ -39,9 +49,11 @@ private:
   const std::vector<Measure>& measures_;
   const std::vector<std::unique_ptr<NumberSlopes>>& slopes_;
   int threads_;
-  std::map<double, std::size_t> place_index_;                // by row
-  std::vector<std::vector<std::vector<double>>> at_places_;  // for each number, place and column
-  std::vector<std::vector<double>> means_;                   // for each number and measure
+  std::vector<Stop> stops_;                                      // at the places of all extremes
+  std::map<double, std::size_t> place_index_;                    // in stops_, by row
+  std::vector<std::vector<std::vector<SidedSlope>>> at_places_;  // for each number, place and column
+  std::vector<std::vector<SidedSlope>> extremes_;                // for each number and measure
+  std::vector<std::vector<SidedSlope>> means_;                   // for each number and measure
 };
 
 }  // namespace higherpair

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace higherpair {
@@ -55,6 +56,16 @@ std::int64_t row_in_touch(Run& run, const DriverSchedule& schedule) {
   return 0;
 }
 
+// The motion in the first row, in which contacts may be open; none where it has no rates.
+std::optional<std::vector<BodyMotion>> motion_at_start(Run run, const MobilityQuestion& question) {
+  std::vector<DriverMotion> drivers;
+  for (std::size_t i = 0; i < question.drivers.size(); ++i) {
+    drivers.push_back({question.drivers[i], question.velocities[i], 0});
+  }
+  move_to(run, drivers);
+  return run.row.all_rates ? std::optional(run.row.bodies) : std::nullopt;
+}
+
 }  // namespace
 
 Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
@@ -66,13 +77,16 @@ Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
   }
   MobilityQuestion question = question_of(*schedule);
   auto run = started(data, question.drivers, tolerance);
+  std::optional<std::vector<BodyMotion>> moving;
   if (run && !all_touch(*run)) {
+    moving = motion_at_start(*run, question);
     question = question_of(*schedule, row_in_touch(*run, *schedule));
   }
   if (run && all_touch(*run)) {
     question.start = MechanismPosition{run->at.state.bodies, run->at.state.contacts};
   }
   MobilityFindings findings{model, analyse_mobility(mechanism, question), {}, std::nullopt};
+  if (moving) findings.mobility.moving = *std::move(moving);
   if (data.plan) {
     for (const Group& group : data.plan->groups) {
       findings.plan.push_back({group.bodies, describe(mechanism, group)});

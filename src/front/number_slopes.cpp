@@ -1,6 +1,5 @@
 #include "number_slopes.hpp"
 
-#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "tolerances.hpp"
@@ -168,7 +167,7 @@ NumberSlopes::DriverSlopes NumberSlopes::drivers_at(const PathPlace& place) cons
   return slopes;
 }
 
-std::optional<std::vector<double>> NumberSlopes::at(const Run& run, const PathPlace& place) const {
+std::optional<std::vector<SidedSlope>> NumberSlopes::at(const Run& run, const PathPlace& place) const {
   const std::vector<DriverState> states = columns_.drivers().at(place);
   const double time = columns_.drivers().time(place);
   const DriverSlopes slopes = drivers_at(place);
@@ -181,7 +180,7 @@ std::optional<std::vector<double>> NumberSlopes::at(const Run& run, const PathPl
     return DriverValues{values.position + h * slope.position, values.velocity + h * slope.velocity,
                         values.acceleration + h * slope.acceleration};
   };
-  return derivative_along(run, *by_, *of_row, [&](const Run& other, double h) {
+  return slopes_along(run, *by_, *of_row, [&](const Run& other, double h) {
     std::vector<DriverState> drivers = states;
     for (std::size_t i = 0; i < drivers.size(); ++i) {
       drivers[i].profile = displaced(states[i].profile, slopes.drivers[i].profile, h);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/displaced.hpp"
 #include "higherpair/analysis/sensitivity.hpp"
 #include "higherpair/front/model.hpp"
 #include "higherpair/front/sensitivity.hpp"
@@ -68,7 +69,7 @@ public:
 
   /// Derivatives of all columns at the place to which a run of the model has moved; none where the run has no
   /// rates. \pre kExact
-  [[nodiscard]] std::optional<std::vector<double>> at(const Run& run, const PathPlace& place) const;
+  [[nodiscard]] std::optional<std::vector<SidedSlope>> at(const Run& run, const PathPlace& place) const;
 
 private:
   // Derivatives of the drivers and the time at a place by the number.

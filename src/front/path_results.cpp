@@ -17,8 +17,13 @@ constexpr int kSamples = 720;   // of a path, among which other extremes are sou
 constexpr int kMarkEvery = 24;  // samples between states that are kept to continue from
 constexpr std::size_t kMostTies = 6;
 constexpr std::size_t kMostRefined = 12;
+constexpr std::size_t kMostFlat = 48;   // places on a stretch on which a column is constant
+constexpr int kEdgeHalvings = 40;       // between two samples, to find where such a stretch ends
+constexpr double kEdgeFalls = 8;        // factor between what the column has fallen by at three places beyond
+constexpr double kLeastEdgeBend = 0.2;  // if it falls with a higher power of the way, the end is left there
 
-// Rounding of a column [its unit]; 0 where forces or masses are in it.
+}  // namespace
+
 double rounding_of(const PathColumns& columns, std::size_t column) {
   const Dimension& of = columns.dimension(column);
   if (of.force != 0 || of.mass != 0) {
@@ -38,11 +43,10 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
       .apply(kResultRounding * std::pow(size, of.length) * std::pow(rate, -of.time));
 }
 
-}  // namespace
-
 // One extreme of a column: the largest value of sign times the column.
 struct PathResults::Extreme {
   double value = -kInf;  // of sign times the column
+  PathPlace where;
   std::vector<ExtremePlace> places;
   std::optional<double> rival;  // as value
   std::optional<PathPlace> rival_where;
@@ -71,12 +75,48 @@ public:
     }
   }
 
+  // A stretch of the path on which a column keeps to its extreme.
+  struct Stretch {
+    double from = 0, to = 0;     // all of it, to within `noise`
+    std::vector<double> places;  // without what is only nearly at the extreme, at its ends
+  };
+
+  // Stretches on which sign times a column is `value` to within `noise`.
+  [[nodiscard]] std::vector<Stretch> stretches(std::size_t column, double sign, double value,
+                                               double noise) const {
+    std::vector<std::size_t> samples;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (is_flat(k, column, sign, value - noise)) samples.push_back(k);
+    }
+    const std::size_t stride = samples.size() / kMostFlat + 1;
+    std::vector<Stretch> found;
+    for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
+      while (end < samples.size() && samples[end] - samples[begin] == end - begin) ++end;
+      const std::size_t first = samples[begin], last = samples[end - 1];
+      const Edge low =
+          first > 0 ? edge(column, sign, value, noise, first, first - 1) : Edge{at_[first], at_[first]};
+      const Edge high = last + 1 < values_.size() ? edge(column, sign, value, noise, last, last + 1)
+                                                  : Edge{at_[last], at_[last]};
+      Stretch stretch{low.outer, high.outer, {low.at}};
+      for (std::size_t i = begin; i < end; ++i) {
+        const double at = at_[samples[i]];
+        const bool wanted = i == begin || i + 1 == end || (i - begin) % stride == 0;
+        if (wanted && at > low.at && at < high.at) stretch.places.push_back(at);
+      }
+      if (high.at > low.at) stretch.places.push_back(high.at);
+      found.push_back(std::move(stretch));
+    }
+    return found;
+  }
+
   // Local maxima of sign times a column away from a place, the largest first.
+  // \param flat  values from here on are not sought where they are those of a whole stretch
   [[nodiscard]] std::vector<Peak> others(std::size_t column, double sign, double at, double least,
-                                         double noise) {
+                                         double flat, double noise) {
     std::vector<std::size_t> candidates;
     const auto level = [&](std::size_t k) { return sign * values_[k][column]; };
     for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (is_flat(k, column, sign, flat)) continue;
       const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, values_.size() - 1);
       const bool peak = std::isfinite(level(k)) && !(level(before) > level(k)) && !(level(after) > level(k));
       if (!peak || (at >= at_[before] && at <= at_[after])) continue;
@@ -85,7 +125,7 @@ public:
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](std::size_t a, std::size_t b) { return level(a) > level(b); });
-    // Of a plateau, places spread over all of it.
+    // Of a lower plateau, places spread over all of it.
     const std::size_t stride = std::max<std::size_t>(1, candidates.size() / kMostRefined);
     std::vector<Peak> found;
     for (std::size_t i = 0; i < candidates.size(); i += stride) {
@@ -95,6 +135,54 @@ public:
   }
 
 private:
+  // Whether a sample and one beside it are at least as large as `least`.
+  [[nodiscard]] bool is_flat(std::size_t k, std::size_t column, double sign, double least) const {
+    const auto high = [&](std::size_t i) { return i < values_.size() && sign * values_[i][column] >= least; };
+    return high(k) && (high(k + 1) || (k > 0 && high(k - 1)));
+  }
+
+  // An end of a stretch, and how far a column is at its extreme there to within noise.
+  struct Edge {
+    double at = 0;
+    double outer = 0;
+  };
+
+  // The end of a stretch between a sample on it and one beside it. A column that leaves its extreme as a
+  // power of the way has fallen by noise, by 8 and by 64 times as much at places in geometric progression
+  // from the end.
+  [[nodiscard]] Edge edge(std::size_t column, double sign, double value, double noise, std::size_t inside,
+                          std::size_t outside) const {
+    if (!assembled_[outside]) {
+      return {at_[inside], at_[inside]};
+    }
+    std::array<double, 3> at{};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      at[i] = fallen_by(column, sign, value, noise * std::pow(kEdgeFalls, i), inside, outside);
+    }
+    const double step = at[1] - at[0], bend = (at[2] - at[1]) - step;
+    const double beyond = step != 0 && bend / step > kLeastEdgeBend ? step * step / bend : 0;
+    const double end = at[0] - beyond;
+    return {std::lerp(end, at_[inside], kInsideEdge), at[0]};
+  }
+
+  // The last place, from a sample towards one beside it, at which a column has fallen by no more than `fall`.
+  [[nodiscard]] double fallen_by(std::size_t column, double sign, double value, double fall,
+                                 std::size_t inside, std::size_t outside) const {
+    double in = at_[inside], out = at_[outside];
+    std::vector<DriverMotion> drivers;
+    std::vector<double> values;
+    PathWalk walk = marks_[std::min(inside, outside) / kMarkEvery];
+    Run run = walk.go_to(columns_.place(at_[std::min(inside, outside)]));
+    for (int i = 0; i < kEdgeHalvings; ++i) {
+      const double middle = (in + out) / 2;
+      columns_.path().path.motion(middle, drivers);
+      move_to(run, drivers);
+      columns_.values(run, columns_.place(middle), values);
+      (sign * values[column] >= value - fall ? in : out) = middle;
+    }
+    return in;
+  }
+
   [[nodiscard]] Peak refined(std::size_t column, double sign, std::size_t k, double noise) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, at_.size() - 1);
     Peak peak{at_[k], sign * values_[k][column]};
@@ -163,6 +251,7 @@ void PathResults::take_rows(Analysis& analysis, std::span<const Measure> measure
     PathResult& result = results_.emplace_back();
     result.column = column_slot(analysis.columns(), measures[m].column);
     result.value = set.value(m).value;
+    result.rounding = rounding_of(columns_, result.column);
     const auto row_place = [&](std::int64_t number) {
       return PathPlace{static_cast<double>(number), columns_.parameter_of(number)};
     };
@@ -245,14 +334,14 @@ PathResult PathResults::extreme_result(const Measure& measure, std::size_t colum
       high->places.insert(high->places.end(), low->places.begin(), low->places.end());
     } else if (!low->places.empty() && (!high->rival || low->value > *high->rival)) {
       high->rival = low->value;
-      high->rival_where = low->places.front().place;
+      high->rival_where = low->where;
     }
   }
   Extreme& best = high ? *high : *low;
   result.factor = measure.of == MeasureKind::kMin ? -1 : 1;
   take(best);
   result.value = result.factor * best.value;
-  if (!best.places.empty()) result.where = best.places.front().place;
+  if (!best.places.empty()) result.where = best.where;
   if (best.rival) {
     result.rival = result.factor * *best.rival;
     result.rival_where = best.rival_where;
@@ -267,7 +356,8 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
     return extreme;
   }
   extreme.value = sign * found->value;
-  extreme.places = {{columns_.place(found->at), sign}};
+  extreme.where = columns_.place(found->at);
+  extreme.places = {{extreme.where, sign}};
   extreme.grows = found->grows;
   const double spread = high_[column] - low_[column];
   if (sampled == nullptr) {
@@ -277,9 +367,18 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   const double noise = rounding_of(columns_, column);
   const double same = std::max(kSameResult * spread, noise);
   const double worth = std::abs(extreme.value) + spread;  // accept everything: rivals are named however small
-  for (const Peak& peak : sampled->others(column, sign, found->at, extreme.value - worth, noise)) {
+  const double rounding = std::max(noise, kResultRounding * std::abs(extreme.value));
+  int number = 0;
+  for (const Sampled::Stretch& stretch : sampled->stretches(column, sign, extreme.value, rounding)) {
+    if (found->at >= stretch.from && found->at <= stretch.to) extreme.places.erase(extreme.places.begin());
+    ++number;
+    for (const double at : stretch.places) extreme.places.push_back({columns_.place(at), sign, number});
+  }
+  std::size_t ties = 1;
+  for (const Peak& peak :
+       sampled->others(column, sign, found->at, extreme.value - worth, extreme.value - rounding, noise)) {
     if (peak.value >= extreme.value - same) {
-      if (extreme.places.size() < kMostTies) extreme.places.push_back({columns_.place(peak.at), sign});
+      if (ties++ < kMostTies) extreme.places.push_back({columns_.place(peak.at), sign});
     } else if (!extreme.rival || peak.value > *extreme.rival) {
       extreme.rival = peak.value;
       extreme.rival_where = columns_.place(peak.at);

@@ -16,6 +16,9 @@ namespace higherpair {
 struct ExtremePlace {
   PathPlace place;
   double weight = 1;
+  /// Above 0: number of a stretch of the path on which the column keeps to the extreme. Its places follow one
+  /// another.
+  int stretch = 0;
 };
 
 /// The value of a measure on a path, and the places on which its derivative depends.
@@ -32,8 +35,11 @@ struct PathResult {
   bool jumps = false;  ///< the column has a jump or a kink at one of the places, which move with the numbers
   bool grows = false;  ///< unbounded, towards a singular position
   bool constant = false;  ///< an extreme of a column that is constant along the path
-  double rounding = 0;    ///< of an extreme [unit of the column]; 0 if it depends on forces
+  double rounding = 0;    ///< of a value of the column [its unit]; 0 if it depends on forces
 };
+
+/// Rounding of a column [its unit]; 0 where forces or masses are in it.
+[[nodiscard]] double rounding_of(const PathColumns& columns, std::size_t column);
 
 /// Measures on a run, each of a column of the run.
 class PathResults {

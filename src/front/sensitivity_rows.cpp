@@ -5,6 +5,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
+#include "path_results.hpp"
 #include "run_settings.hpp"
 #include "sensitivity_numbers.hpp"
 #include "tolerances.hpp"
@@ -96,6 +97,7 @@ private:
   // Leaves out columns of words, and the residual, which is mere rounding.
   void choose_slots(SlopeTable& table) {
     for (std::size_t c = 0; c < columns_->columns().size(); ++c) {
+      rounding_.push_back(rounding_of(*columns_, c));
       const Column& column = columns_->columns()[c];
       if (!column.words.empty() || column.name == "residual") continue;
       slots_.push_back(c);
@@ -155,17 +157,26 @@ private:
       default:
         return differences;
     }
-    std::vector<double> slopes = slopes_[i]->at(run, place).value_or(std::vector<double>(count, kNoValue));
+    std::vector<double> slopes(count, kNoValue);
+    const auto sided = slopes_[i]->at(run, place);
     for (std::size_t c = 0; c < count; ++c) {
+      if (sided) slopes[c] = slope_of((*sided)[c], kNoSlopeOfRounding * rounding_[c] / models_[i]->scale());
       if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];
     }
     return slopes;
+  }
+
+  // None at a kink, unless both sides are rounding.
+  [[nodiscard]] static double slope_of(const SidedSlope& sided, double rounding) {
+    const bool none = sided.is_kink() && std::max(std::abs(sided.down), std::abs(sided.up)) > rounding;
+    return none ? kNoValue : (sided.down + sided.up) / 2;
   }
 
   const Model& model_;
   const SensitivitySettings& settings_;
   RunSettings run_;
   const std::vector<ProfileNumber>& numbers_;
+  std::vector<double> rounding_;  // of the columns of the run
   std::optional<PathColumns> columns_;
   std::vector<std::size_t> slots_;  // of the columns of the table
   std::vector<std::unique_ptr<NumberModels>> models_;

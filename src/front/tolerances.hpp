@@ -49,6 +49,9 @@ inline constexpr double kSameResult = 1e-9;
 /// column is lower by at most kSmoothFall times its spread.
 inline constexpr double kBesideExtreme = 1e-5;
 inline constexpr double kSmoothFall = 3e-7;
+/// The end of a stretch on which a column is constant, as found by halving, is taken back by this fraction of
+/// the way to the sample within it: at the end itself rounding decides on which side a place is.
+inline constexpr double kInsideEdge = 1e-6;
 /// Relative difference below which scaling may make two values equal; a generous bound.
 inline constexpr double kScalingRounding = 1e-15;
 

@@ -131,6 +131,15 @@ std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& 
   return grashof;
 }
 
+// A limit of a transmission angle, in the unit of tables.
+void check_transmission_limit(TableReader& table, const std::optional<double>& limit, const Units& units) {
+  const double right = from_si(dimension::kAngle, units).apply(kPi / 2);
+  if (limit && !(*limit >= 0 && *limit <= right)) {
+    report_whole(table, fmt::format("a transmission angle is from 0 to {:.6g} {}, not {}", right,
+                                    unit_text(dimension::kAngle, units), *limit));
+  }
+}
+
 std::vector<EventType> read_events(Reading& reading, const Item& item) {
   static const std::vector<std::pair<std::string, EventType>> types = {
       {"dead_point", EventType::kDeadPoint},
@@ -240,6 +249,10 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     report_whole(table,
                  fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
+  }
+  if (constraint.transmission) {
+    check_transmission_limit(table, constraint.above, profile.units);
+    check_transmission_limit(table, constraint.below, profile.units);
   }
   const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
                         constraint.extent || constraint.grashof || !constraint.without.empty();

@@ -112,6 +112,20 @@ TEST(Plot, DrawsEveryRowWhereTheTableHasIt) {
   }
 }
 
+// A line's points lie where the axis says, however small its values are.
+TEST(Plot, SaysTheEndsOfItsAxesToManyDigits) {
+  for (const double scale : {1.0, 1e-4, 1e-9, 1e9}) {
+    const std::vector<double> values = {1.2345678 * scale, 1.3 * scale, 1.2777777 * scale};
+    const auto drawn = read_back(plots_svg({line({0, 10, 20}, values)}));
+    const Axis y = axis(drawn, "y", "mm");
+    const auto points = points_of(series(drawn, "y"));
+    ASSERT_EQ(points.size(), values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(points[i].y(), y.px(values[i]), kHundredth) << scale;
+    }
+  }
+}
+
 TEST(Plot, LeavesAGapWhereAValueIsUndefined) {
   const auto drawn = read_back(plots_svg({line({0, 10, 20, 30, 40}, {1, 2, kNaN, 4, 5})}));
   const std::string path = series(drawn, "y").attributes.at("d");

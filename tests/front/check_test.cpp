@@ -397,11 +397,10 @@ poisson_ratio = 0.3
   for (const Diagnostic& note : report.notes) {
     notes += to_string(note) + "\n";
   }
-  EXPECT_THAT(
-      notes, AllOf(HasSubstr("limits.max_face_width: nothing in this mechanism has this"),
-                   HasSubstr("limits.max_angular_jerk"), HasSubstr("limits.max_driving_force"),
-                   HasSubstr("limits.min_speed_factor"), HasSubstr("limits.contacts.touch.max_contact_force"),
-                   HasSubstr("limits.bodies.cam.poisson_ratio"), HasSubstr("test.toml:")));
+  EXPECT_THAT(notes, AllOf(HasSubstr("limits.max_face_width: nothing in this mechanism has this"),
+                           HasSubstr("limits.max_driving_force"), HasSubstr("limits.min_speed_factor"),
+                           HasSubstr("limits.contacts.touch.max_contact_force"),
+                           HasSubstr("limits.bodies.cam.poisson_ratio"), HasSubstr("test.toml:")));
   EXPECT_THAT(notes, ::testing::Not(HasSubstr("min_concave_radius")));
 }
 
@@ -446,6 +445,59 @@ TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
   const CheckReport report = checked(shipped_model("lock_up"));
   EXPECT_FALSE(report.good);
   EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
+}
+
+// h = 80 mm: out within 0.3 s by a modified sine, back within 0.2 s by the 3-4-5 polynomial, whose
+// acceleration 10/√3 h/T² and jerk 60 h/T³ at its ends are the largest.
+TEST(Check, HoldsADrivenJointToItsLimits) {
+  CheckSettings in_time;
+  in_time.in_time = true;
+  const CheckReport report =
+      checked(shipped_model("law_driven_slider", {"limits.joints.guide.max_acceleration=\"11.5 m/s^2\"",
+                                                  "limits.joints.guide.max_jerk=\"601 m/s^3\""}),
+              in_time);
+  const CheckFigure acceleration = figure(report, "joints.guide", "acceleration");
+  EXPECT_NEAR(std::abs(acceleration.value.value()), 10 / std::sqrt(3.0) * 80 / 0.04, 1e-6);
+  EXPECT_EQ(acceleration.verdict, Verdict::kExceeded);
+  const CheckFigure jerk = figure(report, "joints.guide", "jerk");
+  EXPECT_NEAR(std::abs(jerk.value.value()), 60 * 80 / 0.008, 1e-2);
+  EXPECT_EQ(jerk.verdict, Verdict::kKept);
+  EXPECT_FALSE(report.good);
+  for (const Diagnostic& note : report.notes) EXPECT_THAT(note.message, Not(HasSubstr("nothing")));
+}
+
+TEST(Check, OfADriverThatRunsEvenlySaysNothingUnlessLimited) {
+  const std::vector<std::string> evenly = {"driver.acceleration=0"};
+  for (const CheckFigure& one : checked(shipped_model("slider_crank", evenly)).figures) {
+    EXPECT_NE(one.item, "joints.crank_pivot");
+  }
+  const CheckReport report = checked(shipped_model(
+      "slider_crank", {"driver.acceleration=0", "limits.joints.crank_pivot.max_angular_acceleration=1"}));
+  EXPECT_EQ(figure(report, "joints.crank_pivot", "acceleration").value, 0);
+  EXPECT_EQ(figure(report, "joints.crank_pivot", "acceleration").verdict, Verdict::kKept);
+}
+
+// The pressure angle tends to 90 degrees at the limit position, wherever the samples beside it lie.
+TEST(Check, DoesNotDecideALimitThatAFigureStillGrowsTowards) {
+  const CheckReport report =
+      checked(shipped_model("lock_up", {"limits.max_pressure_angle=85", "limits.min_convex_radius=1",
+                                        "limits.max_sliding_speed=\"5 m/s\""}));
+  const CheckFigure pressure = figure(report, "contacts.touch", "pressure_angle");
+  EXPECT_LT(pressure.value, 85);
+  EXPECT_EQ(pressure.verdict, Verdict::kUndecided);
+  EXPECT_THAT(pressure.remark, HasSubstr("still grows"));
+  EXPECT_THAT(figure(report, "contacts.touch", "pressure_angle_at_contact").remark, HasSubstr("still grows"));
+  EXPECT_EQ(figure(report, "contacts.touch", "sliding_speed").verdict, Verdict::kUndecided);
+  EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.disc").verdict, Verdict::kKept);
+  EXPECT_EQ(figure(checked(shipped_model("lock_up", {"limits.max_pressure_angle=70"})), "contacts.touch",
+                   "pressure_angle")
+                .verdict,
+            Verdict::kExceeded);
+  // Ending before it, the angle is known.
+  const CheckReport before =
+      checked(shipped_model("lock_up", {"driver.end=65", "limits.max_pressure_angle=85"}));
+  EXPECT_EQ(figure(before, "contacts.touch", "pressure_angle").verdict, Verdict::kKept);
+  EXPECT_TRUE(before.good);
 }
 
 // The right crank turns like the left one, through two change points where derivatives are mere rounding.

@@ -284,6 +284,120 @@ TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));
 }
 
+// The same linkage with degrees and with radians in its tables.
+TEST(Design, LimitsOfTransmissionAnglesAreInTheUnitOfTables) {
+  const auto report_in =
+      [](const std::string& unit, double scale) {
+        const auto angle = [&](double degrees) { return std::to_string(degrees * scale); };
+        auto report = design(Model::from_text("[units]\nangle = \"" + unit + "\"\n" + R"(
+[bodies.ground]
+points = { O2 = [0, 0], O4 = [80, 0] }
+[bodies.crank]
+points = { O = [0, 0], A = [20, 0] }
+[bodies.coupler]
+pose   = { x = 20, y = 0, angle = )" + angle(45) + R"( }
+points = { A = [0, 0], B = [70, 0], E = [35, 20] }
+[bodies.rocker]
+pose   = { x = 80, y = 0, angle = )" + angle(100) +
+                                                  R"( }
+points = { O = [0, 0], B = [50, 0] }
+[joints]
+o = { type = "revolute", between = ["ground.O2", "crank.O"] }
+a = { type = "revolute", between = ["crank.A", "coupler.A"] }
+b = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+p = { type = "revolute", between = ["ground.O4", "rocker.O"] }
+[driver]
+joint = "o"
+end = )" + angle(360) + R"(
+samples = 37
+[design]
+starts = 1
+[design.variables]
+crank = { path = "bodies.crank.points.A.0", min = 15, max = 30 }
+[[design.objectives]]
+column = "coupler.E.y"
+of = "range"
+target = 100
+[[design.constraints]]
+transmission = "b"
+above = )" + angle(50) + "\n",
+                                              "test.toml")
+                                 .value());
+        EXPECT_TRUE(report) << (report ? "" : to_string(report.error()));
+        return report.value_or(DesignReport());
+      };
+  const DesignReport degrees = report_in("deg", 1), radians = report_in("rad", kPi / 180);
+  ASSERT_EQ(degrees.constraints.size(), 1);
+  ASSERT_EQ(radians.constraints.size(), 1);
+  const auto& one = degrees.constraints[0];
+  const auto& other = radians.constraints[0];
+  EXPECT_EQ(one.unit, "deg");
+  EXPECT_EQ(other.unit, "rad");
+  // Smallest where crank and ground are in line: the side against the angle is 60 or 100.
+  EXPECT_NEAR(one.before, std::acos((70 * 70 + 50 * 50 - 60 * 60) / (2. * 70 * 50)) * 180 / kPi, 1e-9);
+  EXPECT_NEAR(other.before, one.before * kPi / 180, 1e-9);
+  EXPECT_NEAR(other.after, one.after * kPi / 180, 1e-6);
+  EXPECT_NEAR(other.margin, one.margin * kPi / 180, 1e-6);
+  EXPECT_NEAR(radians.variables[0].after, degrees.variables[0].after, 1e-4);
+  EXPECT_NEAR(other.cost * kPi / 180, one.cost, 1e-5 * std::abs(one.cost) + 1e-9);
+}
+
+// Two places that the point passes between the same rows, wanted in the other order: the best that it can do
+// in that order, by brute force over all pairs of places.
+TEST(Design, PlacesOfAPathKeepTheirOrderBetweenRows) {
+  struct Point {
+    double x, y;
+  };
+  const auto points = [](const std::vector<std::string>& overrides) {
+    const Motion motion = shipped_model("toleranced_linkage", overrides).run().value();
+    const ColumnValues x = motion.column("coupler.E.x"), y = motion.column("coupler.E.y");
+    std::vector<Point> all;
+    for (std::size_t k = 0; k < x.size(); ++k) all.push_back({x[k], y[k]});
+    return all;
+  };
+  const auto squared = [](const Point& a, const Point& b) {
+    return std::pow(a.x - b.x, 2) + std::pow(a.y - b.y, 2);
+  };
+  const std::vector<Point> dense = points({"driver.start=0", "driver.end=360", "driver.samples=36001"});
+  for (const auto& [samples, first, second] :
+       {std::tuple(37, 64, 56), std::tuple(181, 61, 59), std::tuple(73, 66, 54)}) {
+    const std::vector<Point> wanted =
+        points({"driver.positions=[" + std::to_string(first) + ", " + std::to_string(second) + "]"});
+    double nearest = 1e9, least = 1e9;
+    for (const Point& point : dense) {
+      nearest = std::min(nearest, squared(point, wanted[0]));
+      least = std::min(least, nearest + squared(point, wanted[1]));
+    }
+    const auto before = [&, samples = samples](const char* closed) {
+      const auto report = design(shipped_model(
+          "toleranced_linkage",
+          {"driver.start=0", "driver.end=360", "driver.samples=" + std::to_string(samples), "design.starts=1",
+           "design.variables.E={ path = \"bodies.coupler.points.E.0\", min = 34.9, max = 35.1 }",
+           fmt::format("design.objectives=[{{ path = {{ point = \"coupler.E\", closed = {}, through = "
+                       "[[{:.17g}, {:.17g}], [{:.17g}, {:.17g}]] }} }}]",
+                       closed, wanted[0].x, wanted[0].y, wanted[1].x, wanted[1].y)}));
+      EXPECT_TRUE(report) << (report ? "" : to_string(report.error()));
+      return report ? report->objectives[0].before : std::nan("");
+    };
+    EXPECT_GT(least, 1e-3);
+    EXPECT_NEAR(before("false"), least, 1e-4 * least) << samples;
+    EXPECT_NEAR(before("true"), 0, 1e-12) << samples;  // the second one a lap later
+  }
+}
+
+TEST(Design, AClosedPathOfARunThatDoesNotCloseIsNoted) {
+  const auto notes = [](const std::string& end) {
+    std::string all;
+    for (const Diagnostic& note : design_notes(shipped_model("design_ellipse_path", {"driver.end=" + end}))) {
+      all += to_string(note) + "\n";
+    }
+    return all;
+  };
+  EXPECT_EQ(notes("360"), "");
+  EXPECT_THAT(notes("350"), HasSubstr("design.objectives.0.path.closed: the path of coupler.E does not end "
+                                      "where it begins"));
+}
+
 // A likely mistake that does not prevent the design: a note says which unit seems to be meant.
 TEST(Design, TargetsThatLookLikeAnotherUnitAreNoted) {
   const auto notes = [](const std::vector<std::string>& overrides) {

@@ -176,6 +176,16 @@ TEST(GenevaWheel, NeedsNoForceWhileItIsHeldAndBalancesItsInertiaWhileItIsDriven)
   }
 }
 
+// The pin is not in a slot yet: the crank turns about its pivot, also against the wheel, which stands still.
+TEST(GenevaWheel, HasTheInstantCentresOfItsStart) {
+  const auto findings = mobility_of(shipped_model("geneva_four_slots"));
+  ASSERT_TRUE(findings);
+  const std::string json = mobility_json(*findings), text = mobility_text(*findings);
+  EXPECT_THAT(text, HasSubstr("crank, wheel: (0, 0)"));
+  EXPECT_THAT(text, HasSubstr("ground, crank: (0, 0)"));
+  EXPECT_EQ(json.find("-1.408"), std::string::npos);
+}
+
 TEST(GenevaWheel, HasJerkOnlyWhileItIsDriven) {
   RunSettings settings;
   settings.jerk = true;

@@ -358,6 +358,83 @@ TEST(SensitivityOfResults, OfAFlankThatALawHasShapedAreTheClosedForm) {
   EXPECT_LT(exact(report, 5, y), -0.1);
 }
 
+// A face square to its stroke has the pressure angle 0; tilted by ε to either side, that of atan ε.
+TEST(SensitivityOfResults, OfASizeThatIsZeroHaveAKink) {
+  const Model model = model_of(kCam, {"driver.velocity=360"});
+  const std::string tilt = "bodies.follower.curves.face.normal.0";
+  const SensitivityReport report =
+      report_of(model, wanted({"touch.pressure:max", "touch.pressure:mean", "touch.pressure:rms",
+                               "touch.pressure:at=30", "touch.pressure:range"},
+                              {tilt}));
+  for (std::size_t m = 0; m < 4; ++m) {
+    EXPECT_NEAR(report.results[m].value, 0, 1e-12);
+    const Slope& kink = slope(report, m, tilt);
+    EXPECT_EQ(kink.kind, SlopeKind::kKink) << report.results[m].name;
+    EXPECT_NEAR(kink.down, -180 / kPi, 1e-8) << report.results[m].name;
+    EXPECT_NEAR(kink.up, 180 / kPi, 1e-8) << report.results[m].name;
+  }
+  EXPECT_NEAR(slope(report, 4, tilt).up, 0, 1e-8);  // it is the same everywhere, whatever the tilt
+}
+
+TEST(SensitivityOfRows, HaveNoDerivativeAtAKink) {
+  int rows = 0;
+  const auto table = sensitivity_rows(
+      model_of(kCam, {"driver.samples=5"}), {"touch.pressure", "follower.y"},
+      wanted({}, {"bodies.follower.curves.face.normal.0"}), [](const SlopeTable&) {},
+      [&](const RowSlopes& row) {
+        for (std::size_t c = 0; c < row.slopes.size(); ++c) {
+          EXPECT_EQ(std::isnan(row.slopes[c]), c == row.slopes.size() - 1) << c;
+        }
+        ++rows;
+        return true;
+      });
+  ASSERT_TRUE(table);
+  EXPECT_EQ(rows, 5);
+}
+
+// The arm from the cam's pivot to the centre of the arc that is concentric with it.
+TEST(SensitivityOfResults, OfALengthThatIsZeroInADwellAreThoseOfRunsToEitherSide) {
+  struct Arm {
+    const char* profile;
+    const char* result;
+    const char* number;
+  };
+  for (const Arm& arm : {Arm{"four_arc_cam", "touch.r2:range", "bodies.cam.points.O.0"},
+                         Arm{"tangent_cam", "touch.r2:min", "bodies.cam.points.O.1"}}) {
+    const Model model = shipped_model(arm.profile, {});
+    const SensitivityReport report = report_of(model, wanted({arm.result}, {arm.number}));
+    const Slope& kink = slope(report, 0, arm.number);
+    const double h = 1e-5, value = report.numbers[0].value;
+    const auto at = [&](double step) {
+      const auto other = model.with({{arm.number, value + step}});
+      return other ? dense_result(*other, report.results[0].measure) : std::nan("");
+    };
+    EXPECT_EQ(kink.kind, SlopeKind::kKink) << arm.result;
+    EXPECT_NEAR(kink.up, (at(h) - at(0)) / h, 1e-4) << arm.result;
+    EXPECT_NEAR(kink.down, (at(0) - at(-h)) / h, 1e-4) << arm.result;
+  }
+}
+
+// In a parallelogram with cranks r and r + d the coupler turns by d/(l sin θ), to first order.
+TEST(SensitivityOfResults, OfAColumnThatIsConstantAreThoseOfThePlaceThatChangesMost) {
+  const std::string r = "bodies.right.points.B.0";
+  const Model model = shipped_model("parallelogram", {"driver.start=20", "driver.end=163.7"});
+  const SensitivityReport report = report_of(
+      model,
+      wanted({"coupler.angle:max", "coupler.angle:min", "coupler.angle:maxabs", "coupler.angle:range"}, {r}));
+  const auto turn = [](double theta) { return 180 / kPi / 100 / std::sin(theta * kPi / 180); };
+  const double most = turn(163.7), least = turn(90);
+  const auto expect = [&](std::size_t m, double down, double up) {
+    EXPECT_EQ(slope(report, m, r).kind, SlopeKind::kKink);
+    EXPECT_NEAR(slope(report, m, r).down, down, 1e-9) << report.results[m].name;
+    EXPECT_NEAR(slope(report, m, r).up, up, 1e-9) << report.results[m].name;
+  };
+  expect(0, least, most);
+  expect(1, most, least);
+  expect(2, -most, most);
+  expect(3, least - most, most - least);
+}
+
 // Nothing moves a dwell, and rounding does not count as a derivative.
 TEST(SensitivityOfResults, OfAColumnThatIsTheSameEverywhereAreZero) {
   const SensitivityReport report =

@@ -177,6 +177,8 @@ INSTANTIATE_TEST_SUITE_P(
               "design.constraints.0.above = \"3 mm\": expected a plain number"},
         Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivo\"\nabove = 3",
               "did you mean `pivot`"},
+        Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivot\"\nabove = 95",
+              "design.constraints.0: a transmission angle is from 0 to 90 deg, not 95"},
         Wrong{kObjective + "[design]\nmethod = \"newton\"", "slsqp"},
         Wrong{kObjective + "[design]\nstarts = 0", "from 1"}));
 

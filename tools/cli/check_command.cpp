@@ -44,7 +44,7 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   return report.good ? kExitOk : kExitRows;
 }
 
-// Runs `check`; returns the exit code: 4 if a limit is exceeded or the path is not good.
+// Runs `check`; returns the exit code: 4 if a limit is not kept or the path is not good.
 int check_command(const CheckOptions& options) {
   const auto model = open_model(options, given({{"--csv", options.csv}, {"--json", options.json}}));
   if (!model) {

@@ -50,15 +50,16 @@ std::string check_text(const CheckReport& report) {
     text += line_of(figure);
     if (!figure.remark.empty()) text += paragraph(figure.remark, 6);
   }
-  const auto exceeded =
-      std::count_if(report.figures.begin(), report.figures.end(),
-                    [](const CheckFigure& figure) { return figure.verdict == Verdict::kExceeded; });
-  const auto limited =
-      std::count_if(report.figures.begin(), report.figures.end(),
-                    [](const CheckFigure& figure) { return figure.verdict != Verdict::kNoLimit; });
-  text += limited == 0    ? "\nno limits\n"
-          : exceeded == 0 ? fmt::format("\n{} limits, all kept\n", limited)
-                          : fmt::format("\n{} of {} limits exceeded\n", exceeded, limited);
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(report.figures.begin(), report.figures.end(),
+                         [&](const CheckFigure& figure) { return figure.verdict == verdict; });
+  };
+  const auto exceeded = count(Verdict::kExceeded), undecided = count(Verdict::kUndecided);
+  const auto limited = exceeded + undecided + count(Verdict::kKept);
+  text += limited == 0                ? "\nno limits\n"
+          : exceeded + undecided == 0 ? fmt::format("\n{} limits, all kept\n", limited)
+                                      : fmt::format("\n{} of {} limits exceeded\n", exceeded, limited);
+  if (undecided > 0) text += fmt::format("{} undecided\n", undecided);
   return report.good || exceeded > 0 ? text : text + "the path is not good\n";
 }
 

@@ -24,6 +24,7 @@ enum class Verdict {
   kNoLimit,
   kKept,
   kExceeded,
+  kUndecided,  ///< it still grows (or falls) towards a singular position, beside which nothing is known
 };
 
 /// One figure by which a cam or mechanism is judged, in the profile's units: an extreme over the whole path,
@@ -45,9 +46,10 @@ struct CheckReport {
   std::string driver_unit;           ///< of CheckFigure::at
   std::vector<CheckFigure> figures;  ///< grouped by item
   std::vector<Event> events;         ///< as Motion::events: what keeps the path from being good
-  bool good = true;                  ///< no limit is exceeded, no contact opens, and the whole path is good
-  bool stopped = false;              ///< stopped early: figures are missing
-  Diagnostics notes;                 ///< about limits that apply to nothing, and those of Analysis::notes
+  /// Every limit is kept, no contact opens, and the whole path is good.
+  bool good = true;
+  bool stopped = false;  ///< stopped early: figures are missing
+  Diagnostics notes;     ///< about limits that apply to nothing, and those of Analysis::notes
 };
 
 /// Computes for every contact, follower and driver the figures by which a cam is judged, and compares them
@@ -57,7 +59,7 @@ struct CheckReport {
 /// are taken over the whole path, between its rows too. Fails as Model::run does.
 [[nodiscard]] Result<CheckReport> check(const Model& model, const CheckSettings& settings = {});
 
-/// "exceeded", "kept", "" as results print it.
+/// "exceeded", "kept", "undecided", "" as results print it.
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 
 }  // namespace higherpair

@@ -109,8 +109,9 @@ struct SensitivityReport {
 /// With x the coordinates of the mechanism and F(x, p) = 0 the conditions of joints, contacts and drivers,
 /// rates included, ∂F/∂x dx/dp = -∂F/∂p gives the change of every column with p at a fixed point of the path.
 /// The derivative of an extreme is that of its column at the point of the extreme (envelope theorem: the
-/// column is stationary there); an extreme at an end of the path stays there. Where two extremes are equal
-/// the result has a kink. Differences of whole runs are used instead for contacts that may part, columns of
+/// column is stationary there); an extreme at an end of the path stays there. Where two extremes are equal,
+/// the column is constant over a stretch of the path, or it is the absolute value of something that is 0, the
+/// result has a kink. Differences of whole runs are used instead for contacts that may part, columns of
 /// arc length, extremes at a jump of their column, and numbers with which a curve of several parts does not
 /// change smoothly.
 ///
@@ -123,7 +124,7 @@ struct SensitivityReport {
 struct RowSlopes {
   std::int64_t row = 0;
   std::span<const double> values;  ///< one for each of SlopeTable::columns; NaN where undefined
-  /// Derivatives of all columns with respect to the first number, then to the second one, ….
+  /// Derivatives of all columns with respect to the first number, then to the second one, …; NaN at a kink.
   std::span<const double> slopes;
 };
 

@@ -8,12 +8,25 @@
 
 namespace higherpair {
 
+/// The derivatives of a function towards smaller and larger numbers; they differ at a kink.
+struct SidedSlope {
+  double down = 0;
+  double up = 0;
+
+  [[nodiscard]] bool is_kink() const { return down != up; }
+};
+
 /// The derivatives with respect to p of functions of a run's mechanism and row: joint coordinates, columns,
 /// forces. The row is displaced along its sensitivity, which to first order gives the row for another p, and
 /// the functions are differentiated by eighth-order differences. They need no derivatives of their own; where
 /// a function is smooth the error is of the size of rounding.
 /// \param f  function of a displaced run, of which only `mechanism`, `plan` and `row` may be used, and of the
 /// displacement of p
+[[nodiscard]] std::vector<SidedSlope> slopes_along(
+    const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
+    const std::function<std::vector<double>(const Run&, double)>& f);
+
+/// The same; at a kink the mean of both sides.
 [[nodiscard]] std::vector<double> derivative_along(
     const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
     const std::function<std::vector<double>(const Run&, double)>& f);
