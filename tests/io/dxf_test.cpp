@@ -187,7 +187,7 @@ TEST_F(Dxf, ContoursThatDoNotCloseAreRefusedWithTheirEnds) {
       ElementsAre("test.toml:13:28: bodies.crank.curves.c.file = \"d.dxf\": line 38: the contour does not "
                   "close: nothing goes on at (0, "
                   "0.01) (line 38), and it begins at (0, 0) (line 6), 0.01 mm away; ends within `tolerance` "
-                  "(0.00380789 mm) meet"));
+                  "(3.80789e-05 mm) meet"));
   EXPECT_THAT(messages_about(drawing(line(0, 0, 7, 0) + line(7, 0, 7, 3) + line(7, 3, 0, 0.01)),
                              ", tolerance = 0.02"),
               IsEmpty());
