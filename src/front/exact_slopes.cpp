@@ -7,13 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+
+#include <boost/math/tools/minima.hpp>
 
 namespace higherpair {
 namespace {
 
-constexpr std::size_t kChunk = 64;  // rows that are differentiated at once
-constexpr int kGoldenSteps = 40;    // between two places of a stretch: its 2e-8th part, where gains are level
+constexpr std::size_t kChunk = 64;          // rows that are differentiated at once
+constexpr std::uintmax_t kMostTrials = 40;  // of places within a stretch
 
 // How much weight times a column gains with a small step of the number to one side (1: up, -1: down).
 double gain_of(const SidedSlope& slope, double weight, double side) {
@@ -104,7 +107,7 @@ SidedSlope ExactSlopes::of_part(std::size_t number, std::size_t measure,
   return slope;
 }
 
-// The largest gain between two places of a stretch, by golden section.
+// The largest gain between two places of a stretch, by Brent's method.
 double ExactSlopes::gain_between(std::size_t number, std::size_t column, const ExtremePlace& first,
                                  const ExtremePlace& last, double side) const {
   Stop stop = stops_[place_index_.at(first.place.row)];
@@ -113,23 +116,11 @@ double ExactSlopes::gain_between(std::size_t number, std::size_t column, const E
     move_to(stop.run, motions_of(columns_.drivers().at(stop.place)));
     return gain_of(slopes_at(number, stop)[column], first.weight, side);
   };
-  const double golden = (std::sqrt(5) - 1) / 2;
-  double from = first.place.at, to = last.place.at;
-  double low = to - golden * (to - from), high = from + golden * (to - from);
-  double at_low = gain(low), at_high = gain(high), most = std::max(at_low, at_high);
-  for (int i = 0; i < kGoldenSteps && !stopped(); ++i) {
-    if (at_low > at_high) {
-      to = high;
-      high = std::exchange(low, high - golden * (high - from));
-      at_high = std::exchange(at_low, gain(low));
-    } else {
-      from = low;
-      low = std::exchange(high, low + golden * (to - low));
-      at_low = std::exchange(at_high, gain(high));
-    }
-    most = std::max({most, at_low, at_high});
-  }
-  return most;
+  constexpr int kHalfOfDigits = 26;
+  std::uintmax_t most = kMostTrials;
+  const auto loss = [&](double at) { return stopped() ? 0 : -gain(at); };
+  return -boost::math::tools::brent_find_minima(loss, first.place.at, last.place.at, kHalfOfDigits, most)
+              .second;
 }
 
 std::vector<SidedSlope> ExactSlopes::slopes_at(std::size_t number, const Stop& stop) const {
