@@ -1,5 +1,6 @@
 #include "reduction.hpp"
 
+#include "group_kinds.hpp"
 #include "group_system.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/numeric/special_values.hpp"

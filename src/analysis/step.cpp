@@ -2,6 +2,7 @@
 
 #include "coupled_bodies.hpp"
 #include "crossing.hpp"
+#include "group_kinds.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "joint_ends.hpp"

@@ -10,6 +10,7 @@
 #include "report_data.hpp"
 #include "report_page.hpp"
 #include "run_settings.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -25,16 +25,16 @@ struct Bow {
   bool fixed = false;   // another curve, or too short to have a direction
 };
 
+double chord_length(const Bow& bow) {
+  return (bow.to - bow.from).norm();
+}
+
 Bow bow_of(const ContourPiece& piece, double length, const SweepRounding& rounding) {
   const auto* arc = std::get_if<ArcPiece>(&piece);
   Bow bow = {begin_of(piece).p_B, end_of(piece).p_B, arc ? arc->sweep : 0, arc ? rounding.error : 0,
              arc && rounding.of_circle};
-  bow.fixed = std::holds_alternative<SpanPtr>(piece) || (bow.to - bow.from).norm() < kShortPiece * length;
+  bow.fixed = std::holds_alternative<SpanPtr>(piece) || chord_length(bow) < kShortPiece * length;
   return bow;
-}
-
-double chord_length(const Bow& bow) {
-  return (bow.to - bow.from).norm();
 }
 
 // From the direction at the end of one to that at the beginning of the next.
@@ -84,7 +84,7 @@ public:
       bows_.push_back(bow_of(pieces[i], length, sweeps[i]));
     }
     for (std::size_t joint = 0; joint < bows_.size(); ++joint) {
-      bent_.push_back(joint < joints_ && may_be_bent(joint));
+      bent_.push_back(joint < joints_ && may_be_bent(joint) ? 1 : 0);
     }
     for (std::size_t joint = 0; joint < joints_; ++joint) {
       Bow& after = bows_[(joint + 1) % bows_.size()];

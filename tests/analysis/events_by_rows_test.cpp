@@ -1,6 +1,7 @@
 // Events of bodies that touch at corners, at several places or along flat parts do not depend on which rows
 // are asked for.
 #include "analysis/run_testing.hpp"
+#include "io/profile_testing.hpp"
 
 #include <random>
 

@@ -172,7 +172,7 @@ joint = "j0"
 )";
   for (int angle = 0; angle < 360; ++angle) {
     const auto branches =
-        branches_of(model_of(text, {fmt::format("driver.start={}", angle), "driver.end=400"}));
+        branches_of(testing::model_of(text, {fmt::format("driver.start={}", angle), "driver.end=400"}));
     ASSERT_TRUE(branches);
     ASSERT_EQ(branches->contacts.at(0).entries.size(), 2U) << angle;
     for (const ContactEntry& entry : branches->contacts.at(0).entries) {

@@ -3,6 +3,7 @@
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
 #include "higherpair/higherpair.hpp"
+#include "io/profile_testing.hpp"
 #include "sliding_cam.hpp"
 
 #include <algorithm>
