@@ -39,9 +39,7 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   }
   if (meets_corners(at.run, passage)) {
     // Two corners have no common normal of their own.
-    const bool goes_over = go_over_vertex(at.run, at.path, at.s, g);
-    at.taken_over_at = goes_over ? at.s : at.taken_over_at;
-    return goes_over ? JointOutcome{JointOutcome::kDiverted} : JointOutcome{JointOutcome::kEnds, g};
+    return {pass_vertex(at, {g, at.s}) ? JointOutcome::kDiverted : JointOutcome::kEnds, g};
   }
   if (!lies_flat_behind(at.run, passage)) {
     go_over_joint(at.run, at.path, at.s, passage);

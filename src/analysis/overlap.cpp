@@ -132,22 +132,20 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
   return change;
 }
 
-// Adds the event that a contact's bodies begin to overlap or, with `change` of the follower's rate, that the
-// motion goes on with another contact.
-void report(Run& run, std::size_t contact, const Path& path, double s, const CarriedBody* follower,
-            const std::optional<RateJump>& change) {
-  if (!change) {
-    report_contact(run, EventType::kOverlap, path, s, contact,
-                   "the two bodies begin to overlap elsewhere on their boundaries");
-    return;
-  }
+void report_overlap(Run& run, std::size_t contact, const Path& path, double s) {
+  report_contact(run, EventType::kOverlap, path, s, contact,
+                 "the two bodies begin to overlap elsewhere on their boundaries");
+}
+
+void report_second_contact(Run& run, std::size_t contact, const Path& path, double s,
+                           const CarriedBody& follower, const RateJump& change) {
   OverlapWatch& watch = run.at.watches[contact];
   watch.overlaps = false;
   watch.interrupted = true;
   RunEvent& event =
       report_contact(run, EventType::kSecondContact, path, s, contact,
                      "a second contact of the same two bodies appears and the motion goes on with it");
-  add_rate_jump(run, path, *follower, *change, event);
+  add_rate_jump(run, path, follower, change, event);
 }
 
 }  // namespace
@@ -223,8 +221,12 @@ bool watch_overlaps(Run& run, const Path& path, double s, double h) {
     const double x = closing_between(run, path, contact, s, h, found.n_W);
     const auto g = contact.jump ? tracked_group(run, static_cast<int>(i)) : std::nullopt;
     const auto change = g ? jump(run, path, *g, s, h, x) : std::nullopt;
-    report(run, i, path, s + x, g ? &std::get<TrackedPair>(run.plan().groups[*g].kind).follower : nullptr,
-           change);
+    if (change) {
+      const auto& tracked = std::get<TrackedPair>(run.plan().groups[*g].kind);
+      report_second_contact(run, i, path, s + x, tracked.follower, *change);
+    } else {
+      report_overlap(run, i, path, s + x);
+    }
     gone_over = gone_over || change.has_value();
   }
   return gone_over;
@@ -258,15 +260,18 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
   const auto before = run.at.state.contacts[i].place;
   const auto change = g ? go_on_at(run, path, *g, s, meeting.place) : std::nullopt;
   run.at.watches[i].overlaps = true;
-  const CarriedBody* follower = g ? &std::get<TouchingBody>(run.plan().groups[*g].kind).follower : nullptr;
-  if (change && jump_size(run, path, *follower, *change) <= kSameRates) {
+  const double there = s + (meeting.at - meeting.x);
+  if (!change) {
+    report_overlap(run, i, path, there);
+    return;
+  }
+  const CarriedBody& follower = std::get<TouchingBody>(run.plan().groups[*g].kind).follower;
+  if (jump_size(run, path, follower, *change) <= kSameRates) {
     report_change_of_place(run, path, s, i);
   } else {
-    report(run, i, path, s + (meeting.at - meeting.x), follower, change);
+    report_second_contact(run, i, path, there, follower, *change);
   }
-  if (change) {
-    note_edge(run, path, s, i, before);
-  }
+  note_edge(run, path, s, i, before);
 }
 
 }  // namespace higherpair

@@ -6,6 +6,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/lu_solver.hpp"
 #include "numeric/singular_values.hpp"
+#include "span_ends.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -176,18 +177,16 @@ std::optional<Reduction::Point> Reduction::limit_ahead(double h) {
 // Whether contacts on flat spans, which the conditions take for whole lines, are within their ends in
 // run.work.trial.
 bool Reduction::stays_on_faces() const {
-  const Mechanism& mechanism = run_.mechanism();
   for (const int index : run_.plan().groups[g_].contacts) {
-    const Contact& contact = mechanism.contacts[index];
+    const Contact& contact = run_.mechanism().contacts[index];
     const ContactMotion& motion = run_.work.trial.contacts[index];
     for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
-      const CurveRef& ref = side == 0 ? contact.first : contact.second;
-      const Boundary& boundary = boundary_of(mechanism, ref);
+      const Boundary& boundary = boundary_at(run_, static_cast<std::size_t>(index), side);
       const BoundaryPlace& place = motion.place[side];
       if (!is_flat(boundary, place)) continue;
       const Vector2d& p_W = side == 0 ? motion.at.p1_W : motion.at.p2_W;
       const SpanPoint from = boundary.at(place);
-      const Vector2d p_B = body_in(run_.work.trial, ref.body).X_WB.inverse_times(p_W);
+      const Vector2d p_B = body_in(run_.work.trial, ref_of(contact, side).body).X_WB.inverse_times(p_W);
       const double t = place.t + (p_B - from.p_B).dot(perp(from.n_B)) / from.speed;
       if (!range_of(boundary, place.span).contains(t)) return false;
     }

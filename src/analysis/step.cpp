@@ -97,10 +97,11 @@ private:
 };
 
 // The way of a contact's point along one of its bodies in a step, positive to the left of the normal.
-double way_of(const BodyMotion& from, const BodyMotion& to, const Vector2d& p0_W, const Vector2d& p1_W,
-              const Vector2d& n0_W, const Vector2d& n1_W) {
-  const Vector2d p_B = to.X_WB.inverse_times(p1_W) - from.X_WB.inverse_times(p0_W);
-  const Vector2d n_B = from.X_WB.R_WB.inverse() * n0_W + to.X_WB.R_WB.inverse() * n1_W;
+// \param point  of the contact, on the body
+double way_of(const BodyMotion& from, const CommonNormal& a, const BodyMotion& to, const CommonNormal& b,
+              Vector2d CommonNormal::*point) {
+  const Vector2d p_B = to.X_WB.inverse_times(b.*point) - from.X_WB.inverse_times(a.*point);
+  const Vector2d n_B = from.X_WB.R_WB.inverse() * a.n_W + to.X_WB.R_WB.inverse() * b.n_W;
   return p_B.dot(perp(n_B)) / n_B.norm();
 }
 
@@ -119,12 +120,10 @@ bool is_smooth(const Run& run, const Group& group, double h) {
     const Contact& pair = run.mechanism().contacts[i];
     if (pair.by_boundary && a.touches && b.touches) {
       const int one = pair.first.body, two = pair.second.body;
-      smoothness.add_way(
-          way_of(body_in(from, one), body_in(to, one), a.at.p1_W, b.at.p1_W, a.at.n_W, b.at.n_W),
-          a.rates.along1, b.rates.along1);
-      smoothness.add_way(
-          way_of(body_in(from, two), body_in(to, two), a.at.p2_W, b.at.p2_W, a.at.n_W, b.at.n_W),
-          a.rates.along2, b.rates.along2);
+      smoothness.add_way(way_of(body_in(from, one), a.at, body_in(to, one), b.at, &CommonNormal::p1_W),
+                         a.rates.along1, b.rates.along1);
+      smoothness.add_way(way_of(body_in(from, two), a.at, body_in(to, two), b.at, &CommonNormal::p2_W),
+                         a.rates.along2, b.rates.along2);
     }
   }
   const auto& contacts = run.mechanism().contacts;

@@ -50,6 +50,10 @@ bool can_be_position(double position, const Dimension& of_driver, const Units& u
   return of_driver == dimension::kAngle ? is_sharp_angle(si) : std::abs(si) <= kLargestQuantity;
 }
 
+std::string_view farthest_position(const Dimension& of_driver) {
+  return of_driver == dimension::kAngle ? "1e9 turns" : "1e50 m";
+}
+
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
   const auto refuse = [&](const std::string& rule) { return wrong(model, "RunSettings::" + rule); };
   if (settings.derivatives && (*settings.derivatives < 3 || *settings.derivatives > kHighestDerivative)) {
@@ -76,8 +80,8 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
   const Dimension of_driver = driver_dimension(model.profile.mechanism);
   for (const double position : settings.positions) {
     if (!can_be_position(position, of_driver, model.profile.units)) {
-      return refuse(fmt::format("positions: {} is not finite, or beyond {}", position,
-                                of_driver == dimension::kAngle ? "1e9 turns" : "1e50 m"));
+      return refuse(
+          fmt::format("positions: {} is not finite, or beyond {}", position, farthest_position(of_driver)));
     }
   }
   Profile other = model.profile;

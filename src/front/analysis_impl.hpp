@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace higherpair {
@@ -21,6 +22,8 @@ namespace higherpair {
 /// driver.
 /// Whether a profile could have this position of a driver.
 [[nodiscard]] bool can_be_position(double position, const Dimension& of_driver, const Units& units);
+/// The farthest one, as messages name it.
+[[nodiscard]] std::string_view farthest_position(const Dimension& of_driver);
 
 [[nodiscard]] Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings);
 

@@ -52,9 +52,9 @@ std::optional<Error> out_of_range(const Model& model, double at) {
   if (can_be_position(at, of_driver, model.units())) {
     return std::nullopt;
   }
-  return error_about(model.data(), ErrorKind::kInput,
-                     fmt::format("driver = {}: expected a position of at most {}", at,
-                                 of_driver == dimension::kAngle ? "1e9 turns" : "1e50 m"));
+  return error_about(
+      model.data(), ErrorKind::kInput,
+      fmt::format("driver = {}: expected a position of at most {}", at, farthest_position(of_driver)));
 }
 
 // The run after its last row, and the last limit position on the path.

@@ -57,7 +57,7 @@ private:
   Bounds range_;
 };
 
-// Parametrised by the distance from its beginning.
+// Parametrised by the distance from its origin.
 class FaceSpan final : public Span {
 public:
   FaceSpan(const Vector2d& origin_B, const Vector2d& t_B, const Bounds& range)

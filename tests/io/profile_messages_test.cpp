@@ -598,7 +598,7 @@ TEST(ProfileMessages, DriversDriveRevoluteOrPrismaticJoints) {
 
 // A driver needs the position of its joint, and this joint has none.
 TEST(ProfileMessages, AJointOnAPointThatGroundLacksMayBeDriven) {
-  EXPECT_THAT(messages(R"([bodies.slide]
+  const std::string slide = R"([bodies.slide]
 points.P = [0, 0]
 [joints.guide]
 type = "prismatic"
@@ -606,20 +606,10 @@ between = ["ground.O", "slide.P"]
 direction = [1, 0]
 [driver]
 joint = "guide"
-)"),
-              ElementsAre(HasSubstr("there is no point of `ground` `O`; none is defined")));
+)";
+  EXPECT_THAT(messages(slide), ElementsAre(HasSubstr("there is no point of `ground` `O`; none is defined")));
   EXPECT_THAT(
-      messages(R"([bodies.Ground]
-points.O = [0, 0]
-[bodies.slide]
-points.P = [0, 0]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.P"]
-direction = [1, 0]
-[driver]
-joint = "guide"
-)"),
+      messages("[bodies.Ground]\npoints.O = [0, 0]\n" + slide),
       ElementsAre(HasSubstr("there is no point of `ground` `O`, but one of `Ground`: capital and small "
                             "letters differ, and the frame is `ground`")));
 }
