@@ -86,7 +86,6 @@ private:
         path_(path),
         largest_(std::abs(path.length) / parts),
         at_(run, path),
-        near_(kCrossingReach * at_.scale),
         length_(largest_),
         limit_(run, path, at_.scale),
         steps_left_(kMostSteps + 4 * parts) {
@@ -137,9 +136,10 @@ private:
     if (near_crossing_ && !last_ && !limit_.is_known() && std::abs(step_) > kLongStep * at_.scale) {
       return 0.618 * std::abs(step_);
     }
-    if (last_ && std::abs(rest()) > 2 * near_ && (near_crossing_ || !ok)) {
+    if (last_ && (near_crossing_ || !ok)) {
       // End at a position to interpolate from, near enough to be certainly on the same branch.
-      return std::abs(rest()) - 1.5 * near_;
+      const double near = crossing_reach(run_, path_, run_.at.state);
+      if (std::abs(rest()) > 2 * near) return std::abs(rest()) - 1.5 * near;
     }
     return std::nullopt;
   }
@@ -314,15 +314,14 @@ private:
   const Path& path_;
   double largest_;              // largest step
   OnPath at_;                   // progress of run.at.state on the path
-  double near_;                 // distance from a crossing that is interpolated across
   double step_ = 0;             // the step that is tried
   bool last_ = false;           // whether it leads to the end
   bool near_crossing_ = false;  // whether it could be taken and leads next to where branches may cross
   bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: there
                                 // is a contact at other spans in between
-  StepLength length_;  // the largest step that may be tried
-  LimitAhead limit_;   // the first known limit
-  int refused_ = 0;    // steps refused, until one as long as the first of them is taken
+  StepLength length_;           // the largest step that may be tried
+  LimitAhead limit_;            // the first known limit
+  int refused_ = 0;             // steps refused, until one as long as the first of them is taken
   double first_refused_ = 0;
   double last_looked_ = kNoValue;  // s of the last limit looked beyond
   double steps_left_;

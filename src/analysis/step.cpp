@@ -316,8 +316,29 @@ bool settle(Run& run, const Path& path, double s, const State& from) {
   return true;
 }
 
+// Next to a change point at which one of these groups crosses in the present step they are interpolated: a
+// group that depends on them may cross at the same place, and cannot bear the digits that they lose there.
 bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {
-  return solve_groups(run, run.at.state, path, end, s, x);
+  const auto& crossings = run.work.crossings;
+  const auto own = std::find_if(crossings.begin(), crossings.end(),
+                                [&](const Crossing& crossing) { return crossing.group < end; });
+  if (own == crossings.end()) {
+    return solve_groups(run, run.at.state, path, end, s, x);
+  }
+  const double reach = crossing_reach(run, path, run.at.state);
+  const double begin = own->s - reach;
+  if (std::abs(s + x - own->s) >= reach) {
+    return solve_groups(run, run.at.state, path, end, s, x);
+  }
+  if (!solve_groups(run, run.at.state, path, end, s, begin - s)) {
+    return false;
+  }
+  const State before = run.work.trial;
+  if (!solve_groups(run, run.at.state, path, end, s, begin + 2 * reach - s)) {
+    return false;
+  }
+  interpolate(run, before, 2 * reach, (s + x - begin) / (2 * reach), run.work.trial);
+  return true;
 }
 
 Placeable place_anew(Run& run, const std::vector<double>& drivers) {

@@ -87,7 +87,8 @@ struct StepResult {
 /// run.at.state unchanged, where that is not possible.
 [[nodiscard]] bool settle(Run& run, const Path& path, double s, const State& from);
 
-/// The same as `solve_at` for the groups before `end` only.
+/// The same as `solve_at` for the groups before `end` only, which are interpolated next to their change
+/// points.
 [[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
 
 /// How much of a mechanism can be placed at a position of its drivers.

@@ -137,6 +137,9 @@ inline constexpr double kNearCrossing = 1e-3;
 /// Distance from a crossing of branches, as a fraction of the driver's scale, at which positions are regular
 /// and can be interpolated from.
 inline constexpr double kCrossingReach = 4e-3;
+/// Farthest that a body may move within this distance, as an angle or relative to the size: the error of the
+/// interpolation is its sixth power.
+inline constexpr double kCrossingTurn = 0.012;
 
 // Events.
 

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <fmt/core.h>
@@ -27,10 +29,11 @@ struct Change {
   double first;                                         // a crossing [rad]
 };
 
-std::string driven_at(const char* text, double theta) {
+std::string driven_at(const char* text, double theta, double coupler = 0, double follower = 0) {
   return fmt::format(fmt::runtime(std::string("[units]\nangle = \"rad\"\nlength = \"m\"\n") + text),
                      fmt::arg("t", theta), fmt::arg("x", 0.04 * std::cos(theta)),
-                     fmt::arg("y", 0.04 * std::sin(theta)), fmt::arg("half", theta / 2));
+                     fmt::arg("y", 0.04 * std::sin(theta)), fmt::arg("half", theta / 2),
+                     fmt::arg("coupler", coupler), fmt::arg("follower", follower));
 }
 
 std::string turned_parallelogram(double theta) {
@@ -49,6 +52,65 @@ joint = "o"
 start = {t}
 )",
                    theta);
+}
+
+// Three of them in a row, whose cranks are 1 rad ahead of the driver and 0.04 long to within rounding.
+std::string rhombi_in_series(double theta) {
+  std::string text = driven_at(R"([bodies]
+ground.points = {{ G0 = [0, 0], G1 = [0.04, 0], G2 = [0.08, 0], G3 = [0.12, 0] }}
+crank0 = {{ pose = {{ angle = {t} }}, points = {{ G = [0, 0], T = [0.021612092234725587, 0.03365883939231586] }} }}
+)",
+                               theta);
+  const auto add = [&](const char* part, int i) {
+    text += fmt::format(fmt::runtime(part), fmt::arg("i", i), fmt::arg("next", i + 1), fmt::arg("t", theta),
+                        fmt::arg("g", 0.04 * (i + 1)), fmt::arg("x", 0.04 * (i + std::cos(theta + 1))),
+                        fmt::arg("y", 0.04 * std::sin(theta + 1)));
+  };
+  for (int i = 0; i < 3; ++i) {
+    add(R"(rod{i} = {{ pose = {{ x = {x}, y = {y} }}, points = {{ A = [0, 0], B = [0.04, 0] }} }}
+crank{next} = {{ pose = {{ x = {g}, angle = {t} }}, points = {{ G = [0, 0], T = [0.021612092234725587, 0.03365883939231586] }} }}
+)",
+        i);
+  }
+  text += "[joints]\no = { type = \"revolute\", between = [\"ground.G0\", \"crank0.G\"] }\n";
+  for (int i = 0; i < 3; ++i) {
+    add(R"(a{i} = {{ type = "revolute", between = ["crank{i}.T", "rod{i}.A"] }}
+b{i} = {{ type = "revolute", between = ["rod{i}.B", "crank{next}.T"] }}
+g{i} = {{ type = "revolute", between = ["ground.G{next}", "crank{next}.G"] }}
+)",
+        i);
+  }
+  return text + fmt::format("[driver]\njoint = \"o\"\nstart = {}\n", theta);
+}
+
+// Cranks of 0.04 crossed in a frame of 0.0408: where they are in line the follower is 101 times as fast.
+constexpr double kCrossedFrame = 0.0408;
+
+double crossed_follower(double theta) {
+  const std::complex<double> A = std::polar(0.04, theta), Q = kCrossedFrame;
+  const std::complex<double> u = (Q - A) / std::abs(Q - A);
+  return std::arg(A + u * u * kCrossedFrame - Q);
+}
+
+std::string crossed_cranks(double theta) {
+  const double follower = crossed_follower(theta);
+  const std::complex<double> A = std::polar(0.04, theta);
+  const std::complex<double> B = kCrossedFrame + std::polar(0.04, follower);
+  return driven_at(R"([bodies]
+ground = {{ points = {{ O = [0, 0], Q = [0.0408, 0] }} }}
+left = {{ pose.angle = {t}, points = {{ O = [0, 0], A = [0.04, 0] }} }}
+coupler = {{ pose = {{ x = {x}, y = {y}, angle = {coupler} }}, points = {{ A = [0, 0], B = [0.0408, 0] }} }}
+right = {{ pose = {{ x = 0.0408, angle = {follower} }}, points = {{ Q = [0, 0], B = [0.04, 0] }} }}
+[joints]
+o = {{ type = "revolute", between = ["ground.O", "left.O"] }}
+a = {{ type = "revolute", between = ["left.A", "coupler.A"] }}
+b = {{ type = "revolute", between = ["coupler.B", "right.B"] }}
+q = {{ type = "revolute", between = ["ground.Q", "right.Q"] }}
+[driver]
+joint = "o"
+start = {t}
+)",
+                   theta, std::arg(B - A), follower);
 }
 
 std::string equal_slider_crank(double theta) {
@@ -131,6 +193,19 @@ double off_parallel(const MotionRow& row, double theta) {
   return std::abs(row.bodies[2].theta) + std::abs(row.bodies[3].theta - theta);
 }
 
+double off_rhombi(const MotionRow& row, double theta) {
+  double off = 0;
+  for (std::size_t i = 1; i < row.bodies.size(); ++i) {
+    const bool is_rod = i % 2 == 0;
+    off += std::abs(std::remainder(row.bodies[i].theta - (is_rod ? 0 : theta), 2 * kPi));
+  }
+  return off;
+}
+
+double off_crossed(const MotionRow& row, double theta) {
+  return std::abs(std::remainder(row.bodies[3].theta - crossed_follower(theta), 2 * kPi));
+}
+
 double off_isosceles(const MotionRow& row, double theta) {
   return std::abs(row.bodies[2].theta + theta) +
          std::abs(row.bodies[3].X_WB.p_WB.x() - 0.08 * std::cos(theta));
@@ -199,6 +274,8 @@ TEST_P(KeptBranches, DoNotDependOnTheRows) {
 INSTANTIATE_TEST_SUITE_P(
     Changes, KeptBranches,
     ::testing::Values(Change{"Parallelogram", turned_parallelogram, off_parallel, kPi, kPi},
+                      Change{"RhombiInSeries", rhombi_in_series, off_rhombi, kPi, kPi - 1},
+                      Change{"CrossedCranks", crossed_cranks, off_crossed, kPi, kPi},
                       Change{"EqualSliderCrank", equal_slider_crank, off_isosceles, kPi, kPi / 2},
                       Change{"LeverThroughThePivot", lever_through_the_pivot, off_half_angle, 2 * kPi, kPi},
                       Change{"EqualDiscs", equal_discs, off_parallel_disc, kPi, kPi},
