@@ -157,6 +157,18 @@ void report_strike(Run& run, const Path& path, double s, const TouchingBody& tou
                   follower_name(run, touching)));
 }
 
+// The coordinate at which a follower stays when its contact opens in run.at.state. At the end of its joint
+// that end itself: the search leaves it a rounding away, from where the joint might not bear it any more.
+double rest_of(const Run& run, std::size_t g) {
+  const CarriedBody& follower = touching_of(run, g).follower;
+  const auto end = joint_at_end(model_of(run), g, run.at.state);
+  if (!end) {
+    return carried_coordinate(follower, run.at.state.bodies);
+  }
+  const Joint& joint = run.mechanism().joints[end->joint];
+  return follower.sign * (end->upper ? *joint.to : *joint.from);
+}
+
 // The part of an event's sentence that names the curve which touches with the edge at its end.
 std::string edge_text(const Run& run, const TouchingBody& touching) {
   const Contact& contact = contact_of(run, touching);
@@ -219,15 +231,20 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     if (closing == Closing::kNone) {
       continue;
     }
+    if (closing == Closing::kClosed) {
+      const StateAside aside(run.work.trial);
+      if (!solve_from(run, closed, path, s + x, 0)) {
+        continue;  // by a rounding the follower would still be at its stop
+      }
+      closed = run.work.trial;
+    }
     note_events(run, path, s, x);
     if (closing == Closing::kFar) {
       std::swap(run.at.state, run.work.trial);
       report_strike(run, path, s + x, touching);
       return x;
     }
-    if (!settle(run, path, s + x, closed)) {
-      return std::nullopt;
-    }
+    run.at.state = std::move(closed);
     const auto contact = static_cast<std::size_t>(touching.contact);
     run.at.watches[contact].overlaps = false;
     run.at.watches[contact].interrupted = true;
@@ -262,7 +279,7 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.held = true;
-  group.held_at = carried_coordinate(touching.follower, open.bodies);
+  group.held_at = rest_of(run, g);
   if (!settle(run, path, s, open)) {
     return;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <random>
 #include <string>
 #include <vector>
@@ -238,6 +239,56 @@ TEST(LashedTappet, HasTheSameEventsWhateverTheRows) {
   const auto engaged = events_of(coarse, EventType::kEngage);
   ASSERT_EQ(engaged.size(), 2U);
   EXPECT_NEAR(engaged[1].driver, 390, 1e-6);
+}
+
+// A roller of 6 on a slide at 7°, over a disc of 45 whose centre turns about O; it rests on a seat.
+double seated_roller(double theta, double seat) {
+  const std::complex<double> centre = std::polar(1.0, theta) * std::complex<double>(9, 2.5);
+  const std::complex<double> along =
+      (centre - std::complex<double>(0, -2)) * std::polar(1.0, -7 * testing::kDegree);
+  return std::max(seat, along.real() + std::sqrt(51.0 * 51.0 - along.imag() * along.imag()));
+}
+
+Motion seated_roller_motion(double seat, int samples) {
+  return motion_of(model_of(fmt::format(R"([bodies.ground]
+points = {{ O = [0, 0], G = [0, -2] }}
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = {{ type = "circle", center = [9, 2.5], radius = 45 }}
+[bodies.follower]
+pose = {{ x = 59.92, y = 5.357, angle = 7 }}
+points.P = [0, 0]
+curves.roller = {{ type = "circle", center = [0, 0], radius = 6 }}
+[joints]
+pivot = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+guide = {{ type = "prismatic", between = ["ground.G", "follower.P"], direction = 7, from = {} }}
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+keep = "gap"
+[driver]
+joint = "pivot"
+start = 0
+end = 720
+samples = {}
+)",
+                                        seat, samples)));
+}
+
+// The seat is found to within a rounding, on either side of it.
+TEST(SeatedRoller, IsPutDownAndLiftedWhateverTheRowsAndTheSeat) {
+  for (const double seat : {50.1, 52.0, 54.0, 56.7, 59.0}) {
+    for (int samples = 19; samples <= 361; samples += 18) {
+      SCOPED_TRACE(fmt::format("{} {}", seat, samples));
+      const Motion motion = seated_roller_motion(seat, samples);
+      ASSERT_TRUE(motion.good());
+      EXPECT_EQ(events_of(motion, EventType::kEngage).size(), 2U);
+      EXPECT_EQ(events_of(motion, EventType::kRelease).size(), 2U);
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        const double theta = motion.column("driver")[k] * testing::kDegree;
+        ASSERT_NEAR(motion.column("guide.position")[k], seated_roller(theta, seat), 1e-9) << k;
+      }
+    }
+  }
 }
 
 // Crank 20, rod 60, slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
