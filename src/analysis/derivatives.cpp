@@ -30,8 +30,12 @@ bool add_beyond_local_curves(const Run& run, Dimensions<double>& dimensions) {
       }
       const SpanPoint point = boundary.at(place);
       auto& of = side == 0 ? dimensions.contacts[i].curve1 : dimensions.contacts[i].curve2;
-      of.beyond = support_beyond(point, *rates, curve_of(run.mechanism(), ref));
-      of.normal_angle = angle_of(point.n_B);
+      if (of.bent) {
+        of.bend = height_over_tangent(point, *rates);
+      } else {
+        of.beyond = support_beyond(point, *rates, curve_of(run.mechanism(), ref));
+        of.normal_angle = angle_of(point.n_B);
+      }
     }
   }
   return true;

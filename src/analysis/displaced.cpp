@@ -35,7 +35,10 @@ double displacement_of(const Run& run, const Mechanism& derivative, const RowSen
   }
   for_each_number(derivative, [&](double change, NumberKind kind) {
     if (kind != NumberKind::kLoad) {
-      displaced = std::max(displaced, std::abs(change) / (kind == NumberKind::kLength ? size : 1));
+      const double unit = kind == NumberKind::kLength ? size
+                          : kind == NumberKind::kBend ? 1 / (size * size)
+                                                      : 1;
+      displaced = std::max(displaced, std::abs(change) / unit);
     }
   });
   // Speed and acceleration are each estimated from the other, too, as either may be 0 in this row.

@@ -184,7 +184,7 @@ Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved
         curve = of_local_curve(run, i, side, moved);
       } else {
         curve.vertex_B = curve.axis_B = Vector2d::Zero();
-        curve.semi_latus = curve.q = 0;
+        curve.semi_latus = curve.q = curve.slope = 0;
       }
     }
   }

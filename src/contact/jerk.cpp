@@ -8,11 +8,6 @@
 namespace higherpair {
 namespace {
 
-// dρ/dφ; 0 for a circle, a line and a point.
-double radius_rate(const Curve& curve, const BodyMotion& body, double rho, const Vector2d& n_W) {
-  return is_curved(curve) ? radius_slope(place(curve, body.X_WB), rho, n_W) : 0;
-}
-
 // Velocity, acceleration and jerk of a material point, the latter without that of the body's frame.
 struct MaterialPoint {
   Vector2d v_W, a_W, jerk_W;
@@ -26,32 +21,34 @@ MaterialPoint material_at(const BodyMotion& body, const Vector2d& p_W) {
 
 }  // namespace
 
-ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
-                         const BodyMotion& body1, const BodyMotion& body2) {
-  const auto link = equivalent_link(is_line(curve1), at.rho1, is_line(curve2), at.rho2);
+double curvature_slope(const Curve& curve, const BodyMotion& body, double rho, const Vector2d& n_W) {
+  return is_curved(curve) ? -radius_slope(place(curve, body.X_WB), rho, n_W) / (rho * rho * rho)
+                          : curve.slope;
+}
+
+ContactJerk contact_jerk(const EquivalentLink& link, const std::array<double, 2>& slopes,
+                         const CommonNormal& at, const BodyMotion& body1, const BodyMotion& body2) {
   const ContactRates rates = contact_rates(link, at, body1, body2);
   const Vector2d p_W = at.p_W();
   const double a_s = (material_at(body2, p_W).a_W - material_at(body1, p_W).a_W).dot(perp(at.n_W));
   const double omega_r = body2.omega - body1.omega;
   const double alpha_r = body2.alpha - body1.alpha;
-  const double nu1 = link.w1 * omega_r + link.w * rates.sliding;
-  const double nu2 = link.w2 * omega_r - link.w * rates.sliding;
-  const double radius1 = radius_rate(curve1, body1, at.rho1, at.n_W) * nu1 * nu1;
-  const double radius2 = radius_rate(curve2, body2, at.rho2, -at.n_W) * nu2 * nu2;
+  const double u1 = rates.along1, u2 = rates.along2;
+  const double bend1 = slopes[0] * u1 * u1, bend2 = slopes[1] * u2 * u2;
 
-  // Of the linkage with constant lengths; the terms of the radii's rates are added below.
+  // Of the linkage with constant lengths; the terms of the curvatures' rates are added below.
   const double along1 = link.z * alpha_r + link.w2 * a_s;
   const double along2 = link.z * alpha_r - link.w1 * a_s;
   const double phi_ddot = body1.alpha + link.w1 * alpha_r + link.w * a_s;
-  const double further = link.w1 * radius1 - link.w2 * radius2;
+  const double further = link.z * (bend2 - bend1);
   ContactJerk jerk;
   jerk.along1 = along1 + further;
   jerk.along2 = along2 + further;
-  jerk.phi_ddot = phi_ddot - link.w * (radius1 + radius2);
+  jerk.phi_ddot = phi_ddot + link.w2 * bend1 + link.w1 * bend2;
   jerk.linkage_normal_jerk = 2 * (body2.alpha * rates.along2 - body1.alpha * rates.along1) +
                              body2.omega * along2 - body1.omega * along1 - 2 * rates.phi_dot * a_s -
                              rates.sliding * phi_ddot;
-  jerk.rate_of_curvature = {radius1 * nu1, -radius2 * nu2};
+  jerk.rate_of_curvature = {-bend1 * u1, bend2 * u2};
   jerk.rolling_jerk = omega_r * (body1.omega + body2.omega + rates.phi_dot) * rates.along1;
   return jerk;
 }

@@ -32,4 +32,22 @@ std::array<double, 3> support_beyond(const SpanPoint& point, const CurvatureRate
   return {h4, d[3] / 20, (d[4] - h4) / 30};
 }
 
+// With the tangent turned by ψ = ∫ κ ds, the height falls by sin ψ ds over cos ψ ds.
+std::array<double, 5> height_over_tangent(const SpanPoint& point, const CurvatureRates& rates) {
+  const CurveSeries kappa = curvature_series(point, rates);
+  CurveSeries psi;
+  for (std::size_t k = 0; k + 1 < psi.c.size(); ++k) {
+    psi.c[k + 1] = kappa.c[k] / static_cast<double>(k + 1);
+  }
+  CurveSeries derivative = -sin(psi) / cos(psi);  // by x: d/dx = (1/cos ψ) d/ds
+  std::array<double, 5> height{};
+  double factorial = 1;
+  for (std::size_t k = 0; k < height.size(); ++k) {
+    derivative = derivative_of(derivative) / cos(psi);
+    factorial *= static_cast<double>(k + 2);
+    height[k] = value_of(derivative) / factorial;
+  }
+  return height;
+}
+
 }  // namespace higherpair

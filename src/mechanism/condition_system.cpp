@@ -6,21 +6,31 @@
 namespace higherpair {
 namespace {
 
-// \param number  makes a D from a number of the mechanism and the same number of its derivative
+// \param number  makes a D from a number of the curve and the same number of its derivative
 template <class D, class F>
-Dimensions<D> make_dimensions(const Mechanism& mechanism, const Mechanism& derivative, F number) {
+CurveDimensions<D> curve_dimensions(const Curve& c, const Curve& dc, F number) {
   const auto vector = [&](const Vector2d& v, const Vector2d& dv) {
     return Vector2<D>(number(v.x(), dv.x()), number(v.y(), dv.y()));
   };
+  CurveDimensions<D> of{c.kind,
+                        c.side == Side::kInside ? 1.0 : -1.0,
+                        vector(c.vertex_B, dc.vertex_B),
+                        vector(c.axis_B, dc.axis_B),
+                        number(c.semi_latus, dc.semi_latus),
+                        number(c.q, dc.q)};
+  if (c.slope != 0) {
+    of.bent = true;
+    of.bend[0] = c.kind == CurveKind::kLine ? D(0) : D(D(-of.side / 2) / of.semi_latus);
+    of.bend[1] = number(c.slope, dc.slope) / D(-6);
+  }
+  return of;
+}
+
+// \param number  as above
+template <class D, class F>
+Dimensions<D> make_dimensions(const Mechanism& mechanism, const Mechanism& derivative, F number) {
   const auto curve = [&](const CurveRef& ref) {
-    const Curve& c = curve_of(mechanism, ref);
-    const Curve& dc = curve_of(derivative, ref);
-    return CurveDimensions<D>{c.kind,
-                              c.side == Side::kInside ? 1.0 : -1.0,
-                              vector(c.vertex_B, dc.vertex_B),
-                              vector(c.axis_B, dc.axis_B),
-                              number(c.semi_latus, dc.semi_latus),
-                              number(c.q, dc.q)};
+    return curve_dimensions<D>(curve_of(mechanism, ref), curve_of(derivative, ref), number);
   };
   Dimensions<D> dimensions;
   dimensions.bodies = mechanism.bodies.size();
@@ -68,9 +78,7 @@ Dimensions<double> dimensions_of(const Mechanism& mechanism) {
 }
 
 CurveDimensions<double> dimensions_of(const Curve& curve) {
-  return {curve.kind,       curve.side == Side::kInside ? 1.0 : -1.0,
-          curve.vertex_B,   curve.axis_B,
-          curve.semi_latus, curve.q};
+  return curve_dimensions<double>(curve, curve, [](double x, double /*dx*/) { return x; });
 }
 
 Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism, const Mechanism& derivative) {

@@ -56,4 +56,8 @@ using CurveSeries = PowerSeries<double, 6>;
 [[nodiscard]] std::array<double, 3> support_beyond(const SpanPoint& point, const CurvatureRates& rates,
                                                    const Curve& local);
 
+/// The height of a boundary over its tangent at a place, a function of the distance x along it, n turned
+/// +90°: the coefficients of x² to x⁶ [m]. Regular at an inflection, where the support function is not.
+[[nodiscard]] std::array<double, 5> height_over_tangent(const SpanPoint& point, const CurvatureRates& rates);
+
 }  // namespace higherpair

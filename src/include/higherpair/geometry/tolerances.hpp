@@ -71,8 +71,9 @@ inline constexpr double kLargestPartTurn = 0.1;
 inline constexpr double kSameJointDirection = 1e-7;
 /// Curvatures at a joint that differ by no more are equal: relative to them, or to 1 / size of the boundary.
 inline constexpr double kSameJointCurvature = 1e-9;
-/// Largest slope of the normal of a local parabola against its axis; beyond it a circle is used.
-inline constexpr double kSteepestParabola = 1e6;
+/// Largest slope of the normal of a local parabola against its axis, by which it loses digits; beyond it the
+/// boundary is described by its height over its tangent.
+inline constexpr double kSteepestParabola = 1e3;
 /// Distance, relative to the reach, of ends of support function pieces that meet.
 inline constexpr double kSameSupportEnd = 1e-12;
 

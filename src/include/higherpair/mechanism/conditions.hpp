@@ -130,6 +130,10 @@ struct CurveDimensions {
   /// up to the third derivative of a motion depends on it.
   std::array<double, 3> beyond{};
   double normal_angle = 0;
+  /// For a circle or line that stands for a nearly straight part of a boundary: its height over the tangent
+  /// at the vertex is Σ bend[k] x^(k+2) at the distance x along n turned +90° [m].
+  bool bent = false;
+  std::array<D, 5> bend{};
 };
 
 /// Adds to a point of the local conic what the boundary has beyond it: p = h n + h′ t, ρ = h + h″.
@@ -168,6 +172,21 @@ template <class T, class D>
   return {body.point(curve.vertex_B), body.vector(curve.axis_B), curve.semi_latus, curve.q, curve.side};
 }
 
+/// The point of a curve with an outward normal, for any curve but a line.
+/// \param theta  of the body \param exist  set to false where there is no such point
+template <class T, class D>
+[[nodiscard]] SupportPoint<T> outline_point(const CurveDimensions<D>& own, const PlacedCurve<T, D>& curve,
+                                            const T& theta, const Vector2<T>& n_W, const T& angle_of_n,
+                                            bool& exist) {
+  SupportPoint<T> support = support_point(curve, n_W);
+  if (own.beyond != std::array<double, 3>{}) {
+    add_beyond(own, T(angle_of_n - theta - own.normal_angle), n_W, support);
+  }
+  const bool near_half = value_of(T(n_W.dot(curve.axis_W))) * curve.side < 0;
+  exist = exist && (curve.q > D(0) || (near_half && value_of(support.w2) > 0));
+  return support;
+}
+
 template <class T, class D>
 [[nodiscard]] FacingPoints<T> facing_points(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                             const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
@@ -192,14 +211,9 @@ template <class T, class D>
   at.p2_W = second.vertex_W;
   const auto set_point = [&](const CurveDimensions<D>& own, const PlacedCurve<T, D>& curve, const T& theta,
                              const Vector2<T>& n_W, const T& angle_of_n, Vector2<T>& p_W, T& rho) {
-    SupportPoint<T> support = support_point(curve, n_W);
-    if (own.beyond != std::array<double, 3>{}) {
-      add_beyond(own, T(angle_of_n - theta - own.normal_angle), n_W, support);
-    }
+    const auto support = outline_point(own, curve, theta, n_W, angle_of_n, at.exist);
     p_W = support.p_W;
     rho = support.rho;
-    const bool near_half = value_of(T(n_W.dot(curve.axis_W))) * curve.side < 0;
-    at.exist = at.exist && (curve.q > D(0) || (near_half && value_of(support.w2) > 0));
   };
   if (!flat1) {
     set_point(curve1, first, body1.theta, at.n_W, at.phi, at.p1_W, at.rho1);
@@ -260,6 +274,36 @@ template <class T, class D>
   return difference;
 }
 
+/// The same for a curve that is nearly straight, on which no normal tells where the contact is: gap [m] of
+/// the other curve's point above it, and size·sin of the angle between the normals there. \param n_W  out of
+/// the bent curve \param angle  of n [rad]
+template <class T, class D>
+[[nodiscard]] ConditionValues<T> bent_conditions(const CurveDimensions<D>& bent, const BodyAt<T>& body,
+                                                 const CurveDimensions<D>& other, const BodyAt<T>& other_body,
+                                                 const T& angle, double size) {
+  using std::cos;
+  using std::sin;
+  const Vector2<T> n_W = vector_of(T(cos(angle)), T(sin(angle)));
+  ConditionValues<T> values;
+  const Vector2<T> facing = -n_W;
+  const Vector2<T> p_W = outline_point(other, placed_on(other_body, other), other_body.theta, facing,
+                                       T(angle + kPi), values.exist)
+                             .p_W;
+  const Vector2<T> up_W = -bent.side * body.vector(bent.axis_B);
+  const Vector2<T> along_W = perp(up_W);
+  const Vector2<T> d = p_W - body.point(bent.vertex_B);
+  const T x = d.dot(along_W);
+  T height(0), slope(0), power = x;
+  for (std::size_t k = 0; k < bent.bend.size(); ++k) {
+    slope += static_cast<double>(k + 2) * T(bent.bend[k]) * power;
+    power = power * x;
+    height += T(bent.bend[k]) * power;
+  }
+  values.add(d.dot(up_W) - height);
+  values.add(size * cross(Vector2<T>(up_W - slope * along_W), n_W));
+  return values;
+}
+
 /// Gap [m]; a condition for φ: the distance of the points along t [m] (with a line: size·(φ - angle of its
 /// face)); and for a rolling contact the slip since the arcs differed by `held` [m]. At a contact point
 /// neither the slip nor the gap depends on φ: at constant φ their derivatives with respect to the bodies are
@@ -268,6 +312,12 @@ template <class T, class D>
 [[nodiscard]] ConditionValues<T> contact_conditions(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                                     const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
                                                     const T& phi, const std::optional<T>& held, double size) {
+  if (curve1.bent && !curve2.bent && curve2.kind != CurveKind::kLine) {
+    return bent_conditions(curve1, body1, curve2, body2, phi, size);
+  }
+  if (curve2.bent && !curve1.bent && curve1.kind != CurveKind::kLine) {
+    return bent_conditions(curve2, body2, curve1, body1, T(phi + kPi), size);
+  }
   const FacingPoints<T> at = facing_points(curve1, body1, curve2, body2, phi);
   const Vector2<T> apart = at.p2_W - at.p1_W;
   const bool flat = curve1.kind == CurveKind::kLine || curve2.kind == CurveKind::kLine;
