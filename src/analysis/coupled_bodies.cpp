@@ -25,7 +25,7 @@ constexpr int kMaxSteps = 30;
 class Solver {
 public:
   explicit Solver(const Eigen::MatrixXd& J, bool repeating = false)
-      : square_(J.rows() == J.cols() && !repeating) {
+      : square_(J.rows() == J.cols() && !repeating), has_surplus_(J.rows() > J.cols() && !repeating) {
     if (square_) {
       lu_.compute(J);
     } else {
@@ -40,17 +40,17 @@ public:
     return least_norm_.solve(b);
   }
 
-  // The smallest pivot with the sign of the determinant, which is that of the branch; 1 if there are surplus
-  // conditions.
+  // The smallest pivot with the sign of the determinant, which is that of the branch. If there are surplus
+  // conditions: 1, or 0 where all of them together do not determine the bodies.
   [[nodiscard]] double determinant() const {
     if (!square_) {
-      return 1;
+      return has_surplus_ && least_norm_.rank() < least_norm_.columns() ? 0 : 1;
     }
     return lu_.sign() * lu_.pivots().cwiseAbs().minCoeff();
   }
 
 private:
-  bool square_;
+  bool square_, has_surplus_;
   LuSolver lu_;
   LeastNormSolver least_norm_{kCoupledRank};
 };

@@ -14,11 +14,6 @@
 namespace higherpair {
 namespace {
 
-double output_velocity(const OutputJoint& output, const State& state) {
-  const BodyMotion& body = state.bodies[output.body];
-  return output.turns ? body.omega : body.v_WB.dot(output.direction_W);
-}
-
 // The largest speed of any body, as that of an output that turns [per unit of the path] or slides [m].
 double fastest_motion(const State& state, double size, bool turning) {
   double fastest = 0;
@@ -26,11 +21,6 @@ double fastest_motion(const State& state, double size, bool turning) {
     fastest = std::max({fastest, std::abs(body.omega), body.v_WB.norm() / size});
   }
   return turning ? fastest : fastest * size;
-}
-
-double output_acceleration(const OutputJoint& output, const State& state) {
-  const BodyMotion& body = state.bodies[output.body];
-  return output.turns ? body.alpha : body.a_WB.dot(output.direction_W);
 }
 
 // Where within a step the speed of an output first falls and then rises, so that it may have reversed twice:
@@ -53,10 +43,10 @@ public:
   StrokeEnds(Run& run, const Path& path, double s, double h) : run_(run), path_(path), s_(s), h_(h) {}
 
   void note(OutputJoint& output) {
-    const double v0 = output_velocity(output, run_.at.state);
-    const double v1 = output_velocity(output, run_.work.trial);
-    const double middle = slowest_within(v0, output_acceleration(output, run_.at.state), v1,
-                                         output_acceleration(output, run_.work.trial), h_);
+    const JointMotion before = motion_in(output, run_.at.state);
+    const JointMotion after = motion_in(output, run_.work.trial);
+    const double v0 = before.velocity, v1 = after.velocity;
+    const double middle = slowest_within(v0, before.acceleration, v1, after.acceleration, h_);
     if (middle != 0) {
       const double between = velocity_at(output, middle);
       if (between * v0 < 0) {
@@ -69,23 +59,28 @@ public:
   }
 
 private:
-  double velocity_at(const OutputJoint& output, double x) {
-    const StateAside aside(run_.work.trial);
-    return solve_at(run_, path_, s_, x) ? output_velocity(output, run_.work.trial) : kNoValue;
+  [[nodiscard]] const Joint& joint_of(const OutputJoint& output) const {
+    return run_.mechanism().joints[output.joint];
   }
 
-  std::optional<double> position_at(const OutputJoint& output, double x) {
+  [[nodiscard]] JointMotion motion_in(const OutputJoint& output, const State& state) const {
+    return joint_motion(run_.mechanism(), joint_of(output), state.bodies);
+  }
+
+  std::optional<JointMotion> motion_at(const OutputJoint& output, double x) {
     const StateAside aside(run_.work.trial);
-    if (!solve_at(run_, path_, s_, x)) {
-      return std::nullopt;
-    }
-    const Joint& joint = run_.mechanism().joints[output.joint];
-    return joint_motion(run_.mechanism(), joint, run_.work.trial.bodies).position;
+    return solve_at(run_, path_, s_, x) ? std::optional(motion_in(output, run_.work.trial)) : std::nullopt;
+  }
+
+  double velocity_at(const OutputJoint& output, double x) {
+    const auto motion = motion_at(output, x);
+    return motion ? motion->velocity : kNoValue;
   }
 
   // Below this speed the sense of an output is a matter of rounding.
   [[nodiscard]] double slowest(const OutputJoint& output, double fast) const {
-    return kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size, output.turns));
+    return kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size,
+                                                          has_angle(joint_of(output).type)));
   }
 
   // Notes a reversal between x0 and x1 within the step.
@@ -122,7 +117,8 @@ private:
       RunEvent event =
           event_at(EventType::kStrokeEnd, path_, s_ + x0 + *x, "the motion of this joint reverses");
       event.joint = output.joint;
-      event.value = position_at(output, x0 + *x);
+      const auto motion = motion_at(output, x0 + *x);
+      event.value = motion ? std::optional(motion->position) : std::nullopt;
       run_.events.push_back(std::move(event));
     }
   }
@@ -175,18 +171,9 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
     const bool grounded = (joint.first.body == 0) != (joint.second.body == 0);
-    if (is_driven(mechanism, static_cast<int>(i)) || !grounded || !can_be_driven(joint.type)) {
-      continue;
+    if (grounded && !couples_turning(joint.type) && !is_driven(mechanism, static_cast<int>(i))) {
+      outputs.push_back({static_cast<int>(i)});
     }
-    const int body = joint.first.body == 0 ? joint.second.body : joint.first.body;
-    OutputJoint output;
-    output.joint = static_cast<int>(i);
-    output.body = body;
-    output.turns = joint.type == JointType::kRevolute;
-    if (!output.turns) {
-      output.direction_W = carried_body(mechanism, joint, body).freedom.direction_W;
-    }
-    outputs.push_back(output);
   }
   return outputs;
 }

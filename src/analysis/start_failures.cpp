@@ -56,7 +56,8 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
   }
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
-      "there; change driver.start, the dimensions or the poses",
+      "there; give them the poses they have there (others may lead elsewhere), or change driver.start or the "
+      "dimensions",
       body_names(run.mechanism(), group.bodies));
 }
 

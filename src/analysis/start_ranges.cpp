@@ -17,18 +17,21 @@ constexpr std::size_t kMostRanges = 3;
 
 class Scan {
 public:
-  Scan(Run& run, double from, double span) : run_(run), from_(from), span_(span) {}
+  // \param closed  whether it ends where it begins
+  Scan(Run& run, double from, double span, bool closed)
+      : run_(run), from_(from), span_(span), closed_(closed) {}
 
   std::vector<StartRange> ranges() {
     std::vector<StartRange> found;
-    bool last = assembles(0);
-    if (last) {
+    const bool first = assembles(0);
+    bool last = first;
+    if (first) {
       found.push_back({at(0), at(1)});
     }
     for (int k = 1; k <= kTries && !is_stopped(run_); ++k) {
       const double x = static_cast<double>(k) / kTries;
       const double before = static_cast<double>(k - 1) / kTries;
-      const bool here = assembles(x);
+      const bool here = closed_ && k == kTries ? first : assembles(x);
       if (here && !last) {
         found.push_back({at(end_between(x, before)), at(1)});
       } else if (!here && last) {
@@ -59,6 +62,7 @@ private:
   Run& run_;
   double from_;
   double span_;
+  bool closed_;
 };
 
 double distance(const StartRange& range, double from, double turn) {
@@ -82,8 +86,8 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
   }
   const double turn = driven_joint(mechanism).type == JointType::kRevolute ? 2 * kPi : 0;
   const double reach = kReachOfSlide * run->plan().size;
-  std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn).ranges()
-                                            : Scan(*run, drivers.front() - reach, 2 * reach).ranges();
+  std::vector<StartRange> ranges = turn > 0 ? Scan(*run, drivers.front(), turn, true).ranges()
+                                            : Scan(*run, drivers.front() - reach, 2 * reach, false).ranges();
   if (is_stopped(*run)) {
     return std::nullopt;
   }

@@ -128,24 +128,4 @@ std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, do
   return contacts;
 }
 
-std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
-                                            const Boundary& boundary2, const Pose<double>& X_W2) {
-  const double scale = std::max(boundary1.size(), boundary2.size());
-  std::array<BoundaryPlace, 2> best;
-  double least = kInf;
-  for (const auto& one : boundary1.samples()) {
-    const Vector2d p1 = X_W1 * one.point.p_B;
-    const Vector2d n1 = X_W1.R_WB * one.point.n_B;
-    for (const auto& two : boundary2.samples()) {
-      const double apart = (X_W2 * two.point.p_B - p1).squaredNorm();
-      const double turned = scale * scale * (X_W2.R_WB * two.point.n_B + n1).squaredNorm();
-      if (apart + turned < least) {
-        least = apart + turned;
-        best = {one.place, two.place};
-      }
-    }
-  }
-  return best;
-}
-
 }  // namespace higherpair

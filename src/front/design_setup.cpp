@@ -140,12 +140,15 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
                                                          1});
   setup->branches = branch_count(*model.data().plan);
   setup->size = model.data().plan->size;
-  std::vector<Column> table;
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
-    table = start->columns();
   }
-  if (Diagnostics mistakes = complete_quantities(model, *task, setup->measures, table, setup->quantities);
+  const auto table = columns_of(model.data(), setup->settings, model.units());
+  if (!table) {
+    return tl::unexpected(table.error());
+  }
+  if (Diagnostics mistakes =
+          complete_quantities(model, *task, setup->measures, table->columns(), setup->quantities);
       !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }

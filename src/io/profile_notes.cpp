@@ -30,6 +30,16 @@ bool is_whole(double x) {
   return std::abs(x - std::round(x)) <= kWholeNumber * std::max(1.0, std::abs(x)) && std::abs(x) >= 0.5;
 }
 
+// A whole number or a whole part of 1.
+bool is_even(double x) {
+  return is_whole(x) || is_whole(1 / x);
+}
+
+// Whether three decimal digits are enough to write the number.
+bool is_short(double x) {
+  return x != 0 && is_whole(x * std::pow(10, 2 - std::floor(std::log10(std::abs(x)))));
+}
+
 class Notes {
 public:
   Notes(const Reading& reading, const Value& document, const Profile& profile)
@@ -255,13 +265,12 @@ private:
     const double full_turn = from_si(dimension::kAngle, profile_.units).apply(2 * kPi);
     const double span = program.end ? *program.end - program.start : turns ? full_turn : 0;
     const auto rows = static_cast<double>(*program.samples);
-    const auto is_round = [](double x) { return is_whole(x) || is_whole(1 / x); };
-    if (span != 0 && is_round(span / rows) && !is_round(span / (rows - 1))) {
+    const double apart = span / (rows - 1);
+    if (span != 0 && is_even(span / rows) && !is_even(apart) && !is_short(apart)) {
       const std::string_view unit = name_of(turns ? profile_.units.angle : profile_.units.length);
-      add_with_value(
-          path,
-          fmt::format("both ends are rows, so they are {:.6g} {} apart; {} rows are {:g} {} apart",
-                      std::abs(span) / (rows - 1), unit, *program.samples + 1, std::abs(span) / rows, unit));
+      add_with_value(path,
+                     fmt::format("both ends are rows, so they are {:.6g} {} apart; {} rows are {:g} {} apart",
+                                 std::abs(apart), unit, *program.samples + 1, std::abs(span) / rows, unit));
     }
   }
 

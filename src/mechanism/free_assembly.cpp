@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -75,6 +76,35 @@ SizedMechanism sized_mechanism(const Mechanism& mechanism) {
   return {mechanism, size_of(mechanism)};
 }
 
+// Assembles by steps that reduce the errors of the conditions.
+template <class StepOf>
+std::optional<MechanismPosition> iterate(const SizedMechanism& sized, const Held& held,
+                                         MechanismPosition position, const StepOf& step_of) {
+  double last = kInf;
+  for (int i = 0; i < kNewtonTurns; ++i) {
+    if (!place_contacts(sized.mechanism, position)) {
+      return std::nullopt;
+    }
+    const LinearConditions conditions = conditions_at(sized, held, position);
+    if (conditions.values.size() == 0) {
+      return position;
+    }
+    Eigen::VectorXd step = step_of(conditions);
+    if (!step.allFinite()) {
+      return std::nullopt;
+    }
+    const double length = step.size() == 0 ? 0 : step.cwiseAbs().maxCoeff() / sized.size;
+    if (newton_has_settled(length, last, kNewtonQuadratic, kLeastFreeStep)) {
+      const double error = conditions.values.cwiseAbs().maxCoeff();
+      return error <= kClosedMechanism * sized.size ? std::optional(std::move(position)) : std::nullopt;
+    }
+    last = length;
+    step *= std::min(1.0, kNewtonTurn / length);
+    add_step(sized, step, position);
+  }
+  return std::nullopt;
+}
+
 // Assembles without the conditions of rolling and starts the arcs there: nothing has been travelled yet.
 std::optional<MechanismPosition> begin_to_roll(const SizedMechanism& sized,
                                                const std::vector<double>& drivers,
@@ -120,29 +150,23 @@ Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition
 
 std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
                                                MechanismPosition position) {
-  double last = kInf;
-  for (int i = 0; i < kNewtonTurns; ++i) {
-    if (!place_contacts(sized.mechanism, position)) {
-      return std::nullopt;
-    }
-    const LinearConditions conditions = conditions_at(sized, held, position);
-    if (conditions.values.size() == 0) {
-      return position;
-    }
-    Eigen::VectorXd step = LeastNormSolver(conditions.J, kRepeatedConditions).solve(-conditions.values);
-    if (!step.allFinite()) {
-      return std::nullopt;
-    }
-    const double length = step.size() == 0 ? 0 : step.cwiseAbs().maxCoeff() / sized.size;
-    if (newton_has_settled(length, last, kNewtonQuadratic, kLeastFreeStep)) {
-      const double error = conditions.values.cwiseAbs().maxCoeff();
-      return error <= kClosedMechanism * sized.size ? std::optional(std::move(position)) : std::nullopt;
-    }
-    last = length;
-    step *= std::min(1.0, kNewtonTurn / length);
-    add_step(sized, step, position);
-  }
-  return std::nullopt;
+  return iterate(sized, held, std::move(position), [](const LinearConditions& conditions) {
+    return LeastNormSolver(conditions.J, kRepeatedConditions).solve(-conditions.values);
+  });
+}
+
+// Levenberg-Marquardt with a damping in proportion to the error: it vanishes fast enough for quadratic
+// convergence, and more slowly than what such conditions contribute to J^T J.
+std::optional<MechanismPosition> assemble_beside(const SizedMechanism& sized, MechanismPosition position) {
+  return iterate(sized, {}, std::move(position), [&](const LinearConditions& conditions) {
+    const Eigen::Index rows = conditions.J.rows(), columns = conditions.J.cols();
+    Eigen::MatrixXd J(rows + columns, columns);
+    J << conditions.J,
+        Eigen::MatrixXd::Identity(columns, columns) * std::sqrt(conditions.values.norm() / sized.size);
+    Eigen::VectorXd wanted = Eigen::VectorXd::Zero(rows + columns);
+    wanted.head(rows) = -conditions.values;
+    return LeastNormSolver(J).solve(wanted);
+  });
 }
 
 void add_step(const SizedMechanism& sized, const Eigen::VectorXd& step, MechanismPosition& position) {

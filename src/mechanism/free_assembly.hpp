@@ -47,6 +47,12 @@ struct Held {
 [[nodiscard]] std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
                                                              MechanismPosition position);
 
+/// The same from a position beside an assembled one. Conditions that repeat others do so only where the
+/// mechanism is assembled: beside it they are nearly dependent, and their differences do not determine a
+/// step.
+[[nodiscard]] std::optional<MechanismPosition> assemble_beside(const SizedMechanism& sized,
+                                                               MechanismPosition position);
+
 /// Assembles a mechanism from a position that is assembled or nearly so; rolling contacts begin to roll
 /// there.
 [[nodiscard]] std::optional<MechanismPosition> assemble_near(const Mechanism& mechanism,

@@ -6,7 +6,9 @@
 #include "numeric/singular_values.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -33,18 +35,33 @@ std::vector<Eigen::VectorXd> directions_in(const Eigen::MatrixXd& basis) {
 
 struct Move {
   MechanismPosition to;
-  Eigen::VectorXd moved;  // in units of the intended step
+  Eigen::VectorXd reached;  // within the null space, in units of the intended step
+
+  [[nodiscard]] bool leads_away() const { return reached.norm() >= kLeadsAway; }
 };
 
+// A move along a direction of the null space at the start. Newton's method loses its way beside a change
+// point where conditions repeat each other, the damped one is slow beside a shaky position.
 std::optional<Move> move_along(const SizedMechanism& sized, const MechanismPosition& start,
-                               const Eigen::VectorXd& direction) {
+                               const Eigen::MatrixXd& basis, const Eigen::VectorXd& direction) {
   double step = kFreeMove * sized.size / direction.cwiseAbs().maxCoeff();
   for (int i = 0; i < kShorterMoves; ++i, step /= 4) {
-    MechanismPosition to = start;
-    add_step(sized, step * direction, to);
-    if (auto closed = assemble_from(sized, {}, std::move(to))) {
-      Eigen::VectorXd moved = step_between(sized, start, *closed) / step;
-      return Move{*std::move(closed), std::move(moved)};
+    MechanismPosition beside = start;
+    add_step(sized, step * direction, beside);
+    const auto move_to = [&](std::optional<MechanismPosition> closed) -> std::optional<Move> {
+      if (!closed) {
+        return std::nullopt;
+      }
+      Eigen::VectorXd reached = basis.transpose() * (step_between(sized, start, *closed) / step);
+      return Move{*std::move(closed), std::move(reached)};
+    };
+    auto move = move_to(assemble_from(sized, {}, beside));
+    if (!move || !move->leads_away()) {
+      auto damped = move_to(assemble_beside(sized, std::move(beside)));
+      move = damped && damped->leads_away() ? std::move(damped) : std::move(move);
+    }
+    if (move) {
+      return move;
     }
   }
   return std::nullopt;
@@ -77,16 +94,11 @@ Moves explore(const SizedMechanism& sized, const MechanismPosition& start) {
   const std::vector<Eigen::VectorXd> directions = directions_in(basis);
   Eigen::MatrixXd reached = Eigen::MatrixXd::Zero(basis.cols(), static_cast<Eigen::Index>(directions.size()));
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const auto move = move_along(sized, start, directions[i]);
-    if (!move) {
+    const auto move = move_along(sized, start, basis, directions[i]);
+    if (!move || !move->leads_away()) {
       continue;
     }
-    const auto column = static_cast<Eigen::Index>(i);
-    reached.col(column) = basis.transpose() * move->moved;
-    if (reached.col(column).norm() < kLeadsAway) {
-      reached.col(column).setZero();
-      continue;
-    }
+    reached.col(static_cast<Eigen::Index>(i)) = move->reached;
     ++moves.positions;
     NullSpaces there = null_spaces(conditions_at(sized, {}, move->to).J);
     const bool first_off_start = moves.positions == 2 && there.rank >= moves.at_best.rank;

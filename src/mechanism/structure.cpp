@@ -1,11 +1,13 @@
 #include "structure.hpp"
 
+#include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "redundancy.hpp"
 #include "structural_conditions.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -101,14 +103,22 @@ std::vector<LooseBody> loose_bodies(const std::vector<int>& matched, std::size_t
   return loose;
 }
 
-// Removes the coordinates of conditions that others imply, so that these determine nothing.
+// Removes the coordinates of conditions that others imply, so that these determine nothing. Of the joints,
+// those on ground keep theirs: a body that lost its pin on ground would have to be placed together with all
+// that carries it instead.
 void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& conditions) {
+  const int joint_rows =
+      std::accumulate(mechanism.joints.begin(), mechanism.joints.end(), 0,
+                      [](int rows, const Joint& joint) { return rows + row_count(joint); });
   std::vector<int> order;
+  std::vector<int> after_joints_on_ground;
   for (const Condition& condition : conditions) {
     if (condition.row != Condition::kNoRow) {
-      order.push_back(condition.row);
+      const bool first = condition.row < joint_rows && condition.bodies.size() == 1;
+      (first ? order : after_joints_on_ground).push_back(condition.row);
     }
   }
+  order.insert(order.end(), after_joints_on_ground.begin(), after_joints_on_ground.end());
   const std::vector<int> repeated = repeated_rows(mechanism, order);
   for (Condition& condition : conditions) {
     if (contains(repeated, condition.row)) {

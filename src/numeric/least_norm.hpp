@@ -21,6 +21,7 @@ public:
   void compute(const Eigen::MatrixXd& J);
 
   [[nodiscard]] Eigen::Index rank() const { return decomposition_.rank(); }
+  [[nodiscard]] Eigen::Index columns() const { return decomposition_.cols(); }
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   [[nodiscard]] Eigen::MatrixXd pseudoinverse() const;
 

@@ -340,5 +340,68 @@ TEST(BoundaryCams, AreNotReachedFromAPoseThatOverlaps) {
   EXPECT_TRUE(started_from(0.021, Approach::kNearest));
 }
 
+// A trolley on two wheels of 20, pulled along a rail of any length.
+TEST(BoundaryCams, AStraightRailCarriesWheelsWhereverItEnds) {
+  for (const double half : {200.0, 400.0, 20000.0}) {
+    Mechanism m;
+    const int trolley = add_body(m, "trolley", Vector2d(-0.15, 0.02));
+    const int pull = add_body(m, "pull", Vector2d(-0.15, 0.02));
+    const PointRef O = add_point(m, kGround, "O", Vector2d::Zero());
+    const PointRef P = add_point(m, pull, "P", Vector2d::Zero());
+    const int guide = add_prismatic(m, "guide", O, P, Vector2d::UnitX());
+    add_slot(m, "hitch", P, add_point(m, trolley, "P", Vector2d::Zero()), Vector2d::UnitY());
+    const Vector2d end(half * kMillimetre, 0);
+    const CurveRef rail = add_curve(m, kGround, "rail", *Boundary::make({face_span(end, -end)}, false, 0));
+    for (const double x : {-0.05, 0.05}) {
+      add_contact(m, x < 0 ? "rear" : "front", rail,
+                  add_curve(m, trolley, x < 0 ? "rear" : "front", *make_circle(Vector2d(x, 0), 0.02)));
+    }
+    add_driver(m, guide);
+    use_boundaries(m);
+    auto run = start_run(m, {-0.11});
+    ASSERT_TRUE(run) << half << run.error().reason;
+    for (int k = 0; k <= 12; ++k) {
+      const double x = -0.11 + 0.017 * k;
+      move_to(*run, {{x, 1, 0}});
+      ASSERT_EQ(run->row.status, RowStatus::kOk) << half << " " << x;
+      const BodyMotion& body = run->row.bodies[trolley];
+      EXPECT_NEAR((body.X_WB.p_WB - Vector2d(x, 0.02)).norm(), 0, 1e-15) << half << " " << x;
+      EXPECT_NEAR(body.theta, 0, 1e-14) << half << " " << x;
+    }
+  }
+}
+
+// A disc of two arcs in a yoke with two parallel faces: y = r + e sin θ, from a pose that is 5 off.
+TEST(BoundaryCams, APlateInAYokeOfTwoFacesMovesItsFaces) {
+  constexpr double e = 0.01, r = 0.026;
+  Mechanism m;
+  const int cam = add_body(m, "cam");
+  const int yoke = add_body(m, "yoke", Vector2d(0, 0.036));
+  const PointRef O = add_point(m, kGround, "O", Vector2d::Zero());
+  const int pivot = add_revolute(m, "pivot", O, add_point(m, cam, "O", Vector2d::Zero()));
+  add_prismatic(m, "guide", O, add_point(m, yoke, "P", Vector2d::Zero()), Vector2d::UnitY());
+  const Curve disc = *make_circle(Vector2d(e, 0), r);
+  const CurveRef plate =
+      add_curve(m, cam, "plate",
+                *Boundary::make({conic_span(disc, 0, kPi), conic_span(disc, kPi, 2 * kPi)}, true, 1e-12));
+  add_contact(m, "above", plate, add_curve(m, yoke, "above", *make_line({0, 0}, {0, -1})));
+  add_contact(m, "below", plate, add_curve(m, yoke, "below", *make_line({0, -2 * r}, {0, 1})));
+  add_driver(m, pivot);
+  use_boundaries(m);
+  for (const double from : {0.17, 2.0, 4.1}) {
+    auto run = start_run(m, {from});
+    ASSERT_TRUE(run) << from << run.error().reason;
+    for (int k = 0; k <= 36; ++k) {
+      const double u = from + k * kPi / 18;
+      move_to(*run, {{u, 1, 0}});
+      ASSERT_EQ(run->row.status, RowStatus::kOk) << u;
+      const BodyMotion& body = run->row.bodies[yoke];
+      EXPECT_NEAR(body.X_WB.p_WB.y(), r + e * std::sin(u), 1e-15) << u;
+      EXPECT_NEAR(body.v_WB.y(), e * std::cos(u), 1e-15) << u;
+      EXPECT_NEAR(body.a_WB.y(), -e * std::sin(u), 1e-14) << u;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

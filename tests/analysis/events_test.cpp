@@ -56,6 +56,29 @@ TEST(StrokeEnds, OfATappetInTwoGuidesAreThoseOfOne) {
   }
 }
 
+// The rod's end runs in a slot of ground: the stroke ends where crank and rod are in line.
+TEST(StrokeEnds, OfAPinInASlotOfGroundAreWhereCrankAndRodAreInLine) {
+  Mechanism m;
+  const int crank = add_body(m, "crank"), rod = add_body(m, "rod", Vector2d(0.03, 0));
+  const PointRef O = add_point(m, kGround, "O", Vector2d::Zero());
+  const int pivot = add_revolute(m, "pivot", O, add_point(m, crank, "O", Vector2d::Zero()));
+  add_revolute(m, "pin", add_point(m, crank, "A", Vector2d(0.03, 0)),
+               add_point(m, rod, "A", Vector2d::Zero()));
+  const double offset = 0.011;
+  const int slot = add_slot(m, "slot", add_point(m, kGround, "S", Vector2d(0, offset)),
+                            add_point(m, rod, "B", Vector2d(0.09, 0)), Vector2d::UnitX());
+  add_driver(m, pivot);
+  for (const int steps : {3, 7, 361}) {
+    const auto events = events_of(m, EventType::kStrokeEnd, steps);
+    ASSERT_EQ(events.size(), 2U) << steps;
+    EXPECT_NEAR(events[0].driver, std::asin(offset / 0.12), 1e-14);
+    EXPECT_NEAR(*events[0].value, std::sqrt(0.12 * 0.12 - offset * offset), 1e-15);
+    EXPECT_NEAR(events[1].driver, kPi + std::asin(offset / 0.06), 1e-14);
+    EXPECT_NEAR(*events[1].value, std::sqrt(0.06 * 0.06 - offset * offset), 1e-15);
+    EXPECT_EQ(events[0].joint, slot);
+  }
+}
+
 // A crank's line passes 20 mm beside its pivot, and a block on it slides along a line 10 mm above the pivot:
 // x = (10 cos θ - 20)/sin θ. The block goes to infinity at 180° and returns from there until cos θ = 1/2.
 // Speeds near the pole must not count as the scale by which a speed near this stroke end is judged slow.
@@ -397,6 +420,66 @@ TEST(DeadPoints, CanBeStartedAtOnTheBranchOfTheSlowerMotion) {
   move_to(run, {{kPi / 3, 1, 0}});
   EXPECT_EQ(run.row.status, RowStatus::kOk);
   EXPECT_NEAR(run.row.bodies[3].theta, kPi / 3, 1e-13);
+}
+
+// Equal cranks at 0 and 100, drawn on the line of their pivots, and rods of 100 between points of them.
+struct CranksAndRods {
+  Mechanism mechanism;
+  int crank = 0, other = 0;
+  int pivot = 0, pin = 0;  // of the crank: on ground, to the first rod
+};
+
+CranksAndRods cranks_and_rods(const std::vector<double>& arms) {
+  CranksAndRods made;
+  Mechanism& m = made.mechanism;
+  const Vector2d base(0.1, 0);
+  made.crank = add_body(m, "a");
+  made.other = add_body(m, "b", base);
+  const auto pivot_of = [&](int body, const Vector2d& p_W) {
+    return add_revolute(m, m.bodies[body].name + "o", add_point(m, kGround, m.bodies[body].name, p_W),
+                        add_point(m, body, "O", Vector2d::Zero()));
+  };
+  made.pivot = pivot_of(made.crank, Vector2d::Zero());
+  pivot_of(made.other, base);
+  for (const double arm : arms) {
+    const std::string name = fmt::format("rod{}", 1000 * arm);
+    const Vector2d at(arm, 0);
+    const int rod = add_body(m, name, at);
+    const int pin = add_revolute(m, name + "a", add_point(m, made.crank, name, at),
+                                 add_point(m, rod, "A", Vector2d::Zero()));
+    made.pin = arm == arms.front() ? pin : made.pin;
+    add_revolute(m, name + "b", add_point(m, rod, "B", base), add_point(m, made.other, name, at));
+  }
+  return made;
+}
+
+TEST(DeadPoints, OfCranksWithARodTooManyAreCrossedStraightOn) {
+  for (const std::vector<double>& arms : {std::vector{0.03, 0.015}, std::vector{0.03, 0.021, -0.017}}) {
+    CranksAndRods made = cranks_and_rods(arms);
+    add_driver(made.mechanism, made.pivot);
+    for (const int from : {0, 5}) {
+      auto run = start_run(made.mechanism, {from * kPi / 9});
+      ASSERT_TRUE(run) << run.error().reason;
+      for (int k = from; k <= from + 18; ++k) {
+        const double u = k * kPi / 9;
+        move_to(*run, {{u, 1, 0}});
+        const BodyMotion& other = run->row.bodies[made.other];
+        EXPECT_NEAR(other.theta, u, 1e-13) << k;
+        EXPECT_EQ(run->row.status, k % 9 == 0 ? RowStatus::kSingular : RowStatus::kOk) << k;
+        EXPECT_NEAR(run->row.has_rates[made.other] ? other.omega : 1, 1, 1e-12) << k;
+      }
+    }
+  }
+}
+
+TEST(DeadPoints, OfBodiesWithMoreConditionsThanCoordinatesLeaveRatesUndefined) {
+  CranksAndRods made = cranks_and_rods({0.03, 0.015});
+  add_driver(made.mechanism, made.pin);
+  auto run = start_run(made.mechanism, {0});
+  ASSERT_TRUE(run) << run.error().reason;
+  move_to(*run, {{0, 1, 0}});
+  EXPECT_EQ(run->row.status, RowStatus::kSingular);
+  EXPECT_FALSE(run->row.has_rates[made.other]);
 }
 
 // A stroke that ends between the first row and the second, however close they are.

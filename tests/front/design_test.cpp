@@ -284,6 +284,23 @@ TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));
 }
 
+TEST(Design, UnitsOfObjectivesAreKnownWhereTheStartDoesNotAssemble) {
+  std::string text = text_of_profile("design_log_generator");
+  const auto set = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  const auto unit_of = [](const std::string& profile) {
+    return designed(model_of(profile), few(4)).objectives.at(0).unit;
+  };
+  EXPECT_EQ(unit_of(text), "(deg)^2");
+  set("points.B = [150, 0]", "points.B = [15, 0]");  // the coupler is too short
+  set("min = 20, max = 1000, log = true }\nrocker", "min = 10, max = 1000, log = true }\nrocker");
+  EXPECT_FALSE(model_of(text).start());
+  EXPECT_EQ(unit_of(text), "(deg)^2");
+}
+
 // The same linkage with degrees and with radians in its tables.
 TEST(Design, LimitsOfTransmissionAnglesAreInTheUnitOfTables) {
   const auto report_in =

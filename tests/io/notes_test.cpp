@@ -230,6 +230,10 @@ TEST(Notes, ARowTooFewForRoundSteps) {
               ElementsAre(HasSubstr("so they are 1.01695 mm apart; 61 rows are 1 mm apart")));
   EXPECT_THAT(notes(crank_profile("samples = 361\n")), IsEmpty());
   EXPECT_THAT(notes(crank_profile("samples = 100\n")), IsEmpty());
+  // 0.015 apart; with one row more they would be 1/70.
+  EXPECT_THAT(notes(slider_profile("start = 0\nend = 0.3\nsamples = 21\n")), IsEmpty());
+  EXPECT_THAT(notes(slider_profile("start = 0\nend = 0.3\nsamples = 30\n")),
+              ElementsAre(HasSubstr("so they are 0.0103448 mm apart; 31 rows are 0.01 mm apart")));
 }
 
 TEST(Notes, RowsThatGoAgainstTheVelocity) {

@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/mobility_text.hpp"
 
 #include <cmath>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -49,6 +50,48 @@ TEST(Mobility, AtAChangePointIsLargerAtTheStartOnly) {
   EXPECT_TRUE(mobility.singular);
   EXPECT_TRUE(mobility.drivers_fit());
   EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("change point")));
+}
+
+// Equal wheels in a row on fixed pivots, whose pins one rod joins, drawn with all pins on the line of the
+// pivots.
+TEST(Mobility, OfARedundantMechanismDrawnAtItsChangePointIsThatOfItsMotion) {
+  for (const int wheels : {3, 4, 5}) {
+    for (const double arm : {0.35, -0.35}) {
+      DrawnMechanism drawn;
+      const int rod = drawn.body("rod");
+      for (int i = 0; i < wheels; ++i) {
+        const Vector2d O(1.2 * i, 0);
+        drawn.pin(drawn.crank("wheel" + std::to_string(i), O), rod, O + Vector2d(arm, 0));
+      }
+      drawn.drive(0);
+      const Mobility mobility = analyse_mobility(drawn.mechanism);
+      EXPECT_EQ(mobility.count.mobility(), 3 - wheels);
+      EXPECT_EQ(mobility.freedom, 1) << wheels << " " << arm;
+      EXPECT_EQ(mobility.start_freedom, 2);
+      EXPECT_EQ(mobility.shaky, 0);
+      EXPECT_EQ(mobility.conditions - mobility.rank, wheels - 2);
+      EXPECT_TRUE(mobility.drivers_fit());
+      ASSERT_EQ(mobility.redundancies.size(), 1U);
+      EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kParallelCranks);
+    }
+  }
+}
+
+// Two cranks with two rods of equal length, drawn on the line of the pivots.
+TEST(Mobility, OfTwoCranksWithTwoRodsInLineIsThatOfTheParallelMotion) {
+  DrawnMechanism drawn;
+  const int left = drawn.crank("left", Vector2d::Zero());
+  drawn.drive(0);
+  const int right = drawn.crank("right", {0.1, 0});
+  for (const double arm : {0.03, 0.015}) {
+    const int rod = drawn.body(arm > 0.02 ? "outer" : "inner");
+    drawn.pin(left, rod, {arm, 0});
+    drawn.pin(rod, right, {0.1 + arm, 0});
+  }
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.freedom, 1);
+  EXPECT_TRUE(mobility.singular);
+  EXPECT_TRUE(mobility.drivers_fit());
 }
 
 TEST(Mobility, OfADriverAtItsDeadPointIsThatOfTheMechanism) {

@@ -49,11 +49,8 @@ struct Path {
 /// A joint to ground that is not driven, and the sense of its last motion.
 struct OutputJoint {
   int joint = 0;
-  int body = 0;
-  bool turns = true;
-  Vector2d direction_W = Vector2d::UnitX();  ///< of a slide
-  int sense = 0;                             ///< 0: has not moved yet
-  double fastest = 0;                        ///< speed in the last step, per unit of the path
+  int sense = 0;       ///< 0: has not moved yet
+  double fastest = 0;  ///< speed in the last step, per unit of the path
 };
 
 /// Overlap monitoring of one contact.

@@ -69,7 +69,8 @@ struct BoundaryResult {
 [[nodiscard]] std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary,
                                                              const BoundaryPlace& from, const Vector2d& n_B);
 
-/// The pair of samples of both boundaries that face each other best: close, with normals opposed.
+/// The places of both boundaries that face each other best: close, with normals opposed. Between neighbouring
+/// samples points and normals are interpolated.
 [[nodiscard]] std::array<BoundaryPlace, 2> nearest_places(const Boundary& boundary1, const Pose<double>& X_W1,
                                                           const Boundary& boundary2,
                                                           const Pose<double>& X_W2);
