@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::int64_t kMostRows = 37;
 
-// A small number of rows is enough: events between rows are found however far apart these are. None for a run
-// in time, and where rows are given one by one.
+// A small number of rows is enough: events between rows are found however far apart these are. None where the
+// profile gives rows one by one, or the time between them.
 std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
   std::int64_t most = kMostRows;
   for (const DriverProgram& program : profile.programs) {
-    if (in_time || !program.positions.empty()) {
+    if (in_time ? program.time_step.has_value() : !program.positions.empty()) {
       return std::nullopt;
     }
-    most = std::min(most, program.samples.value_or(kDefaultSamples));
+    most = in_time ? most : std::min(most, program.samples.value_or(kDefaultSamples));
   }
   return most;
 }

@@ -466,6 +466,16 @@ TEST(Check, HoldsADrivenJointToItsLimits) {
   for (const Diagnostic& note : report.notes) EXPECT_THAT(note.message, Not(HasSubstr("nothing")));
 }
 
+TEST(Check, InTimeNeedsNoTimeBetweenRows) {
+  CheckSettings in_time;
+  in_time.in_time = true;
+  const CheckReport turn = checked(shipped_model("checked_cam"));
+  const CheckReport same = checked(shipped_model("checked_cam", {"driver.duration=0.1"}), in_time);
+  EXPECT_FALSE(same.figures.empty());
+  EXPECT_NEAR(figure(same, "contacts.touch", "sliding_speed").value.value(),
+              figure(turn, "contacts.touch", "sliding_speed").value.value(), 1e-9);
+}
+
 TEST(Check, OfADriverThatRunsEvenlySaysNothingUnlessLimited) {
   const std::vector<std::string> evenly = {"driver.acceleration=0"};
   for (const CheckFigure& one : checked(shipped_model("slider_crank", evenly)).figures) {
