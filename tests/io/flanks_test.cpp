@@ -101,6 +101,33 @@ TEST(Flanks, OfALawThatLacksSomeOfATurnAreNoted) {
   EXPECT_EQ(notes_of(80), "");
 }
 
+TEST(Flanks, ThatTheDriverNeverComesToAreNoted) {
+  const auto notes_of = [](double start, double end, const char* joint) {
+    Parts parts;
+    parts.law = R"(origin = 3
+segments = [ { over = 60, law = "cycloidal", rise = 10 }, { over = 40, law = "cycloidal", rise = -10 } ])";
+    std::string text = profile_with(parts) + fmt::format("start = {}\nend = {}\n", start, end);
+    const std::string pivot = "[joints.pivot]\ntype = \"revolute\"";
+    text.replace(text.find(pivot), pivot.size(), fmt::format("[joints.pivot]\n{}", joint));
+    const auto profile = read_profile_text(text, "cam.toml");
+    std::string notes;
+    for (const Diagnostic& note : profile.value().notes) notes += note_text(note) + "\n";
+    return notes;
+  };
+  const char* slide = "type = \"prismatic\"\ndirection = [1, 0]";
+  EXPECT_THAT(
+      notes_of(-4, -1, slide),
+      HasSubstr("driver: from -4 mm to -1 mm the other body never comes to the flank cam.flank, which "
+                "goes from 3 mm to 103 mm"));
+  EXPECT_THAT(notes_of(110, 104, slide), HasSubstr("never comes to the flank"));
+  EXPECT_EQ(notes_of(-4, 4, slide), "");
+  EXPECT_EQ(notes_of(50, 40, slide), "");
+  const char* pivot = "type = \"revolute\"";
+  EXPECT_THAT(notes_of(-250, -5, pivot), HasSubstr("never comes to the flank"));
+  EXPECT_EQ(notes_of(-270, -5, pivot), "");
+  EXPECT_EQ(notes_of(410, 440, pivot), "");
+}
+
 // While the follower rests, whatever it is, the flank is an arc about the cam's pivot.
 TEST(Flanks, AreArcsWhereTheLawDwells) {
   Parts ellipse;
