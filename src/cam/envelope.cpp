@@ -1,5 +1,6 @@
 #include "envelope.hpp"
 
+#include "follower_shape.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support.hpp"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -41,7 +43,7 @@ public:
     Vector p, n;
   };
 
-  explicit Touching(const FlankOrigin& of) : motion_(of.motion), curve_(of.curve), outer_(of.outer) {}
+  Touching(const Curve& curve, double slip) : curve_(curve), slip_(slip) {}
 
   [[nodiscard]] std::optional<Touch> at(const Relative& relative) const {
     if (is_line(curve_)) {
@@ -65,7 +67,7 @@ private:
     return Touch{{foot.x() + along * t.x(), foot.y() + along * t.y()}, {Series(n.x()), Series(n.y())}};
   }
 
-  // The normal is perpendicular to the velocity of the centre.
+  // The normal is perpendicular to the velocity of the centre: see side_of().
   [[nodiscard]] std::optional<Touch> touch_of_circle(const Relative& relative, const Vector2d& centre) const {
     const Vector W(relative.w.x() - centre.y() * relative.omega,
                    relative.w.y() + centre.x() * relative.omega);
@@ -73,15 +75,13 @@ private:
     if (!(value_of(length) > 0)) {
       return std::nullopt;
     }
-    Vector n(-W.y() / length, W.x() / length);
-    if (faces_away(relative, centre, {value_of(n.x()), value_of(n.y())})) {
-      n = -n;
-    }
+    const Vector n(slip_ * W.y() / length, -slip_ * W.x() / length);
     const double r = curve_.semi_latus * (curve_.side == Side::kInside ? 1 : -1);
     return Touch{{centre.x() + r * n.x(), centre.y() + r * n.y()}, n};
   }
 
-  // Newton's method for the normal's angle, first in numbers and then in series.
+  // Newton's method for the normal's angle, first in numbers and then in series. The derivative of the
+  // equation is the velocity of the centre of curvature along t: its sign is that of slip_.
   [[nodiscard]] std::optional<Touch> touch_of_conic(const Relative& relative) const {
     const PlacedCurve<double> placed = place(curve_, Pose<double>{});
     const Vector2d w(value_of(relative.w.x()), value_of(relative.w.y()));
@@ -103,8 +103,7 @@ private:
           break;
         }
       }
-      const Vector2d n = unit_vector(phi);
-      if (has_point(placed, n) && !faces_away(relative, support_point(placed, n).p_W, n)) {
+      if (has_point(placed, unit_vector(phi)) && equation(phi)[1] * slip_ > 0) {
         root = phi;
         break;
       }
@@ -155,26 +154,8 @@ private:
     return found;
   }
 
-  // Whether a point of the follower with the outward normal n, in its frame, is on the side that is not
-  // wanted.
-  [[nodiscard]] bool faces_away(const Relative& relative, const Vector2d& p, const Vector2d& n) const {
-    Vector2d to_cam;
-    if (motion_.cam.turns) {
-      const Vector2d p_cam(value_of(relative.p.x()), value_of(relative.p.y()));
-      const Rotation<double> R{value_of(relative.R.cos), value_of(relative.R.sin)};
-      to_cam = R.inverse() * Vector2d(motion_.cam.p_BO - p_cam) - p;
-    } else {
-      const Vector2d rise = motion_.follower.turns
-                                ? perp(Vector2d(p - motion_.follower.p_BO))
-                                : motion_.follower.R_WB.inverse() * motion_.follower.direction_W;
-      to_cam = -motion_.follower_sign * rise;
-    }
-    return (n.dot(to_cam) < 0) != outer_;
-  }
-
-  const CamMotion& motion_;
   const Curve& curve_;
-  bool outer_;
+  double slip_;  // see Envelope::slip()
 };
 
 // A place of the cam, with the follower's curve there.
@@ -185,9 +166,10 @@ struct Place {
 };
 
 template <int N>
-std::optional<Place<N>> place_at(const FlankOrigin& origin, double x, LawSide side) {
+std::optional<Place<N>> place_at(const Envelope& envelope, double x, LawSide side) {
+  const FlankOrigin& origin = envelope.origin();
   const RelativeMotion<double, N> relative = relative_at<N>(origin.motion, x, side);
-  const auto touch = Touching<N>(origin).at(relative);
+  const auto touch = Touching<N>(origin.curve, envelope.slip()).at(relative);
   if (!touch) {
     return std::nullopt;
   }
@@ -212,13 +194,17 @@ SpanPoint point_of(const Vector2<PowerSeries<double, 3>>& p, const Vector2d& n, 
 
 }  // namespace
 
+Envelope::Envelope(FlankOrigin origin) : origin_(std::move(origin)) {
+  slip_ = origin_.motion.cam_sign * side_of(origin_);
+}
+
 std::optional<SpanPoint> Envelope::at(double x, LawSide side) const {
-  const auto place = place_at<3>(origin_, x, side);
+  const auto place = place_at<3>(*this, x, side);
   return place ? std::optional(point_of(place->p, place->n, sense_)) : std::nullopt;
 }
 
 std::optional<CurvatureRates> Envelope::curvature_rates(double x, LawSide side) const {
-  auto place = place_at<CurveSeries::kLast>(origin_, x, side);
+  auto place = place_at<CurveSeries::kLast>(*this, x, side);
   if (!place) {
     return std::nullopt;
   }

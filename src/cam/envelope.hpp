@@ -3,16 +3,19 @@
 #include "higherpair/cam/flank.hpp"
 
 #include <optional>
-#include <utility>
 
 namespace higherpair {
 
 /// The envelope of a follower's curve in its motion relative to a cam: see cam_flank().
 class Envelope {
 public:
-  explicit Envelope(FlankOrigin origin) : origin_(std::move(origin)) {}
+  explicit Envelope(FlankOrigin origin);
 
   [[nodiscard]] const FlankOrigin& origin() const { return origin_; }
+
+  /// Sign, where the follower touches, of the velocity of its centre of curvature relative to the cam, along
+  /// its t, for a unit rate of the cam's joint: see side_of().
+  [[nodiscard]] double slip() const { return slip_; }
 
   /// The parameter of tangents and curvature rates is `sense` times the cam's coordinate: +1 or -1.
   void set_sense(double sense) { sense_ = sense; }
@@ -30,6 +33,7 @@ public:
 
 private:
   FlankOrigin origin_;
+  double slip_ = 1;
   double sense_ = 1;
 };
 

@@ -2,8 +2,8 @@
 
 #include "envelope.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
 #include "tolerances.hpp"
+#include "worst_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +13,38 @@
 namespace higherpair {
 namespace {
 
-constexpr int kPartsOfSpan = 48;
-constexpr std::size_t kMostParts = 312;  // largest number of parts added for the knots of a spline
-constexpr int kProbes = 64;              // places of a span that are checked for a cusp
+constexpr std::size_t kPartsOfSpan = 48, kMostParts = 360;
+constexpr std::size_t kPartsOfStretch = 4;  // where the law oscillates
 
 // A spline through many points may vary in shape between any two of them, though hardly much.
-int parts_for(std::size_t knots) {
-  return kPartsOfSpan + static_cast<int>(std::min<std::size_t>(knots, kMostParts));
+int parts_for(std::size_t knots, std::size_t stretches) {
+  return static_cast<int>(std::min(std::max(kPartsOfSpan + knots, kPartsOfStretch * stretches), kMostParts));
+}
+
+// Parameters of a span at its places within the law.
+std::vector<double> breaks_at(const std::vector<double>& places, double sense) {
+  std::vector<double> breaks;
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    breaks.push_back(sense * places[i]);
+  }
+  std::sort(breaks.begin(), breaks.end());
+  return breaks;
 }
 
 // The flank between two joins of the law; at the knots of a spline curvature and its rate are continuous.
 class FlankSpan final : public Span {
 public:
-  /// \param knots  number of knots of the law within it
-  FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const Bounds& joint, std::size_t knots)
+  /// \param places  its ends and the places between which the law is smooth and monotonic, ascending
+  FlankSpan(std::shared_ptr<const Envelope> envelope, double sense, const std::vector<double>& places)
       : envelope_(std::move(envelope)),
         sense_(sense),
-        joint_(joint),
-        low_(*envelope_->at(joint.low, LawSide::kAfter)),
-        high_(*envelope_->at(joint.high, LawSide::kBefore)),
-        parts_(parts_for(knots)) {
+        joint_{places.front(), places.back()},
+        low_(*envelope_->at(joint_.low, LawSide::kAfter)),
+        high_(*envelope_->at(joint_.high, LawSide::kBefore)),
+        breaks_(breaks_at(places, sense)) {
     const CamMotion& motion = envelope_->origin().motion;
-    const LawExtremes velocity = motion.law.extremes(1, joint.low, joint.high);
+    parts_ = parts_for(motion.law.breaks(joint_.low, joint_.high).size(), places.size() - 1);
+    const LawExtremes velocity = motion.law.extremes(1, joint_.low, joint_.high);
     if (motion.cam.turns && velocity.least == 0 && velocity.greatest == 0) {
       dwell_ = Dwell{motion.cam.p_BO, motion.cam_sign};
       low_.slope = high_.slope = 0;
@@ -61,7 +71,9 @@ public:
     return envelope_->bounds(sense_ > 0 ? t : -t);
   }
   [[nodiscard]] int parts() const override { return parts_; }
+  [[nodiscard]] std::vector<double> breaks() const override { return breaks_; }
   [[nodiscard]] FlankOrigin origin() const { return envelope_->origin(); }
+  [[nodiscard]] double coordinate(double t) const { return sense_ * t; }
 
 private:
   // While the follower of a turning cam rests, the flank is an arc about the cam's pivot.
@@ -83,7 +95,8 @@ private:
   double sense_;
   Bounds joint_;
   SpanPoint low_, high_;  // its ends, cached because steps along a boundary need them often
-  int parts_;
+  std::vector<double> breaks_;
+  int parts_ = 1;
 };
 
 // Whether the joint moves the follower's curve within itself: a circle or point on the follower's pivot, a
@@ -96,33 +109,38 @@ bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double s
   return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotionOnCam;
 }
 
-// Where the flank begins to run backwards, at speed 0.
-double cusp_before(const Envelope& envelope, double from, double to, double speed_to) {
-  const auto speed = [&](double x) {
-    const auto point = envelope.at(x, LawSide::kAfter);
-    return point ? point->speed : std::nan("");
-  };
-  const auto root = root_between([&](double x) { return speed(from + x); }, speed(from), to - from, speed_to);
-  return root ? from + *root : to;
+// The sense of the cam's coordinate in which the flank runs along its tangent. With the follower's curvature
+// κ_f, the velocity w of its centre of curvature relative to the cam, and its angular velocity ω,
+//     (κ + κ_f) ds/dx = -κ_f w·t, or ω for a line,
+// and two bodies that touch do not cut into each other if κ + κ_f > 0. A hollow follower may also lie on the
+// other side: then its first place decides.
+double sense_of(const Envelope& envelope, double x, const SpanPoint& first) {
+  const auto& [motion, curve, outer] = envelope.origin();
+  if (is_conic(curve) && curve.side == Side::kOutside) {
+    return first.speed > 0 ? 1 : -1;
+  }
+  if (!is_line(curve)) {
+    return -envelope.slip();
+  }
+  const double omega = (motion.follower.turns ? motion.follower_sign * motion.law.derivative(1, x) : 0) -
+                       (motion.cam.turns ? motion.cam_sign : 0);
+  return omega > 0 ? 1 : -1;
 }
 
-// The first place in a stretch at which the flank runs backwards, or does not exist.
-std::optional<FlankFault> fault_within(const Envelope& envelope, double from, double to, std::size_t knots) {
-  const int probes = kProbes + static_cast<int>(knots);
-  double last = from;
-  for (int i = 0; i <= probes; ++i) {
-    const double x = i == probes ? to : from + i * ((to - from) / probes);
-    const auto point = envelope.at(x, i == probes ? LawSide::kBefore : LawSide::kAfter);
-    if (!point || !point->p_B.allFinite()) {
-      return FlankFault{FlankFault::Kind::kNoNormal, x};
-    }
-    if (!(point->speed > 0)) {
-      return FlankFault{FlankFault::Kind::kUndercut,
-                        i == 0 ? x : cusp_before(envelope, last, x, point->speed)};
-    }
-    last = x;
+// The first place in a stretch at which the flank runs backwards, stands still, or does not exist.
+std::optional<FlankFault> fault_within(const Envelope& envelope, const LawSearch& search, double slowest) {
+  const auto backwards = [&](double x, LawSide side) {
+    const auto point = envelope.at(x, side);
+    return point && point->p_B.allFinite() ? -point->speed : std::nan("");
+  };
+  const auto x = search.first_above(-slowest, backwards);
+  if (!x) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  return FlankFault{!envelope.at(*x, LawSide::kAfter)   ? FlankFault::Kind::kNoNormal
+                    : is_point(envelope.origin().curve) ? FlankFault::Kind::kStandstill
+                                                        : FlankFault::Kind::kUndercut,
+                    *x};
 }
 
 }  // namespace
@@ -148,15 +166,16 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   if (moves_along_itself(motion.follower, curve, first->p_B.norm())) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kNoEffect, middle});
   }
-  const double sense = first->speed > 0 ? 1 : -1;
+  const double sense = sense_of(*envelope, middle, *first);
   envelope->set_sense(sense);
+  const double slowest = kNoMotionOnCam * first->p_B.norm();
   std::vector<SpanPtr> spans;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const std::size_t knots = motion.law.breaks(ends[i], ends[i + 1]).size();
-    if (const auto fault = fault_within(*envelope, ends[i], ends[i + 1], knots)) {
+    const LawSearch search(motion.law, ends[i], ends[i + 1]);
+    if (const auto fault = fault_within(*envelope, search, slowest)) {
       return tl::unexpected(*fault);
     }
-    spans.push_back(std::make_shared<FlankSpan>(envelope, sense, Bounds{ends[i], ends[i + 1]}, knots));
+    spans.push_back(std::make_shared<FlankSpan>(envelope, sense, search.places()));
   }
   if (sense < 0) {
     std::reverse(spans.begin(), spans.end());
@@ -167,6 +186,11 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
 std::optional<FlankOrigin> flank_origin(const Span& span) {
   const auto* flank = dynamic_cast<const FlankSpan*>(&span);
   return flank != nullptr ? std::optional(flank->origin()) : std::nullopt;
+}
+
+std::optional<double> flank_coordinate(const Span& span, double t) {
+  const auto* flank = dynamic_cast<const FlankSpan*>(&span);
+  return flank != nullptr ? std::optional(flank->coordinate(t)) : std::nullopt;
 }
 
 bool closes(const CamMotion& motion) {

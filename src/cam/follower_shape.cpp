@@ -32,19 +32,28 @@ Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, d
   return centre;
 }
 
+// On a dwell w is against the motion of the cam's material. The normal then points to the pivot of a cam that
+// turns; of one that slides, against the sense in which the follower's coordinate grows where the law begins.
+double side_of(const FlankOrigin& cam) {
+  const CamMotion& motion = cam.motion;
+  const double inner = cam.outer ? -1 : 1;
+  if (motion.cam.turns) {
+    return inner;
+  }
+  const double q = motion.follower_sign * (motion.follower_rest + motion.law(motion.law.begin()));
+  const Vector2d p = pose_at(motion.follower, q) * round_center(cam.curve).value_or(cam.curve.vertex_B);
+  const Vector2d to_cam = -motion.follower_sign * velocity_per_q(motion.follower, p);
+  return perp(motion.cam.direction_W).dot(to_cam) < 0 ? -inner : inner;
+}
+
 Inclination inclination_of(const Centre& centre) {
   const double speed = centre.u.norm();
   return {centre.w.dot(centre.u) / speed, cross(centre.v, centre.u) / speed};
 }
 
 double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre) {
-  const Vector2d normal = perp(centre.w);
-  const Vector2d away =
-      cam.motion.cam.turns ? centre.from_cam : Vector2d(cam.motion.follower_sign * centre.u);
-  // The normal stays on one side of the curve: the side on which it is where the follower dwells.
-  const double sense = (perp(Vector2d(-centre.v)).dot(away) < 0) != cam.outer ? -1 : 1;
   const double speed2 = centre.w.squaredNorm();
-  return -sense * normal.dot(centre.a) / (speed2 * std::sqrt(speed2));
+  return -side_of(cam) * perp(centre.w).dot(centre.a) / (speed2 * std::sqrt(speed2));
 }
 
 SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round) {

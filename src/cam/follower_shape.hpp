@@ -36,6 +36,11 @@ struct Centre {
 };
 [[nodiscard]] Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest);
 
+/// Which of a follower's points shape the flank: with w the velocity of its centre of curvature there
+/// relative to the cam, for a unit rate of the cam, its outward normal is -side · perp(w)/|w|. The sign is
+/// the same all along a flank, that of a dwell: wherever it changed, w would be 0.
+[[nodiscard]] double side_of(const FlankOrigin& cam);
+
 /// Components of the tangent of the pressure angle: the motion of the centre relative to the cam along the
 /// follower's path, and across it, both signed.
 struct Inclination {

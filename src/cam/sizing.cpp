@@ -46,12 +46,13 @@ std::optional<double> size_above(const std::function<double(double)>& g, double 
 std::optional<SizeAt> smallest_size(const MotionLaw& law, const SizeRange& sizes,
                                     const std::function<double(const Lift&, double y)>& condition) {
   SizeAt size{0, law.begin()};
+  const LawSearch search(law);
   for (int i = 0; i < kMostExchanges; ++i) {
     const auto checked = [&](const Lift& lift, double y) {
       const double value = condition(lift, y);
       return std::isfinite(value) ? value : kNoCam;
     };
-    const Worst worst = worst_of(law, [&](const Lift& lift) { return checked(lift, size.y); });
+    const Worst worst = worst_of(law, search, [&](const Lift& lift) { return checked(lift, size.y); });
     if (!(worst.peak.value > 0)) {
       return size;
     }
@@ -133,7 +134,8 @@ std::optional<CamPlace> largest_center_pressure(const FlankOrigin& cam) {
   if (!round) {
     return std::nullopt;
   }
-  const Worst worst = worst_of(cam.motion.law, [&](const Lift& lift) {
+  const MotionLaw& law = cam.motion.law;
+  const Worst worst = worst_of(law, LawSearch(law), [&](const Lift& lift) {
     const Inclination normal = inclination_of(centre_at(cam, *round, lift, cam.motion.follower_rest));
     return std::atan2(std::abs(normal.along), std::abs(normal.across));
   });
@@ -145,8 +147,10 @@ std::optional<PitchCurvature> pitch_curvature(const FlankOrigin& cam) {
   if (!round) {
     return std::nullopt;
   }
+  const MotionLaw& law = cam.motion.law;
+  const LawSearch search(law);
   const auto extreme = [&](double sign) {
-    const Worst worst = worst_of(cam.motion.law, [&](const Lift& lift) {
+    const Worst worst = worst_of(law, search, [&](const Lift& lift) {
       return sign * pitch_curvature_at(cam, centre_at(cam, *round, lift, cam.motion.follower_rest));
     });
     return CamPlace{sign * worst.peak.value, worst.peak.at};
@@ -206,6 +210,7 @@ std::optional<OffsetSize> smallest_with_offset(const FlankOrigin& cam, const Pre
   const double rise = sizes.sense;  // sign of the change of height with the law
   const double out = std::tan(limits.out), back = std::tan(limits.back);
   const double turn = cam.motion.follower_sign * cam.motion.cam_sign;
+  const LawSearch search(cam.motion.law);
   std::vector<HalfPlane> planes;
   Vector2d point(0, 0);
   for (int i = 0; i < kMostExchanges; ++i) {
@@ -213,7 +218,7 @@ std::optional<OffsetSize> smallest_with_offset(const FlankOrigin& cam, const Pre
       const double steepest = returns(lift, rise, limits.sense) ? back : out;
       return std::abs(turn * lift.v - point.x()) / steepest - rise * lift.s;
     };
-    const Worst worst = worst_of(cam.motion.law, asks);
+    const Worst worst = worst_of(cam.motion.law, search, asks);
     if (!(worst.peak.value - point.y() > kSameCamSize * (point.norm() + std::abs(worst.peak.value)))) {
       break;
     }

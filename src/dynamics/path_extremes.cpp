@@ -15,6 +15,9 @@ namespace {
 constexpr double kFewest = 48;          // least number of parts of a path
 constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
 constexpr double kMarks = 24;           // positions of the run that are kept to go on from
+// Between samples a motion should not be lost. To take it up again costs thousands of steps: after so many
+// times the best value found so far is the extreme.
+constexpr int kMostLost = 10;
 
 // Whether quantities may jump at an event.
 bool is_break(const RunEvent& event) {
@@ -24,6 +27,12 @@ bool is_break(const RunEvent& event) {
 // Whether rates next to an event grow without bound, or are rounding.
 bool is_singular(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint;
+}
+
+bool is_lost(const Run& run) {
+  return !run.at.held || std::any_of(run.events.begin(), run.events.end(), [](const RunEvent& event) {
+    return event.type == EventType::kLimitPosition;
+  });
 }
 
 // A stretch of the path on which everything is smooth, as far as is known.
@@ -209,7 +218,11 @@ private:
       }
     }
     std::optional<Mover> mover;
+    int lost = 0;
     const auto value = [&](double at) {
+      if (lost >= kMostLost) {
+        return std::nan("");
+      }
       // Start from the last mark before the first position that is asked for, then move back and forth:
       // between neighbouring samples the branch is not lost.
       if (!mover || !mover->run().at.held || std::abs(at - mover->at()) > near_) {
@@ -218,7 +231,9 @@ private:
                              [](double place, const Mover& mark) { return place < mark.at(); });
         mover.emplace(after == marks_.begin() ? marks_.front() : after[-1]);
       }
-      return sign * values_of(blocks_[b], mover->move(at), at)[k];
+      const Run& run = mover->move(at);
+      lost += is_lost(run) ? 1 : 0;
+      return sign * values_of(blocks_[b], run, at)[k];
     };
     PeakLimits limits;
     limits.shortest = kJumpPlace * (path_.knots.back() - path_.knots.front());

@@ -10,7 +10,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kArcProbes = 16;  // of the distance, on each biarc
+constexpr int kArcProbes = 16;     // of the distance, on each biarc, ...
+constexpr int kStretchProbes = 4;  // ... and at least so many on every stretch of simple shape
 constexpr int kArcHalvings = 24;
 
 // An arc from a point with a tangent to another point.
@@ -58,6 +59,7 @@ public:
 
   void add(const Span& span) {
     const Bounds range = span.range();
+    breaks_ = span.breaks();
     const int parts = std::max(1, static_cast<int>(std::ceil(turn_of(span) / kLongestArcTurn - kWholeParts)));
     for (int k = 0; k < parts; ++k) {
       add(span, range.low + k * (range.width() / parts), range.low + (k + 1) * (range.width() / parts), 0);
@@ -84,7 +86,8 @@ private:
     const PieceEnd b = end_at(span, to);
     const Arc whole(a.p_B, a.t_B, b.p_B);
     const auto from_whole = [&](const Vector2d& p) { return whole.distance(p); };
-    if ((whole.end_tangent() - b.t_B).norm() <= kSameTangent && worst(span, from, to, from_whole) <= same_) {
+    if ((whole.end_tangent() - b.t_B).norm() <= kSameTangent &&
+        stays_within(same_, span, {from, to}, from_whole)) {
       vertices_.push_back({a.p_B, whole.bulge()});
       return;
     }
@@ -97,7 +100,7 @@ private:
     };
     const bool forward = (middle - a.p_B).dot(a.t_B) > 0 && (b.p_B - middle).dot(b.t_B) > 0;
     if (halvings == kArcHalvings ||
-        (forward && worst(span, from, to, from_biarc) <= kSureShare * tolerance_)) {
+        (forward && stays_within(kSureShare * tolerance_, span, {from, to}, from_biarc))) {
       vertices_.push_back({a.p_B, first.bulge()});
       vertices_.push_back({middle, second.bulge()});
       return;
@@ -107,18 +110,32 @@ private:
     add(span, half, to, halvings + 1);
   }
 
+  // Whether a part of the span is no farther than this from its replacement, at probes of each stretch.
   template <class Distance>
-  static double worst(const Span& span, double from, double to, const Distance& distance) {
-    double most = 0;
-    for (int k = 1; k < kArcProbes; ++k) {
-      most = std::max(most, distance(span.at(from + (to - from) * k / kArcProbes).p_B));
+  bool stays_within(double limit, const Span& span, const Bounds& part, const Distance& distance) const {
+    const auto first = std::upper_bound(breaks_.begin(), breaks_.end(), part.low);
+    const auto last = std::lower_bound(first, breaks_.end(), part.high);
+    const auto stretches = static_cast<int>(last - first) + 1;
+    const int probes = std::max(kStretchProbes, (kArcProbes + stretches - 1) / stretches);
+    double low = part.low;
+    for (auto next = first;; ++next) {
+      const double high = next == last ? part.high : *next;
+      for (int k = 1; k < probes + (next == last ? 0 : 1); ++k) {
+        if (!(distance(span.at(low + (high - low) * k / probes).p_B) <= limit)) {
+          return false;
+        }
+      }
+      if (next == last) {
+        return true;
+      }
+      low = high;
     }
-    return most;
   }
 
   double tolerance_;
   double same_;
   std::vector<ArcVertex>& vertices_;
+  std::vector<double> breaks_;  // of the span that is added
 };
 
 }  // namespace

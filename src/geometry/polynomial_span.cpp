@@ -145,6 +145,13 @@ public:
     return all;
   }
   [[nodiscard]] int parts() const override { return parts_; }
+  [[nodiscard]] std::vector<double> breaks() const override {
+    std::vector<double> breaks;
+    for (std::size_t i = 1; i < intervals_.count(); ++i) {
+      breaks.push_back(intervals_.begin(i));
+    }
+    return breaks;
+  }
 
 private:
   [[nodiscard]] std::size_t first_of(std::size_t interval) const {

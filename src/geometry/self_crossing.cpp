@@ -87,10 +87,14 @@ bool is_near_end(const Boundary& boundary, const BoundaryPlace& place, bool high
          kSameCrossingPlace * range_of(boundary, place.span).width();
 }
 
+// The ends of an open boundary may touch, as those of a flank over one turn do: that is a joint, too.
 bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const BoundaryPlace& b) {
   const auto is_joint = [&](bool high) {
-    return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) &&
-           span_beyond(boundary, a.span, high) == b.span;
+    int next = boundary.next_span(a.span, high);
+    while (next != a.span && boundary.spans()[next]->is_corner()) {
+      next = boundary.next_span(next, high);
+    }
+    return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) && next == b.span;
   };
   return (a.span == b.span &&
           std::abs(a.t - b.t) <= kSameCrossingPlace * range_of(boundary, a.span).width()) ||

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace higherpair {
 namespace {
@@ -123,6 +125,12 @@ public:
     return of;
   }
   [[nodiscard]] int parts() const override { return span_->parts(); }
+  [[nodiscard]] std::vector<double> breaks() const override {
+    std::vector<double> breaks = span_->breaks();
+    std::reverse(breaks.begin(), breaks.end());
+    std::transform(breaks.begin(), breaks.end(), breaks.begin(), std::negate<>());
+    return breaks;
+  }
 
 private:
   SpanPtr span_;
@@ -157,6 +165,7 @@ public:
     return of;
   }
   [[nodiscard]] int parts() const override { return span_->parts(); }
+  [[nodiscard]] std::vector<double> breaks() const override { return span_->breaks(); }
 
 private:
   SpanPtr span_;

@@ -23,6 +23,17 @@ DxfSweep sweep_of(std::string_view type) {
   return type == "ARC" ? DxfSweep::kAngles : type.ends_with("POLYLINE") ? DxfSweep::kBulge : DxfSweep::kNone;
 }
 
+void count_decimals(const DxfGroup& group, DxfSweep sweep, DxfDecimals& decimals) {
+  for (const auto& [code, value, line] : group.pairs) {
+    const bool length = (code >= 10 && code < 30) || code == 40;
+    const bool bulge = sweep == DxfSweep::kBulge && code == 42;
+    const bool angle = sweep == DxfSweep::kAngles && (code == 50 || code == 51);
+    if (!length && !bulge && !angle) continue;
+    int& most = length ? decimals.lengths : bulge ? decimals.bulges : decimals.angles;
+    most = std::max(most, decimals_of(value));
+  }
+}
+
 std::string_view value_of(const DxfGroup& group, int code, std::string_view otherwise) {
   const auto pair =
       std::find_if(group.pairs.begin(), group.pairs.end(), [&](const DxfPair& p) { return p.code == code; });
@@ -142,24 +153,12 @@ private:
       return;
     }
     const DxfSweep sweep = sweep_of(entity.type);
-    count_decimals(entity, sweep);
-    for (const DxfGroup& vertex : vertices) count_decimals(vertex, sweep);
+    DxfDecimals decimals;
+    count_decimals(entity, sweep, decimals);
+    for (const DxfGroup& vertex : vertices) count_decimals(vertex, sweep, decimals);
     for (ContourPiece& piece : shape->pieces) {
       drawing_.pieces.push_back(
-          {std::move(piece), shape->whole, layer, entity.line, sweep, std::string(entity.type)});
-    }
-  }
-
-  void count_decimals(const DxfGroup& group, DxfSweep sweep) {
-    for (const auto& [code, value, line] : group.pairs) {
-      const bool length = (code >= 10 && code < 30) || code == 40;
-      const bool bulge = sweep == DxfSweep::kBulge && code == 42;
-      const bool angle = sweep == DxfSweep::kAngles && (code == 50 || code == 51);
-      if (!length && !bulge && !angle) continue;
-      int& most = length  ? drawing_.decimals_of_lengths
-                  : bulge ? drawing_.decimals_of_bulges
-                          : drawing_.decimals_of_angles;
-      most = std::max(most, decimals_of(value));
+          {std::move(piece), shape->whole, layer, entity.line, sweep, std::string(entity.type), decimals});
     }
   }
 

@@ -15,6 +15,13 @@ namespace higherpair::io_detail {
 /// How the sweep of an arc is given.
 enum class DxfSweep { kNone, kBulge, kAngles };
 
+/// The most decimals with which numbers of one kind are written.
+struct DxfDecimals {
+  int lengths = 0;
+  int bulges = 0;
+  int angles = 0;
+};
+
 /// A line, arc or other curve of a drawing, in metres.
 struct DxfPiece {
   ContourPiece piece;
@@ -22,7 +29,8 @@ struct DxfPiece {
   std::size_t layer = 0;       ///< index of DxfDrawing::layers
   int line = 0;                ///< line of the file on which its entity begins
   DxfSweep sweep = DxfSweep::kNone;
-  std::string type;  ///< of its entity: "LINE"
+  std::string type;      ///< of its entity: "LINE"
+  DxfDecimals decimals;  ///< of its entity's numbers
 };
 
 /// An entity that may contain curves but is not read, such as a block insertion or a 3D face.
@@ -36,12 +44,6 @@ struct DxfDrawing {
   std::vector<std::string> layers;  ///< of the entities read, in the order of the file
   std::vector<DxfPiece> pieces;
   std::vector<DxfStranger> strangers;
-  /// \name Largest numbers of decimals with which its curves are written
-  /// @{
-  int decimals_of_lengths = 0;
-  int decimals_of_bulges = 0;
-  int decimals_of_angles = 0;
-  /// @}
   double unit = 1;  ///< of its lengths [m]
 };
 

@@ -1,10 +1,13 @@
 #include "flank_notes.hpp"
 
 #include "document.hpp"
+#include "higherpair/cam/flank.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -42,6 +45,13 @@ std::vector<std::string> cut_for(const Mechanism& mechanism, int cam, const Curv
     }
   }
   return paths;
+}
+
+// Whether a run over these coordinates of the cam's joint is beyond an end of its flank, which goes over
+// `flank` of them, or over these and any number of turns.
+bool is_beyond(const Bounds& run, const Bounds& flank, bool turns) {
+  const double shift = turns ? 2 * kPi * std::ceil((run.low - flank.high) / (2 * kPi)) : 0;
+  return run.high <= flank.low + shift || run.low >= flank.high + shift;
 }
 
 bool is_at_or_below(std::string_view path, std::string_view above) {
@@ -88,6 +98,36 @@ std::vector<FlankNote> flank_notes(const Table& document, const Profile& profile
     }
   }
   return notes;
+}
+
+std::string unreached_flank_note(const Profile& profile, std::size_t driver) {
+  const Mechanism& mechanism = profile.mechanism;
+  const DriverProgram& program = profile.programs[driver];
+  const Joint& joint = driven_joint(mechanism, driver);
+  if (!program.end || !program.positions.empty() || program.law) {
+    return "";
+  }
+  const Dimension of = coordinate_dimension(joint);
+  const Scaling scaling = to_si(of, profile.units);
+  const double start = scaling.apply(program.start), end = scaling.apply(*program.end);
+  const Bounds run{std::min(start, end), std::max(start, end)};
+  for (const int b : {joint.first.body, joint.second.body}) {
+    const Body& body = mechanism.bodies[b];
+    for (const NamedCurve& curve : body.curves) {
+      const bool open = b != 0 && curve.boundary && !curve.boundary->is_closed();
+      const auto origin = open ? flank_origin(*curve.boundary->spans().front()) : std::nullopt;
+      const MotionLaw* law = origin ? &origin->motion.law : nullptr;
+      if (law == nullptr || !is_beyond(run, {law->begin(), law->end()}, origin->motion.cam.turns)) {
+        continue;
+      }
+      return fmt::format(
+          "from {} to {} the other body never comes to the flank {}.{}, which goes from {} to {}: it stays "
+          "on the edge at its end, or leaves it",
+          with_unit(start, of, profile.units), with_unit(end, of, profile.units), body.name, curve.name,
+          with_unit(law->begin(), of, profile.units), with_unit(law->end(), of, profile.units));
+    }
+  }
+  return "";
 }
 
 }  // namespace higherpair::io_detail

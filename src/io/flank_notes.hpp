@@ -3,6 +3,7 @@
 #include "higherpair/io/profile.hpp"
 #include "table_reader.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,9 @@ struct FlankNote {
 /// poses of the two bodies. Each variant has a flank of its own, cut for its own numbers, so these have no
 /// influence on the motion.
 [[nodiscard]] std::vector<FlankNote> flank_notes(const Table& document, const Profile& profile);
+
+/// A note on a driver, given by its index, whose start and end are both beyond the same end of a flank on the
+/// body that it moves: the follower would touch nothing but that end. Empty if there is nothing to note.
+[[nodiscard]] std::string unreached_flank_note(const Profile& profile, std::size_t driver);
 
 }  // namespace higherpair::io_detail

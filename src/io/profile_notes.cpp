@@ -254,6 +254,9 @@ private:
     } else {
       spacing(path + ".samples", program, turns);
     }
+    if (const std::string text = unreached_flank_note(profile_, i); !text.empty()) {
+      add(path, text, ".start");
+    }
     if (program.time_step && program.duration && *program.time_step > *program.duration) {
       add_with_value(path + ".time_step", "longer than the duration");
     }

@@ -150,25 +150,47 @@ std::optional<std::size_t> choose(TableReader& table, const Drawing& drawing,
   return std::nullopt;
 }
 
-// The step to which its coordinates are rounded [m]; 0 if they have so few decimals that they may be meant as
+// Trailing zeros may have been left out, so that the piece with the most decimals shows how many were kept.
+DxfDecimals joint_decimals(const DxfDecimals& a, const DxfDecimals& b) {
+  return {std::max(a.lengths, b.lengths), std::max(a.bulges, b.bulges), std::max(a.angles, b.angles)};
+}
+
+// Of the pieces that have ends to join: a full circle is a contour of its own.
+DxfDecimals end_decimals(const DxfDrawing& drawing) {
+  DxfDecimals decimals;
+  for (const DxfPiece& piece : drawing.pieces) {
+    decimals = piece.whole ? decimals : joint_decimals(decimals, piece.decimals);
+  }
+  return decimals;
+}
+
+DxfDecimals contour_decimals(const DxfDrawing& drawing, const Contour& contour) {
+  DxfDecimals decimals;
+  for (const int source : contour.sources) {
+    decimals = joint_decimals(decimals, drawing.pieces[source].decimals);
+  }
+  return decimals;
+}
+
+// The step to which coordinates are rounded [m]; 0 if they have so few decimals that they may be meant as
 // they are, or more than a drawing program rounds to.
-double rounding_of(const DxfDrawing& drawing) {
-  const int decimals = drawing.decimals_of_lengths;
-  const bool rounded = decimals >= kLeastRoundedDecimals && decimals <= kMostRoundedDecimals;
-  return rounded ? std::pow(10, -decimals) * drawing.unit : 0;
+double rounding_of(const DxfDrawing& drawing, const DxfDecimals& decimals) {
+  const bool rounded = decimals.lengths >= kLeastRoundedDecimals && decimals.lengths <= kMostRoundedDecimals;
+  return rounded ? std::pow(10, -decimals.lengths) * drawing.unit : 0;
 }
 
 void undo_rounding(const DxfDrawing& drawing, Contour& contour) {
-  const double step = rounding_of(drawing);
+  const DxfDecimals decimals = contour_decimals(drawing, contour);
+  const double step = rounding_of(drawing, decimals);
   if (step == 0) {
     return;
   }
   const auto rounding_of_sweep = [&](int source) -> SweepRounding {
     switch (drawing.pieces[source].sweep) {
       case DxfSweep::kBulge:  // half a step of tan(sweep / 4)
-        return {2 * std::pow(10, -drawing.decimals_of_bulges), false};
+        return {2 * std::pow(10, -decimals.bulges), false};
       case DxfSweep::kAngles:  // half a step of both angles
-        return {std::pow(10, -drawing.decimals_of_angles) * kPi / 180, true};
+        return {std::pow(10, -decimals.angles) * kPi / 180, true};
       case DxfSweep::kNone:
         break;
     }
@@ -242,7 +264,9 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     return std::nullopt;
   }
   const double size = size_of(pieces);
-  const double rounding = std::min(kGapInSteps * rounding_of(drawing->content), kLargestRoundingGap * size);
+  const double rounding =
+      std::min(kGapInSteps * rounding_of(drawing->content, end_decimals(drawing->content)),
+               kLargestRoundingGap * size);
   const double tolerance = given >= 0 ? given : std::max(kDefaultGap * size, rounding);
   auto contours = join(pieces, tolerance);
   if (!contours) {

@@ -1,15 +1,18 @@
 #include "higherpair/cam/flank.hpp"
 #include "higherpair/cam/sizing.hpp"
+#include "higherpair/geometry/contour.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "numeric/joined_words.hpp"
 #include "read_boundary.hpp"
 #include "reading.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -139,6 +142,10 @@ private:
                  "the flank does not close: the law ends at another value than it begins with"));
       return;
     }
+    if (const auto crossing = crossing_of(*boundary, {motion, curve, outer})) {
+      report(reading_, late.law, *crossing);
+      return;
+    }
     named.boundary = std::make_shared<const Boundary>(*std::move(boundary));
     named.curve.vertex_B = named.boundary->middle_B();
     note_missing_part(late.law, motion);
@@ -200,30 +207,61 @@ private:
       case FlankFault::Kind::kUndercut:
         break;
     }
-    const auto jump = is_point(cam.curve) ? std::nullopt : velocity_jump(motion);
+    const auto jump = velocity_jump(motion);
     return jump.value_or("from " + at + " of the cam on the flank would be undercut: " + remedies(cam));
   }
 
-  // Changes that would avoid the undercut of the flank.
+  // Changes that would avoid the undercut of the flank, as far as they are changes of what it has.
   [[nodiscard]] std::string remedies(const FlankOrigin& cam) const {
     std::string text;
-    if (const auto size = smallest_for_radius(cam, {})) {
+    const auto here = size_of(cam), size = smallest_for_radius(cam, {});
+    if (here && size && size->base_radius > here->base_radius) {
       const bool turns = cam.motion.follower.turns;
       const double moved = size->rest - cam.motion.follower_rest;
       text += fmt::format(
           "it takes a base circle of more than {} instead of {} (the follower's pose {} by {}), ",
-          length_text(reading_, size->base_radius), length_text(reading_, size_of(cam)->base_radius),
+          length_text(reading_, size->base_radius), length_text(reading_, here->base_radius),
           turns ? "turned" : "moved", with_unit(moved, coordinate_dimension(turns), reading_.units));
     }
-    const bool roller = is_conic(cam.curve) && cam.curve.side == Side::kInside;
-    const auto largest = roller ? largest_follower(cam, 0) : std::nullopt;
-    if (largest && largest->value > 0) {
+    const auto largest = has_roller(cam) ? largest_follower(cam, 0) : std::nullopt;
+    if (largest && largest->value > 0 && largest->value < cam.curve.semi_latus) {
       text += fmt::format("a roller of less than {}, ", length_text(reading_, largest->value));
     }
-    return text.empty()
-               ? "put the follower's pose farther from the cam's pivot (a larger base circle), take a "
-                 "smaller roller, or a longer segment of the law"
-               : text + "or a longer segment of the law";
+    return text.empty() ? "it takes " + changes(cam) : text + "or a longer segment of the law";
+  }
+
+  static bool has_roller(const FlankOrigin& cam) {
+    return is_conic(cam.curve) && cam.curve.side == Side::kInside;
+  }
+
+  // The same without numbers.
+  static std::string changes(const FlankOrigin& cam) {
+    std::vector<std::string> changes;
+    if (cam.motion.cam.turns) {
+      changes.emplace_back("a larger base circle (the follower's pose farther from the cam's pivot)");
+    }
+    if (has_roller(cam)) {
+      changes.emplace_back("a smaller roller");
+    }
+    changes.emplace_back("a longer segment of the law");
+    return joined_words(changes, " or ");
+  }
+
+  // Explains where the flank passes through itself.
+  [[nodiscard]] std::optional<std::string> crossing_of(const Boundary& flank, const FlankOrigin& cam) const {
+    const auto crossing = find_self_crossing(flank);
+    if (!crossing) {
+      return std::nullopt;
+    }
+    const auto coordinate = [&](const BoundaryPlace& place) {
+      return flank_coordinate(*flank.spans()[static_cast<std::size_t>(place.span)], place.t).value();
+    };
+    const auto [first, second] = std::minmax({coordinate(crossing->first), coordinate(crossing->second)});
+    return fmt::format(
+        "the flank crosses itself: at {} and at {} of the cam it passes through {}, and what is shaped there "
+        "for the one is cut away for the other; it takes {}",
+        cam_coordinate(cam.motion, first), cam_coordinate(cam.motion, second),
+        point_text(reading_, crossing->p_B), changes(cam));
   }
 
   Reading& reading_;

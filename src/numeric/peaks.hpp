@@ -109,14 +109,14 @@ public:
   }
 
   /// The first of the places at which `f` has its largest value, to within rounding; none where it is nowhere
-  /// defined.
+  /// defined, or where no sample shows that it may exceed what is known.
   /// \param limits  its noise is raised to at least the rounding of the largest sample
   template <class F>
   [[nodiscard]] std::optional<Peak> largest(const F& f, PeakLimits limits) {
     limits.noise = std::max(limits.noise, kPeakRounding * scale_);
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.peak.value > b.peak.value; });
-    double best = -kInf;
+    double best = limits.known;
     int left = kMostCalls;
     std::vector<Peak> found;
     for (const Candidate& candidate : candidates_) {

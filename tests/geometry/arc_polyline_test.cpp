@@ -1,53 +1,18 @@
 #include "higherpair/geometry/arc_polyline.hpp"
 
+#include "geometry/arc_testing.hpp"
 #include "geometry/span_testing.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/involute_span.hpp"
 #include "higherpair/geometry/spline_span.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace higherpair {
 namespace {
 
 using testing::Worst;
-
-// Distance of a point from an arc, whose centre and radius follow from its chord and bulge.
-double distance_from_arc(const Vector2d& p, const ArcVertex& a, const Vector2d& to) {
-  const Vector2d chord = to - a.p_B;
-  const Vector2d middle = (a.p_B + to) / 2;
-  if (a.bulge == 0) {
-    const double along = std::clamp((p - a.p_B).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-    return (p - a.p_B - along * chord).norm();
-  }
-  const double sweep = 4 * std::atan(a.bulge);
-  const double radius = chord.norm() / 2 / std::sin(std::abs(sweep) / 2);
-  const Vector2d center =
-      middle + perp(chord).normalized() * (std::copysign(radius, sweep) * std::cos(sweep / 2));
-  const Vector2d arm = p - center;
-  const double half = std::acos(std::clamp(arm.normalized().dot((middle - center).normalized()), -1.0, 1.0));
-  return half <= std::abs(sweep) / 2 ? std::abs(arm.norm() - radius)
-                                     : std::min((p - a.p_B).norm(), (p - to).norm());
-}
-
-double worst_distance(const Boundary& curve, const ArcPolyline& line) {
-  Worst worst;
-  for (const SpanPtr& span : curve.spans()) {
-    const Bounds range = span->range();
-    constexpr int kMany = 3001;
-    for (int k = 0; k <= kMany; ++k) {
-      const Vector2d p = span->at(range.low + range.width() * k / kMany).p_B;
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.vertices.size(); ++i) {
-        least = std::min(
-            least, distance_from_arc(p, line.vertices[i], line.vertices[(i + 1) % line.vertices.size()].p_B));
-      }
-      worst.see(least);
-    }
-  }
-  return worst.value();
-}
+using testing::worst_distance;
 
 // The largest angle between the arcs that meet at a vertex.
 double worst_corner(const ArcPolyline& line) {
@@ -92,6 +57,28 @@ TEST(ArcPolyline, StaysWithinItsToleranceOfAnyCurve) {
       EXPECT_AT_MOST(worst_corner(line), 1e-7) << i << " " << tolerance;
       EXPECT_EQ(line.closed, curves[i].is_closed());
     }
+  }
+}
+
+// A disc of 30 mm with a smooth bump of 0.3 mm over 3 degrees, through a point every half degree: wherever it
+// is, its points are on the polyline.
+TEST(ArcPolyline, KeepsWhatIsNarrowAgainstTheWholeSpan) {
+  for (const double at : {17.0, 100.5, 299.7}) {
+    std::vector<Vector2d> points;
+    for (int i = 0; i < 720; ++i) {
+      const double off = std::abs(i / 2.0 - at) / 1.5;
+      const double bump = off < 1 ? 0.3e-3 * std::pow(std::cos(off * kPi / 2), 4) : 0;
+      points.push_back((0.03 + bump) * unit_vector(i / 2.0 * kPi / 180));
+    }
+    SplineOptions closed;
+    closed.closed = true;
+    const Boundary curve = testing::boundary({*spline_span(points, closed)}, true);
+    const ArcPolyline line = arc_polyline(curve, 4e-7);
+    EXPECT_AT_MOST(worst_distance(points, line), 4e-7) << at;
+    EXPECT_LT(line.vertices.size(), 100U);
+    EXPECT_AT_MOST(
+        worst_distance(curve, arc_polyline(testing::boundary({reversed_span(curve.spans()[0])}, true), 4e-7)),
+        4e-7);
   }
 }
 

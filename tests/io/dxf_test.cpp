@@ -384,6 +384,17 @@ TEST_F(Dxf, RoundedArcsMeetLinesSmoothly) {
   }
 }
 
+// Entities that are no part of the contour say nothing about its numbers: axes and circles of a program that
+// writes all digits, on another layer or on the same one.
+TEST_F(Dxf, OtherEntitiesDoNotCountForItsRounding) {
+  const Belt belt;
+  const std::string contour = belt.as_arcs_and_lines(6);
+  const std::string bore = "0 CIRCLE 8 {} 10 0.1234567890123456 20 0 40 3.3333333333333335 ";
+  const std::string axis = "0 LINE 8 axes 10 -40.123456789012345 20 0 11 40.123456789012345 21 0 ";
+  expect_belt(of(contour + fmt::format(fmt::runtime(bore), "axes") + axis, ", layer = \"0\""), belt, 1e-6);
+  expect_belt(of(contour + fmt::format(fmt::runtime(bore), "0"), ", near = [32, 0]"), belt, 1e-6);
+}
+
 // The centre of an arc is as drawn: a base circle about the pivot stays a dwell.
 TEST_F(Dxf, CirclesOfArcsAreAsDrawn) {
   const NamedCurve curve = of(Belt{}.as_arcs_and_lines(5));

@@ -1,4 +1,5 @@
 #include "higherpair/cam/flank.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/io/profile_reader.hpp"
 
@@ -98,6 +99,33 @@ TEST(Flanks, OfALawThatLacksSomeOfATurnAreNoted) {
   EXPECT_THAT(notes_of(60), HasSubstr("the law goes over 340 deg of the cam, and the flank ends there; over "
                                       "360 deg it would be closed"));
   EXPECT_EQ(notes_of(80), "");
+}
+
+TEST(Flanks, ThatTheDriverNeverComesToAreNoted) {
+  const auto notes_of = [](double start, double end, const char* joint) {
+    Parts parts;
+    parts.law = R"(origin = 3
+segments = [ { over = 60, law = "cycloidal", rise = 10 }, { over = 40, law = "cycloidal", rise = -10 } ])";
+    std::string text = profile_with(parts) + fmt::format("start = {}\nend = {}\n", start, end);
+    const std::string pivot = "[joints.pivot]\ntype = \"revolute\"";
+    text.replace(text.find(pivot), pivot.size(), fmt::format("[joints.pivot]\n{}", joint));
+    const auto profile = read_profile_text(text, "cam.toml");
+    std::string notes;
+    for (const Diagnostic& note : profile.value().notes) notes += note_text(note) + "\n";
+    return notes;
+  };
+  const char* slide = "type = \"prismatic\"\ndirection = [1, 0]";
+  EXPECT_THAT(
+      notes_of(-4, -1, slide),
+      HasSubstr("driver: from -4 mm to -1 mm the other body never comes to the flank cam.flank, which "
+                "goes from 3 mm to 103 mm"));
+  EXPECT_THAT(notes_of(110, 104, slide), HasSubstr("never comes to the flank"));
+  EXPECT_EQ(notes_of(-4, 4, slide), "");
+  EXPECT_EQ(notes_of(50, 40, slide), "");
+  const char* pivot = "type = \"revolute\"";
+  EXPECT_THAT(notes_of(-250, -5, pivot), HasSubstr("never comes to the flank"));
+  EXPECT_EQ(notes_of(-270, -5, pivot), "");
+  EXPECT_EQ(notes_of(410, 440, pivot), "");
 }
 
 // While the follower rests, whatever it is, the flank is an arc about the cam's pivot.
@@ -326,6 +354,63 @@ direction = [0, 1])";
   Parts rolling;
   rolling.between += "\nrolling = true";
   EXPECT_THAT(mistakes_in(rolling), HasSubstr("curves with ends or of several parts slip"));
+}
+
+// A lobe so steep and high that its sides come closer than the roller is wide: no radius of the path is
+// smaller than the roller's, but the flank passes through itself. By the symmetry of the lobe about 52.5
+// degrees the two places are as far from it on either side.
+TEST(Flanks, ThatCrossThemselvesAreRefusedWithBothPlaces) {
+  Parts neck;
+  neck.height = "12";
+  neck.law = R"(segments = [ { over = 45, law = "cycloidal", rise = 80 }, { over = 15, law = "dwell" },
+             { over = 45, law = "cycloidal", rise = -80 }, { over = 255, law = "dwell" } ])";
+  const std::string mistake = mistakes_in(neck);
+  EXPECT_THAT(mistake, HasSubstr("bodies.cam.curves.flank.law = \"lift\": the flank crosses itself: at "));
+  EXPECT_THAT(mistake, HasSubstr("or a smaller roller or a longer segment of the law"));
+  const double first = number_behind(mistake, "itself: at "), second = number_behind(mistake, "and at ");
+  EXPECT_NEAR(first + second, 105, 1e-3);
+  // The roller's centre and the direction of its path there, in the cam's frame.
+  const auto flank_point = [](double x) {
+    const double u = x / 45, beta = kPi / 4;
+    const double y = 12 + 80 * (u - std::sin(2 * kPi * u) / (2 * kPi));
+    const double slope = 80 / beta * (1 - std::cos(2 * kPi * u));
+    const Vector2d n = Vector2d(-slope, y).normalized();  // of the path (0, y) turned back by x
+    return Rotation<double>::from_angle(-x * kPi / 180) * (Vector2d(0, y) - 10 * n);
+  };
+  // Mirrored in the axis of the lobe, the point is itself.
+  const Vector2d axis = unit_vector(kPi / 2 - 52.5 * kPi / 180);
+  EXPECT_NEAR(cross(axis, flank_point(first)), 0, 1e-3);
+  neck.height = "40";
+  EXPECT_EQ(mistakes_in(neck), "");
+}
+
+// The ends of a flank over a whole turn whose law does not repeat touch.
+TEST(Flanks, MayEndWhereTheyBegin) {
+  for (const char* follower :
+       {R"({ type = "circle", center = [0, 0], radius = 10 })", R"({ type = "point", at = [0, 0] })"}) {
+    Parts once;
+    once.follower = follower;
+    once.law = R"(segments = [ { over = 180, law = "cycloidal", rise = 20 },
+             { over = 180, law = "parabolic", rise = -20 } ]
+repeat = false)";
+    EXPECT_EQ(mistakes_in(once), "");
+    once.law = R"(segments = [ { over = 180, law = "polynomial", start = [0, 0.1], end = [20, 0] },
+             { over = 180, law = "cycloidal", rise = -20 } ]
+repeat = false)";
+    EXPECT_EQ(mistakes_in(once), "");
+  }
+}
+
+// The path of a knife edge beside the pivot, and that of an arm that swings across it, have no cusps.
+TEST(Flanks, AreNotCalledUndercutWhereTheyPassThePivot) {
+  Parts edge;
+  edge.follower = R"({ type = "point", at = [3, 0] })";
+  edge.height = "5";
+  edge.law = R"(segments = [ { over = 180, law = "cycloidal", rise = -12 },
+             { over = 180, law = "cycloidal", rise = 12 } ])";
+  const std::string mistake = mistakes_in(edge);
+  EXPECT_THAT(mistake, HasSubstr("the flank crosses itself"));
+  EXPECT_THAT(mistake, ::testing::Not(HasSubstr("roller")));
 }
 
 TEST(Flanks, AreCutAnewForTolerancesAsANoteSays) {

@@ -56,6 +56,10 @@ public:
   [[nodiscard]] virtual bool is_corner() const { return false; }
   /// Number of equal parts of the range that resolve the shape of the span to about 1 %.
   [[nodiscard]] virtual int parts() const { return 32; }
+  /// Parameters within the range, ascending, between which its shape is simple: the ends of polynomial
+  /// pieces, or of stretches of a motion law. Features that are narrow against the whole show in samples of
+  /// each.
+  [[nodiscard]] virtual std::vector<double> breaks() const { return {}; }
 };
 
 using SpanPtr = std::shared_ptr<const Span>;

@@ -25,11 +25,12 @@ struct CamMotion {
 /// Why there is no flank.
 struct FlankFault {
   enum class Kind {
-    kTooLong,     ///< a law over more than one turn of a cam that turns
-    kStandstill,  ///< the follower does not move relative to the cam: every point would be on the flank
-    kNoEffect,    ///< the follower's joint moves its curve along itself: the law has no effect on the shape
-    kNoNormal,    ///< the follower's open curve has no point that could touch
-    kUndercut,    ///< the flank would have a cusp, and undercut what has been shaped before
+    kTooLong,  ///< a law over more than one turn of a cam that turns
+    /// The follower, or a knife edge at one place, does not move relative to the cam: there is no normal.
+    kStandstill,
+    kNoEffect,  ///< the follower's joint moves its curve along itself: the law has no effect on the shape
+    kNoNormal,  ///< the follower's open curve has no point that could touch
+    kUndercut,  ///< from there on the flank would run backwards and undercut what has been shaped before
   } kind = Kind::kStandstill;
   double coordinate = 0;  ///< of the cam's joint [rad or m]
 };
@@ -41,7 +42,7 @@ struct FlankFault {
 ///     w·n(φ) - ω h′(φ) = 0,
 /// from which Newton's method gives φ as a power series in the cam's coordinate, so that curvature and its
 /// rate are exact (Litvin, Theory of Gearing, 1989, on envelopes). Spans end at the joins of the law; their
-/// parameter is the coordinate of the cam's joint, or minus it.
+/// parameter is the coordinate of the cam's joint, or minus it. A fault is the first along the law.
 /// \param curve  of the follower, in its frame: a conic, line or point
 /// \param outer  the flank on the follower's far side from the cam's pivot, with its material there (a
 /// groove's outer wall). A line has only one flank. For a sliding cam the near side is the one against the
@@ -58,6 +59,9 @@ struct FlankOrigin {
 
 /// The origin of a span made by cam_flank; none for other spans.
 [[nodiscard]] std::optional<FlankOrigin> flank_origin(const Span& span);
+
+/// The coordinate of the cam's joint at a parameter of a span made by cam_flank; none for other spans.
+[[nodiscard]] std::optional<double> flank_coordinate(const Span& span, double t);
 
 /// Whether the flank is closed: a turning cam whose law repeats after one turn and ends where it began.
 [[nodiscard]] bool closes(const CamMotion& motion);
