@@ -1,4 +1,5 @@
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
