@@ -5,8 +5,10 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,6 +21,18 @@ constexpr int kMaxTries = 20000;
 constexpr int kMostModes = 16;  // modes that a branch number encodes; further groups are in mode +1
 
 constexpr std::size_t kMaxAssemblies = 4096;
+
+// How far the bodies of a group are turned from their poses, each at most 1. A lever that is turned by half a
+// turn about its pivot, which a slide passes as well, has all its joint points where it had them.
+double turned_from_poses(const Group& group, const std::vector<BodyMotion>& bodies,
+                         const std::vector<BodyMotion>& posed) {
+  double turned = 0;
+  for (const int index : group.bodies) {
+    const auto body = static_cast<std::size_t>(index);
+    turned += (1 - std::cos(bodies[body].theta - posed[body].theta)) / 2;
+  }
+  return turned;
+}
 
 // Depth-first search for the assembly of least cost: nearer modes first, and no deeper where the cost exceeds
 // the best so far.
@@ -65,8 +79,12 @@ private:
     std::vector<Candidate> candidates;
     for (const int mode : modes) {
       if (position_.place(g, mode)) {
-        candidates.push_back({mode, distance_from_poses(run_.mechanism(), run_.plan().groups[g],
-                                                        position_.state().bodies, position_.posed().bodies)});
+        const Group& group = run_.plan().groups[g];
+        const auto& bodies = position_.state().bodies;
+        const auto& posed = position_.posed().bodies;
+        const double turned =
+            kAsNear * run_.plan().size * run_.plan().size * turned_from_poses(group, bodies, posed);
+        candidates.push_back({mode, distance_from_poses(run_.mechanism(), group, bodies, posed) + turned});
       }
     }
     std::sort(candidates.begin(), candidates.end(),

@@ -101,7 +101,7 @@ void ChainAssembly::try_modes(const ChainStart& start, std::size_t g, double cos
   }
 }
 
-// If two assemblies are equally near, rounding would decide: then a Run chooses.
+// If two assemblies are equally near, a Run chooses.
 bool ChainAssembly::find(const ChainStart& start) {
   take_poses(start.mechanism);
   if (!start.mechanism.contacts.empty()) {
@@ -109,7 +109,8 @@ bool ChainAssembly::find(const ChainStart& start) {
   }
   best_cost_ = next_cost_ = kInf;
   try_modes(start, 0, 0);
-  if (best_cost_ < next_cost_ * (1 - kAsNear)) {
+  const double near = kAsNear * start.plan.size * start.plan.size * static_cast<double>(posed_.size());
+  if (next_cost_ - best_cost_ > near) {
     return true;
   }
   return assemble_by_run(start);

@@ -288,7 +288,8 @@ inline constexpr double kFarthestPoint = 1e3;
 inline constexpr double kSureTurn = kPi - 1e-6;
 /// Fraction of the size: the direction of a shorter spring is made of rounding, or undefined.
 inline constexpr double kShortestSpring = 1e-6;
-/// Assemblies whose distances from the poses differ by less than this fraction are equally near.
+/// Assemblies whose squared distances from the poses differ by less than this fraction of the size's square
+/// are equally near: that whose bodies are turned less is taken.
 inline constexpr double kAsNear = 1e-9;
 /// Largest distance between a disc and where a Run has put it, as a fraction of the size. The other mode is
 /// much farther away.

@@ -373,5 +373,43 @@ TEST(RollerBody, KeepsItsAngleWhereverItsFrameIs) {
   EXPECT_AT_MOST(worst.value(), 1e-13);
 }
 
+// A crank moves a block along a lever. Turned by half a turn the lever has all its joint points in the same
+// places: its angle in the pose decides.
+TEST(BlockOnALever, StartsWhereItsPoseIs) {
+  for (int k = 0; k < 72; ++k) {
+    const double theta = 0.1 + k * kPi / 36;
+    const Complex pin = std::polar(40.0 + k, theta) + Complex(0, 130);
+    const double turned = k % 2 == 0 ? 0 : 180;
+    const double angle = std::arg(pin) * 180 / kPi + turned;
+    const double off = k % 3;  // of poses [mm, deg]
+    const RunTable motion = analyze_text(fmt::format(
+        R"([bodies.ground]
+points = {{ O2 = [0, 130], O4 = [0, 0] }}
+[bodies.crank]
+pose.y = 130
+points = {{ O = [0, 0], P = [{}, 0] }}
+[bodies.block]
+pose = {{ x = {}, y = {}, angle = {} }}
+points.P = [0, 0]
+[bodies.lever]
+pose.angle = {}
+points = {{ O = [0, 0], T = [170, 0] }}
+[joints]
+a = {{ type = "revolute", between = ["ground.O2", "crank.O"] }}
+b = {{ type = "revolute", between = ["crank.P", "block.P"] }}
+slide = {{ type = "prismatic", between = ["lever.O", "block.P"], direction = [1, 0], angle = 0 }}
+pivot = {{ type = "revolute", between = ["ground.O4", "lever.O"] }}
+[driver]
+joint = "a"
+start = {}
+samples = 1
+)",
+        40 + k, pin.real() + off, pin.imag() - off, angle, angle + off, theta * 180 / kPi));
+    SCOPED_TRACE(k);
+    EXPECT_NEAR(motion.value(0, "lever.angle"), angle, 1e-10);
+    EXPECT_NEAR(motion.value(0, "slide.position"), std::abs(pin) * (turned == 0 ? 1 : -1), 1e-10);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
