@@ -68,6 +68,17 @@ bool starts_rolling(const Mechanism& mechanism, const Group& group) {
                      [&](int contact) { return contact_of(mechanism, contact).rolling; });
 }
 
+// The coordinates of a follower between the ends of its joint, to within rounding.
+Bounds guide_of(const Planned& model, const TouchingBody& touching, std::size_t g) {
+  Bounds guide{-kInf, kInf};
+  const double rounding = kBeyondJointEnd * model.plan.size;
+  for (const int index : model.plan.groups[g].ended_joints) {
+    const Joint& joint = model.mechanism.joints[index];
+    guide = {joint.from.value_or(-kInf) - rounding, joint.to.value_or(kInf) + rounding};
+  }
+  return touching.follower.sign < 0 ? -guide : guide;
+}
+
 }  // namespace
 
 FirstPosition::FirstPosition(const Run& run)
@@ -231,9 +242,9 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   }
   const auto found = first_boundary_contact(run_, pair, contact, placed.u, posed, touching.follower.sign);
   GroupState& group = touching_start_.groups[g];
-  group.held =
-      contact.keep == Keep::kGap &&
-      starts_open(pair, placed.u, posed, found ? std::optional(found->q) : std::nullopt, contact, size);
+  group.held = contact.keep == Keep::kGap &&
+               starts_open(pair, placed.u, posed, found ? std::optional(found->q) : std::nullopt,
+                           guide_of(model_, touching, g), contact, size);
   if (group.held) {
     group.held_at = carried_coordinate(touching.follower, posed_.bodies);
     return true;

@@ -292,13 +292,14 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,
-                 const Contact& contact, double size) {
+                 const Bounds& guide, const Contact& contact, double size) {
   if (contact.both_sides || !nearest) {
     return !nearest;  // between two walls a body always touches one
   }
   const double lever =
       pair.motion2.turns ? (pair.boundary2->size() + pair.boundary2->middle_B().norm()) / size : 1 / size;
-  return std::abs(*nearest - posed) * lever > kStartsApart &&
+  const bool apart = std::abs(*nearest - posed) * lever > kStartsApart;
+  return (apart || !guide.contains(*nearest)) &&
          !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
                          pose_at(pair.motion2, posed), kOverlapOfBoundaries * size);
 }

@@ -44,7 +44,9 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
 /// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, the body
 /// neither touches nor overlaps. Between two walls only if no contact is possible.
 /// \param nearest  coordinate of the nearest contact; none if there is no contact
+/// \param guide  coordinates between the ends of the body's joint: beyond them it cannot touch
 [[nodiscard]] bool starts_open(const BoundaryPair& pair, double u, double posed,
-                               std::optional<double> nearest, const Contact& contact, double size);
+                               std::optional<double> nearest, const Bounds& guide, const Contact& contact,
+                               double size);
 
 }  // namespace higherpair

@@ -291,6 +291,29 @@ TEST(SeatedRoller, IsPutDownAndLiftedWhateverTheRowsAndTheSeat) {
   }
 }
 
+// The face follows at 30 + 10 sin θ, from where it has been lifted off its seat.
+TEST(Tappet, MayStartOnItsSeatHoweverSmallTheGap) {
+  for (const double gap : {1e-9, 1e-6, 1e-4, 3e-3, 0.1, 5.0}) {
+    SCOPED_TRACE(gap);
+    const double seat = 30 + gap;
+    const Motion motion = motion_of(model_of(testing::profile_of(testing::SlidingCam{
+        "curves.disc = { type = \"circle\", center = [10, 0], radius = 30 }",
+        fmt::format("pose.y = {}\ncurves.face = {{ type = \"line\", point = [0, 0], normal = [0, -1] }}",
+                    seat),
+        fmt::format("direction = [0, 1]\nfrom = {}", seat),
+        "between = [\"cam.disc\", \"follower.face\"]\nkeep = \"gap\"",
+        "start = 0\nend = 90\nsamples = 91"})));
+    ASSERT_TRUE(motion.good());
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double lifted = 30 + 10 * std::sin(static_cast<double>(k) * testing::kDegree);
+      EXPECT_NEAR(motion.column("guide.position")[k], std::max(seat, lifted), 1e-9) << k;
+    }
+    const auto engaged = events_of(motion, EventType::kEngage);
+    ASSERT_EQ(engaged.size(), 1U);
+    EXPECT_NEAR(engaged[0].driver * testing::kDegree, std::asin(gap / 10), 1e-9);
+  }
+}
+
 // Crank 20, rod 60, slide along x: x = 20 cos θ + √(60² - 20² sin² θ), between 40 and 80.
 std::string slider_crank(const std::string& ends) {
   return testing::slider_crank_profile(20, 60, "", ends) + R"([driver]
