@@ -21,8 +21,9 @@ struct LimitPlaces {
 };
 [[nodiscard]] std::vector<LimitPlaces> limit_places(const DesignSetup& setup);
 
-/// Diagnostics for variables and objectives that have no effect near the start.
-[[nodiscard]] Diagnostics idle_parts(const DesignSetup& setup);
+/// Diagnostics for variables and objectives that have no effect near the start, and for constraints that no
+/// variable changes and that do not hold. Sets DesignSetup::idle.
+[[nodiscard]] Diagnostics idle_parts(DesignSetup& setup);
 
 /// The text of the model's profile with the design x written into it, and with the poses needed to assemble
 /// it on the branch. Reading it gives the design.

@@ -149,6 +149,8 @@ inline constexpr double kHoldsLimit = 1e-9;
 inline constexpr double kSpareReach = 1e-7;
 /// Bodies closer than this, relative to the size and [rad], have the same pose.
 inline constexpr double kSamePose = 1e-6;
+/// A constraint that changes by less, relative to its scale, does not depend on the variable: rounding.
+inline constexpr double kNoConstraintChange = 1e-11;
 /// Rounding of a function that is linear in the variables, relative to the number.
 inline constexpr double kLinearRounding = 1e-13;
 /// Step of finite differences for the derivative of the Grashof margin, relative to the size.
