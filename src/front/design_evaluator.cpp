@@ -13,8 +13,12 @@
 namespace higherpair {
 namespace {
 
-// Constraints are tightened by this much, so that what the optimiser tolerates is not a violation.
+// Constraints are tightened by this much, so that what the optimiser tolerates is not a violation. One that
+// no variable changes cannot be brought to the inside: it holds, or does not.
 constexpr double kInside = 2 * kConstraintTolerance;
+double tightened(double off, bool idle) {
+  return idle && off <= kConstraintTolerance ? off - kInside : off + kInside;
+}
 
 constexpr double kGoodPath = -0.01;  // value of the path constraint for a good path: not active
 
@@ -190,7 +194,8 @@ private:
       const DesignTask::Constraint& constraint = task_.constraints[k];
       // For transmission angles, sines are used in place of angles: they are smooth everywhere.
       const auto add = [&](double off) {
-        numbers_.push_back(std::isfinite(off) ? off + kInside : kViolated);
+        const bool idle = k < setup_->idle.size() && setup_->idle[k];
+        numbers_.push_back(std::isfinite(off) ? tightened(off, idle) : kViolated);
       };
       if (constraint.transmission) {
         const double sine = transmission < rows_->transmissions.size() && rows_->started

@@ -11,14 +11,6 @@
 namespace higherpair {
 namespace {
 
-bool same_programs(const std::vector<DriverProgram>& a, const std::vector<DriverProgram>& b) {
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(), [](const DriverProgram& p, const DriverProgram& q) {
-        return (p.start == q.start || !p.positions.empty()) && p.end == q.end && p.samples == q.samples &&
-               p.positions == q.positions && p.velocity == q.velocity && p.acceleration == q.acceleration;
-      });
-}
-
 // Whether the mechanism has no numbers other than those of for_each_number.
 bool is_all_numbers(const Mechanism& mechanism) {
   const bool endless = std::all_of(mechanism.joints.begin(), mechanism.joints.end(),
@@ -27,6 +19,14 @@ bool is_all_numbers(const Mechanism& mechanism) {
 }
 
 }  // namespace
+
+bool same_programs(const std::vector<DriverProgram>& a, const std::vector<DriverProgram>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const DriverProgram& p, const DriverProgram& q) {
+        return (p.start == q.start || !p.positions.empty()) && p.end == q.end && p.samples == q.samples &&
+               p.positions == q.positions && p.velocity == q.velocity && p.acceleration == q.acceleration;
+      });
+}
 
 bool has_whole_curves(const Mechanism& mechanism) {
   return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const Body& body) {

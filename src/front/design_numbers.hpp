@@ -15,6 +15,9 @@ namespace higherpair {
 /// Whether no body has a curve made of parts, such as a chain, a spline or a flank.
 [[nodiscard]] bool has_whole_curves(const Mechanism& mechanism);
 
+/// Whether the drivers move alike.
+[[nodiscard]] bool same_programs(const std::vector<DriverProgram>& a, const std::vector<DriverProgram>& b);
+
 /// The values of the variables in the profile.
 [[nodiscard]] std::vector<double> start_values(const DesignTask& task);
 

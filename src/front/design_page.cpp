@@ -66,6 +66,7 @@ std::string constraints_table(const DesignReport& report) {
   table += row_of({"assembles all the way", report.starts_good ? "yes" : "no",
                    report.path_good ? "yes" : "no", "", "", ""},
                   "td", report.path_good ? "" : "violated");
+  if (!report.as_found) table += row_of({"starts as it was found", "", "no", "", "", ""}, "td", "violated");
   for (const auto& constraint : report.constraints) {
     const std::string cost =
         constraint.cost > 0 ? number(constraint.cost) + " " + xml_escaped(constraint.cost_unit) : "";

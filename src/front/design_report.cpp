@@ -73,13 +73,14 @@ public:
     }
     DesignReport report;
     report.text = *std::move(text);
-    const auto after = score_of_text(report.text, x);
+    const auto after = reread(report.text, x, outcome_.best.branch);
     if (!after) {
       return tl::unexpected(std::move(after.error()));
     }
+    report.as_found = after->as_found;
     add_variables(x, report);
-    add_objectives(*after, report);
-    add_constraints(*after, report);
+    add_objectives(after->score, report);
+    add_constraints(after->score, report);
     add_search(report);
     return report;
   }
@@ -93,12 +94,21 @@ private:
     return x;
   }
 
-  [[nodiscard]] Result<std::string> text_of(std::span<const double> x, int branch) const {
-    return text_of_design(setup_, x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
+  [[nodiscard]] int searched(int branch) const {
+    return task_.keep_branch ? setup_.start_branch.value_or(0) : branch;
   }
 
+  [[nodiscard]] Result<std::string> text_of(std::span<const double> x, int branch) const {
+    return text_of_design(setup_, x, searched(branch));
+  }
+
+  struct Reread {
+    DesignScore score;
+    bool as_found = false;  // whether it is the design, in the same assembly
+  };
+
   // Evaluates the text as any profile: it is read, and started from its poses.
-  Result<DesignScore> score_of_text(const std::string& text, std::span<const double> x) {
+  [[nodiscard]] Result<Reread> reread(const std::string& text, std::span<const double> x, int branch) const {
     const Model::Data& before = setup_.numbers.model().data();
     const auto model = Model::from_text(text, before.name, before.document->overrides());
     if (!model) {
@@ -114,15 +124,33 @@ private:
                      setup_.size,
                      setup_.scales,
                      setup_.cost_scale};
+    const DesignScore found = score_of(setup_, x, searched(branch));
     const auto start = model->start(setup_.settings);
     if (!start) {
-      DesignScore nothing;
-      nothing.missing = 1;
-      nothing.objectives.assign(task_.objectives.size(), kNoValue);
-      nothing.constraints.assign(task_.constraints.size(), kNoValue);
-      return nothing;
+      return Reread{nothing(), !found.started};
     }
-    return score_of(read, x, branch_of(start->impl().run));
+    Reread after{score_of(read, x, branch_of(start->impl().run))};
+    after.as_found = starts_as_designed(setup_, x, searched(branch), *model) && same(found, after.score);
+    return after;
+  }
+
+  // The score of a mechanism that cannot be assembled.
+  [[nodiscard]] DesignScore nothing() const {
+    DesignScore score;
+    score.missing = 1;
+    score.objectives.assign(task_.objectives.size(), kNoValue);
+    score.placements.resize(task_.objectives.size());
+    score.constraints.assign(task_.constraints.size(), kNoValue);
+    return score;
+  }
+
+  [[nodiscard]] bool same(const DesignScore& a, const DesignScore& b) const {
+    const auto same_value = [&](double one, double other) {
+      const double scale = std::max({std::abs(one), std::abs(other), setup_.cost_scale});
+      return std::isfinite(one) ? std::abs(one - other) <= kSameScore * scale : !std::isfinite(other);
+    };
+    return a.started == b.started && (a.missing > 0) == (b.missing > 0) &&
+           std::equal(a.objectives.begin(), a.objectives.end(), b.objectives.begin(), same_value);
   }
 
   void add_variables(const std::vector<double>& x, DesignReport& report) const {
@@ -182,7 +210,7 @@ private:
   void add_constraints(const DesignScore& after, DesignReport& report) const {
     const DesignScore before = score_before();
     const std::vector<LimitPlaces> places = limit_places(setup_);
-    report.holds = report.path_good;
+    report.holds = report.path_good && report.as_found;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
       measure += objective.path ? 0 : std::max<std::size_t>(1, objective.followed.size());
@@ -247,8 +275,13 @@ private:
       line.variables = is_made ? as_made(point.x) : point.x;
       line.objective = point.objective;
       line.holds = point.violation <= kConstraintTolerance;
-      if (is_made) {
-        line.text = k == 0 ? report.text : text_of(line.variables, point.branch).value_or(std::string());
+      if (k == 0 && is_made) {
+        line.text = report.text;
+        line.as_found = report.as_found;
+      } else if (is_made) {
+        line.text = text_of(line.variables, point.branch).value_or(std::string());
+        const auto again = reread(line.text, line.variables, point.branch);
+        line.as_found = line.text.empty() || (again && again->as_found);
       }
     }
   }

@@ -28,6 +28,9 @@ struct DesignSetup {
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};
   double cost_scale = 1;  ///< order of magnitude of the cost, in the unit of tables
+  /// For each constraint: whether no variable changes it near the start. It holds at its limit, where no
+  /// search could bring it to the inside.
+  std::vector<bool> idle = {};
 
   /// Margin required of dyads [m]: on the very edge of their reach rounding loses the motion.
   [[nodiscard]] double spare() const { return kSpareReach * size; }

@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -105,6 +106,128 @@ RunSettings run_wanted_by(const DesignTask& task) {
   return wanted;
 }
 
+// Changes one variable after the other to see what depends on it.
+class IdleParts {
+public:
+  IdleParts(const DesignSetup& setup, const DesignScore& start)
+      : setup_(setup),
+        task_(setup.numbers.task()),
+        problem_(problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup))),
+        evaluator_(problem_.evaluator()),
+        places_(limit_places(setup)),
+        start_(start),
+        x_(start_values(task_)),
+        works_(x_.size(), false),
+        changed_(task_.objectives.size(), false) {
+    evaluator_->evaluate(x_, problem_.start_branch, before_);
+    for (const double constraint : start.constraints) idle_.push_back(std::isfinite(constraint));
+  }
+
+  void vary() {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const DesignVariable& range = task_.variables[i].range;
+      for (const double share : kIdleShares) {
+        const double way = share * (range.high - range.low);
+        vary(i, x_[i] + (x_[i] + way <= range.high ? way : -way));
+      }
+    }
+  }
+
+  // Constraints that are broken are tried at the bounds of the variables as well.
+  [[nodiscard]] Diagnostics mistakes() {
+    Diagnostics mistakes;
+    for (std::size_t i = 0; i < works_.size(); ++i) {
+      if (works_[i]) continue;
+      mistakes.push_back(
+          {task_.variables[i].place,
+           fmt::format("design.variables.{}: changes no objective and no constraint: leave it out, or "
+                       "ask for something that depends on {}",
+                       task_.variables[i].name, task_.variables[i].paths.front())});
+    }
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+      if (changed_[k]) continue;
+      mistakes.push_back(
+          {task_.objectives[k].place,
+           fmt::format("{}: is the same whatever the variables: choose an objective that depends on "
+                       "them, or other variables",
+                       task_.objectives[k].path_of_key)});
+    }
+    if (is_any_hopeless()) vary_to_bounds();
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      if (!is_hopeless(k)) continue;
+      mistakes.push_back(
+          {task_.constraints[k].place,
+           fmt::format("{}: is {:.9g} whatever the variables, and does not hold: choose another "
+                       "limit, or variables on which it depends",
+                       task_.constraints[k].path_of_key, start_.constraints[k])});
+    }
+    return mistakes;
+  }
+
+  [[nodiscard]] const std::vector<bool>& idle_constraints() const { return idle_; }
+
+private:
+  void vary(std::size_t i, double value) {
+    std::vector<double> other = x_;
+    other[i] = value;
+    evaluator_->evaluate(other, problem_.start_branch, after_);
+    works_[i] = works_[i] || before_.cost != after_.cost || !same(before_.residuals, after_.residuals) ||
+                !same(before_.constraints, after_.constraints);
+    const DesignScore score = score_of(setup_, other, problem_.start_branch);
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+      changed_[k] = changed_[k] || !(score.objectives[k] == start_.objectives[k]);
+    }
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      idle_[k] = idle_[k] && std::abs(off(after_, k) - off(before_, k)) <= kNoConstraintChange;
+    }
+  }
+
+  void vary_to_bounds() {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      vary(i, task_.variables[i].range.low);
+      vary(i, task_.variables[i].range.high);
+    }
+  }
+
+  // By how much the worse limit of a constraint is missed, relative to its scale.
+  [[nodiscard]] double off(const DesignValues& values, std::size_t k) const {
+    double worst = -kInf;
+    for (const auto& place : {places_[k].above, places_[k].below}) {
+      if (place) worst = std::max(worst, values.constraints(*place));
+    }
+    return worst;
+  }
+
+  // Events come and go at once, perhaps far from the start.
+  [[nodiscard]] bool is_hopeless(std::size_t k) const {
+    const DesignTask::Constraint& constraint = task_.constraints[k];
+    const double slack = kHoldsLimit * std::max(1.0, setup_.scales[k]);
+    const double value = start_.constraints[k];
+    const bool holds =
+        value >= constraint.above.value_or(-kInf) - slack && value <= constraint.below.value_or(kInf) + slack;
+    return idle_[k] && !holds && constraint.without.empty();
+  }
+
+  [[nodiscard]] bool is_any_hopeless() const {
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      if (is_hopeless(k)) return true;
+    }
+    return false;
+  }
+
+  const DesignSetup& setup_;
+  const DesignTask& task_;
+  const DesignProblem problem_;
+  const std::unique_ptr<DesignEvaluator> evaluator_;
+  const std::vector<LimitPlaces> places_;
+  const DesignScore& start_;
+  const std::vector<double> x_;
+  DesignValues before_, after_;
+  std::vector<bool> works_;    // for each variable: whether it changes anything
+  std::vector<bool> changed_;  // for each objective: whether any variable changes it
+  std::vector<bool> idle_;     // for each constraint: whether none does
+};
+
 }  // namespace
 
 Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
@@ -159,55 +282,16 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   return setup;
 }
 
-Diagnostics idle_parts(const DesignSetup& setup) {
+Diagnostics idle_parts(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
-  const DesignProblem problem =
-      problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup));
-  const auto evaluator = problem.evaluator();
-  const std::vector<double> x = start_values(task);
-  const int branch = problem.start_branch;
-  const DesignScore start = score_of(setup, x, branch);
-  Diagnostics mistakes;
+  const DesignScore start = score_of(setup, start_values(task), setup.start_branch.value_or(0));
   if (!start.started || start.missing > 0) {
-    return mistakes;
+    return {};
   }
-  DesignValues before, after;
-  evaluator->evaluate(x, branch, before);
-  std::vector<bool> changed(task.objectives.size(), false);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const DesignVariable& range = task.variables[i].range;
-    bool does_something = false;
-    for (const double share : kIdleShares) {
-      std::vector<double> other = x;
-      const double way = share * (range.high - range.low);
-      other[i] += other[i] + way <= range.high ? way : -way;
-      evaluator->evaluate(other, branch, after);
-      does_something = does_something || before.cost != after.cost ||
-                       !same(before.residuals, after.residuals) ||
-                       !same(before.constraints, after.constraints);
-      const DesignScore score = score_of(setup, other, branch);
-      for (std::size_t k = 0; k < changed.size(); ++k) {
-        changed[k] = changed[k] || !(score.objectives[k] == start.objectives[k]);
-      }
-    }
-    if (!does_something) {
-      mistakes.push_back(
-          {task.variables[i].place,
-           fmt::format("design.variables.{}: changes no objective and no constraint: leave it out, or "
-                       "ask for something that depends on {}",
-                       task.variables[i].name, task.variables[i].paths.front())});
-    }
-  }
-  for (std::size_t k = 0; k < changed.size(); ++k) {
-    if (!changed[k]) {
-      mistakes.push_back(
-          {task.objectives[k].place,
-           fmt::format("{}: is the same whatever the variables: choose an objective that depends on "
-                       "them, or other variables",
-                       task.objectives[k].path_of_key)});
-    }
-  }
-  return mistakes;
+  IdleParts parts(setup, start);
+  parts.vary();
+  setup.idle = parts.idle_constraints();
+  return parts.mistakes();
 }
 
 }  // namespace higherpair

@@ -21,12 +21,18 @@ struct LimitPlaces {
 };
 [[nodiscard]] std::vector<LimitPlaces> limit_places(const DesignSetup& setup);
 
-/// Diagnostics for variables and objectives that have no effect near the start.
-[[nodiscard]] Diagnostics idle_parts(const DesignSetup& setup);
+/// Diagnostics for variables and objectives that have no effect near the start, and for constraints that no
+/// variable changes and that do not hold. Sets DesignSetup::idle.
+[[nodiscard]] Diagnostics idle_parts(DesignSetup& setup);
 
 /// The text of the model's profile with the design x written into it, and with the poses needed to assemble
-/// it on the branch. Reading it gives the design.
+/// it on the branch, as far as they are estimates: those from which something else is taken are kept.
 [[nodiscard]] Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x,
                                                  int branch);
+
+/// Whether such a text, read again and started from its poses, stands as the design x does on the branch, in
+/// the same turn of each angle.
+[[nodiscard]] bool starts_as_designed(const DesignSetup& setup, std::span<const double> x, int branch,
+                                      const Model& read);
 
 }  // namespace higherpair

@@ -149,6 +149,13 @@ inline constexpr double kHoldsLimit = 1e-9;
 inline constexpr double kSpareReach = 1e-7;
 /// Bodies closer than this, relative to the size and [rad], have the same pose.
 inline constexpr double kSamePose = 1e-6;
+/// Digits of a pose that is written, counted from the mechanism's size or from a radian.
+inline constexpr int kPoseDigits = 10;
+/// Objectives of a design and of its profile, read again, that differ by less are the same; relative to the
+/// larger one and to DesignSetup::cost_scale. Extremes between rows are less accurate than the rows.
+inline constexpr double kSameScore = 1e-6;
+/// A constraint that changes by less, relative to its scale, does not depend on the variable: rounding.
+inline constexpr double kNoConstraintChange = 1e-11;
 /// Rounding of a function that is linear in the variables, relative to the number.
 inline constexpr double kLinearRounding = 1e-13;
 /// Step of finite differences for the derivative of the Grashof margin, relative to the size.

@@ -284,6 +284,38 @@ TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(to_string(built.error()), HasSubstr("was built and has no profile"));
 }
 
+std::string press_with(const std::string& constraint) {
+  return text_of_profile("toggle_press") + R"(
+[design]
+[design.variables]
+lower = { path = "bodies.lower.points.R.0", min = 128, max = 200 }
+[[design.objectives]]
+column = "lower.angle"
+of = "min"
+weight = 0.01
+)" + constraint;
+}
+
+// The crank's pin has the acceleration r omega^2 = 50 (2 pi)^2 whatever the lower link.
+TEST(Design, AConstantConstraintAtItsLimitHolds) {
+  const auto pressed = [](const std::string& constraint) {
+    return designed(model_of(press_with(constraint), {"driver.samples=25"}), few(8));
+  };
+  const DesignReport free = pressed("");
+  const DesignReport report = pressed(fmt::format(
+      "[[design.constraints]]\ncolumn = \"rod.A.ax\"\nof = \"max\"\nbelow = {}\n", 50 * 4 * kPi * kPi));
+  EXPECT_TRUE(report.holds);
+  EXPECT_EQ(report.constraints.at(0).margin, 0);
+  for (const auto& optimum : report.optima) EXPECT_TRUE(optimum.holds);
+  EXPECT_NEAR(report.after, free.after, 1e-6 * std::abs(free.after));
+}
+
+TEST(Design, AConstantConstraintThatDoesNotHoldIsRefused) {
+  EXPECT_THAT(
+      message_of(press_with("[[design.constraints]]\ncolumn = \"rod.A.ax\"\nof = \"max\"\nbelow = 1900\n")),
+      HasSubstr("design.constraints.0: is 1973.92088 whatever the variables, and does not hold"));
+}
+
 TEST(Design, UnitsOfObjectivesAreKnownWhereTheStartDoesNotAssemble) {
   std::string text = text_of_profile("design_log_generator");
   const auto set = [&](const std::string& from, const std::string& to) {

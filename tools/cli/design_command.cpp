@@ -8,6 +8,7 @@
 #include "search_bytes.hpp"
 #include "status_line.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -129,13 +130,15 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
   if (report.end == DesignEnd::kStopped) {
     return kExitInterrupted;
   }
-  return report.holds ? kExitOk : kExitRows;
+  const bool as_found = std::all_of(report.optima.begin(), report.optima.end(),
+                                    [](const auto& optimum) { return optimum.as_found; });
+  return report.holds && as_found ? kExitOk : kExitRows;
 }
 
 // Searches for the design that the profile asks for and writes it as a profile; returns the exit code: 4 if
-// the best design found violates a constraint, 130 if the search was interrupted; the best so far is written
-// all the same. If the output is a regular file, finished searches are kept in OUTPUT.searches until it is
-// written.
+// the best design found violates a constraint or a profile does not start as it was found, 130 if the search
+// was interrupted; the best so far is written all the same. If the output is a regular file, finished
+// searches are kept in OUTPUT.searches until it is written.
 int design_command(const DesignCommandOptions& options) {
   const auto model = open_model({options.profile, {}, options.quiet}, outputs_of(options));
   if (!model) {
@@ -176,7 +179,8 @@ Command add_design(CLI::App& app) {
       ->check(CLI::Range(1, 10));
   command->add_option("--seed", options->settings.seed,
                       "of the random starts (default 1): the same seed, the same result");
-  command->add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
+  command
+      ->add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
       ->check(positive_number());
   command
       ->add_option("--evaluations", options->settings.evaluations,

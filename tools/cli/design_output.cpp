@@ -87,8 +87,9 @@ std::string search_text(const DesignReport& report) {
   const bool has_steps = std::any_of(report.variables.begin(), report.variables.end(),
                                      [](const auto& variable) { return variable.step > 0; });
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
-    text += fmt::format("  {}. {}{}{}:", k + 1, shown(report.optima[k].objective),
+    text += fmt::format("  {}. {}{}{}{}:", k + 1, shown(report.optima[k].objective),
                         report.optima[k].holds ? "" : " (violates a constraint)",
+                        report.optima[k].as_found ? "" : " (its profile starts otherwise)",
                         has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "");
     for (std::size_t i = 0; i < report.variables.size(); ++i) {
       text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
@@ -103,7 +104,13 @@ std::string search_text(const DesignReport& report) {
 std::string design_text(const DesignReport& report) {
   std::string text = report.title.empty() ? "" : report.title + "\n\n";
   text += variables_text(report) + objectives_text(report) + constraints_text(report) + search_text(report);
-  if (!report.holds) {
+  if (!report.as_found) {
+    text +=
+        "\nthe profile that was written does not start in the assembly that was found: poses that would lead "
+        "there are taken exactly, as for the fixed angle of a slide or the start of a driver. What stands "
+        "above is of the profile as written; give these numbers (angle, start) on their own, or the poses of "
+        "the assembly that is wanted\n";
+  } else if (!report.holds) {
     text += "\nno design was found in which all constraints hold: this is the one that violates them least\n";
   }
   return text;
@@ -114,6 +121,7 @@ std::string design_json(const DesignReport& report) {
   json["title"] = report.title;
   json["holds"] = report.holds;
   json["path_good"] = report.path_good;
+  json["as_found"] = report.as_found;
   json["before"] = number_or_null(report.before);
   json["after"] = number_or_null(report.after);
   json["variables"] = Json::array();
@@ -154,6 +162,7 @@ std::string design_json(const DesignReport& report) {
   for (const auto& optimum : report.optima) {
     optima.push_back({{"objective", number_or_null(optimum.objective)},
                       {"holds", optimum.holds},
+                      {"as_found", optimum.as_found},
                       {"variables", optimum.variables}});
   }
   json["search"] = {{"method", report.method},           {"starts", report.starts},

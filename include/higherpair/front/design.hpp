@@ -63,6 +63,8 @@ struct DesignReport {
     std::vector<double> variables;
     double objective = 0;
     bool holds = false;  ///< whether all constraints hold
+    /// Whether the text gives it, as DesignReport::as_found; true without a text.
+    bool as_found = true;
     /// The profile, for the first DesignSettings::best of them; for the very first it is DesignReport::text.
     std::string text;
   };
@@ -75,9 +77,12 @@ struct DesignReport {
   /// minimised.
   double before = 0;
   double after = 0;
-  bool starts_good = false;         ///< whether the whole path of the original profile is on one branch
-  bool path_good = false;           ///< the same for the new profile
-  bool holds = false;               ///< all constraints hold, and path_good
+  bool starts_good = false;  ///< whether the whole path of the original profile is on one branch
+  bool path_good = false;    ///< the same for the new profile
+  /// Whether the new profile, started from its poses, is in the assembly that was found. Poses from which
+  /// something is taken exactly are kept, and may lead to another one.
+  bool as_found = false;
+  bool holds = false;               ///< all constraints hold, path_good and as_found
   std::string method;               ///< of the local searches: "least squares", …
   std::vector<Alternative> optima;  ///< distinct results of the searches, best first; at most 10
   int different = 0;
