@@ -186,7 +186,12 @@ TEST(ChainForces, AreNotProvenWhereABodyStartsHalfATurnFromItsPose) {
     Body& rocker = mechanism.bodies[3];
     const auto run = start_run(make_run_model(mechanism, *make_plan(mechanism)), {0});
     ASSERT_TRUE(run);
-    rocker.guess_theta = run->row.bodies[3].theta + off;
+    // Moved towards its other pin, it is still nearest to this assembly and not to the mirrored one.
+    const BodyMotion& at = run->row.bodies[3];
+    const Vector2d along_B =
+        point_of(mechanism, mechanism.joints[2].second) - point_of(mechanism, mechanism.joints[3].first);
+    rocker.guess_p_WB = at.X_WB.p_WB + 0.2 * (at.X_WB.R_WB * along_B);
+    rocker.guess_theta = at.theta + off;
     EXPECT_EQ(agreement(mechanism, turn(0, 1, 31), true).outcome == Outcome::kProven, off != kPi);
   }
 }
