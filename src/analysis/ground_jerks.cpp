@@ -74,13 +74,10 @@ private:
     const auto along = [&](const BodyMotion& of, const BodyJerk& jerk) {
       return point_jerk(of, jerk, of.X_WB.inverse_times(p_W)).dot(at.n_W);
     };
-    const BodyMotion &body1 = motion(contact.first.body), &body2 = motion(contact.second.body);
-    const Curve &curve1 = curve_of(mechanism, contact.first), &curve2 = curve_of(mechanism, contact.second);
-    const double wanted = contact_jerk(equivalent_link(is_line(curve1), at.rho1, is_line(curve2), at.rho2),
-                                       {curvature_slope(curve1, body1, at.rho1, at.n_W),
-                                        curvature_slope(curve2, body2, at.rho2, -at.n_W)},
-                                       at, body1, body2)
-                              .normal_jerk();
+    const double wanted =
+        contact_jerk(curve_of(mechanism, contact.first), curve_of(mechanism, contact.second), at,
+                     motion(contact.first.body), motion(contact.second.body))
+            .normal_jerk();
     const double apart = along(motion(other), *known) - along(body, jerk_on(follower.freedom, body, 0));
     const double per_q = velocity_per_q(follower.freedom, p_W).dot(at.n_W);
     return set(follower, (apart + (second ? wanted : -wanted)) / per_q);

@@ -19,22 +19,25 @@ MaterialPoint material_at(const BodyMotion& body, const Vector2d& p_W) {
           body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W, jerk_by_turning(body, r_W)};
 }
 
-}  // namespace
-
+// dκ/ds along n turned +90°, n being the curve's outward normal; 0 for a point.
 double curvature_slope(const Curve& curve, const BodyMotion& body, double rho, const Vector2d& n_W) {
   return is_curved(curve) ? -radius_slope(place(curve, body.X_WB), rho, n_W) / (rho * rho * rho)
                           : curve.slope;
 }
 
-ContactJerk contact_jerk(const EquivalentLink& link, const std::array<double, 2>& slopes,
-                         const CommonNormal& at, const BodyMotion& body1, const BodyMotion& body2) {
+}  // namespace
+
+ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
+                         const BodyMotion& body1, const BodyMotion& body2) {
+  const auto link = equivalent_link(is_line(curve1), at.rho1, is_line(curve2), at.rho2);
   const ContactRates rates = contact_rates(link, at, body1, body2);
   const Vector2d p_W = at.p_W();
   const double a_s = (material_at(body2, p_W).a_W - material_at(body1, p_W).a_W).dot(perp(at.n_W));
   const double omega_r = body2.omega - body1.omega;
   const double alpha_r = body2.alpha - body1.alpha;
   const double u1 = rates.along1, u2 = rates.along2;
-  const double bend1 = slopes[0] * u1 * u1, bend2 = slopes[1] * u2 * u2;
+  const double bend1 = curvature_slope(curve1, body1, at.rho1, at.n_W) * u1 * u1;
+  const double bend2 = curvature_slope(curve2, body2, at.rho2, -at.n_W) * u2 * u2;
 
   // Of the linkage with constant lengths; the terms of the curvatures' rates are added below.
   const double along1 = link.z * alpha_r + link.w2 * a_s;

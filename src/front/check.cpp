@@ -23,7 +23,7 @@ std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
     if (in_time ? program.time_step.has_value() : !program.positions.empty()) {
       return std::nullopt;
     }
-    most = in_time ? most : std::min(most, program.samples.value_or(kDefaultSamples));
+    if (!in_time) most = std::min(most, program.samples.value_or(kDefaultSamples));
   }
   return most;
 }

@@ -233,7 +233,7 @@ private:
         line.cost = cost_of(k, limit, place);
         if (task_.objectives.size() == 1) line.cost /= task_.objectives.front().weight;
         line.cost_unit = fmt::format("{}/({})", unit_of_all(report), unit);
-        if (std::abs(line.margin) <= kHoldsLimit * std::max(1.0, setup_.scales[k])) line.margin = 0;
+        if (std::abs(line.margin) <= setup_.slack(k)) line.margin = 0;
         report.holds = report.holds && line.margin >= 0;
         report.constraints.push_back(std::move(line));
       };

@@ -9,6 +9,8 @@
 #include "higherpair/front/measure.hpp"
 #include "tolerances.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,6 +36,10 @@ struct DesignSetup {
 
   /// Margin required of dyads [m]: on the very edge of their reach rounding loses the motion.
   [[nodiscard]] double spare() const { return kSpareReach * size; }
+  /// By how much a constraint's limit may be missed by rounding, in the unit of tables.
+  [[nodiscard]] double slack(std::size_t constraint) const {
+    return kHoldsLimit * std::max(1.0, scales[constraint]);
+  }
   /// Whether the dyads can be closed all the way, given the largest gap. Constraints require the whole of
   /// spare(), so that the optimiser's tolerance does not lead to the edge either.
   [[nodiscard]] bool closes(double gap) const { return gap < -spare() / 2; }

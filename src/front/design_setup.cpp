@@ -201,7 +201,7 @@ private:
   // Events come and go at once, perhaps far from the start.
   [[nodiscard]] bool is_hopeless(std::size_t k) const {
     const DesignTask::Constraint& constraint = task_.constraints[k];
-    const double slack = kHoldsLimit * std::max(1.0, setup_.scales[k]);
+    const double slack = setup_.slack(k);
     const double value = start_.constraints[k];
     const bool holds =
         value >= constraint.above.value_or(-kInf) - slack && value <= constraint.below.value_or(kInf) + slack;

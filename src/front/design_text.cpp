@@ -2,6 +2,7 @@
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "tolerances.hpp"
 
@@ -65,7 +66,7 @@ Vector2d middle_of_joints(const Mechanism& mechanism, int body) {
   for (const Joint& joint : mechanism.joints) {
     for (const PointRef& ref : {joint.first, joint.second}) {
       if (ref.body != body) continue;
-      sum += mechanism.bodies[body].points[ref.point].p_B;
+      sum += point_of(mechanism, ref);
       ++count;
     }
   }

@@ -59,14 +59,16 @@ std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   return on_both ? std::optional(parts) : std::nullopt;
 }
 
-// The next span beyond the end of a span, skipping corners; none at the end of an open boundary.
-std::optional<int> span_beyond(const Boundary& boundary, int span, bool high) {
+// The next span beyond the end of a span, skipping corners; none at the end of an open boundary, unless it is
+// gone on with at the other end.
+std::optional<int> span_beyond(const Boundary& boundary, int span, bool high, bool over_ends) {
+  const int from = span;
   do {
-    if (boundary.joint_after(high ? span : boundary.next_span(span, high)) == SpanJoint::kEnd) {
+    if (!over_ends && boundary.joint_after(high ? span : boundary.next_span(span, high)) == SpanJoint::kEnd) {
       return std::nullopt;
     }
     span = boundary.next_span(span, high);
-  } while (boundary.spans()[span]->is_corner());
+  } while (span != from && boundary.spans()[span]->is_corner());
   return span;
 }
 
@@ -78,7 +80,7 @@ BoundaryPlace moved_along(const Boundary& boundary, const BoundaryPlace& from, d
     return {from.span, t};
   }
   const bool high = t > range.high;
-  const auto beyond = span_beyond(boundary, from.span, high);
+  const auto beyond = span_beyond(boundary, from.span, high, false);
   return beyond ? end_of(boundary, *beyond, !high) : end_of(boundary, from.span, high);
 }
 
@@ -90,11 +92,8 @@ bool is_near_end(const Boundary& boundary, const BoundaryPlace& place, bool high
 // The ends of an open boundary may touch, as those of a flank over one turn do: that is a joint, too.
 bool is_one_place(const Boundary& boundary, const BoundaryPlace& a, const BoundaryPlace& b) {
   const auto is_joint = [&](bool high) {
-    int next = boundary.next_span(a.span, high);
-    while (next != a.span && boundary.spans()[next]->is_corner()) {
-      next = boundary.next_span(next, high);
-    }
-    return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) && next == b.span;
+    return is_near_end(boundary, a, high) && is_near_end(boundary, b, !high) &&
+           span_beyond(boundary, a.span, high, true) == b.span;
   };
   return (a.span == b.span &&
           std::abs(a.t - b.t) <= kSameCrossingPlace * range_of(boundary, a.span).width()) ||

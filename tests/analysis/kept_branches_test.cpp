@@ -36,12 +36,9 @@ std::string driven_at(const char* text, double theta, double coupler = 0, double
                      fmt::arg("coupler", coupler), fmt::arg("follower", follower));
 }
 
-std::string turned_parallelogram(double theta) {
-  return driven_at(R"([bodies]
-ground = {{ points = {{ O = [0, 0], Q = [0.1, 0] }} }}
-left = {{ pose.angle = {t}, points = {{ O = [0, 0], A = [0.04, 0] }} }}
-coupler = {{ pose = {{ x = {x}, y = {y} }}, points = {{ A = [0, 0], B = [0.1, 0] }} }}
-right = {{ pose = {{ x = 0.1, angle = {t} }}, points = {{ Q = [0, 0], B = [0.04, 0] }} }}
+// With the joints of a four-bar linkage, driven at its left crank.
+std::string four_bar_at(const char* bodies, double theta, double coupler = 0, double follower = 0) {
+  const std::string text = std::string(bodies) + R"(
 [joints]
 o = {{ type = "revolute", between = ["ground.O", "left.O"] }}
 a = {{ type = "revolute", between = ["left.A", "coupler.A"] }}
@@ -50,8 +47,18 @@ q = {{ type = "revolute", between = ["ground.Q", "right.Q"] }}
 [driver]
 joint = "o"
 start = {t}
+)";
+  return driven_at(text.c_str(), theta, coupler, follower);
+}
+
+std::string turned_parallelogram(double theta) {
+  return four_bar_at(R"([bodies]
+ground = {{ points = {{ O = [0, 0], Q = [0.1, 0] }} }}
+left = {{ pose.angle = {t}, points = {{ O = [0, 0], A = [0.04, 0] }} }}
+coupler = {{ pose = {{ x = {x}, y = {y} }}, points = {{ A = [0, 0], B = [0.1, 0] }} }}
+right = {{ pose = {{ x = 0.1, angle = {t} }}, points = {{ Q = [0, 0], B = [0.04, 0] }} }}
 )",
-                   theta);
+                     theta);
 }
 
 // Three of them in a row, whose cranks are 1 rad ahead of the driver and 0.04 long to within rounding.
@@ -96,21 +103,13 @@ std::string crossed_cranks(double theta) {
   const double follower = crossed_follower(theta);
   const std::complex<double> A = std::polar(0.04, theta);
   const std::complex<double> B = kCrossedFrame + std::polar(0.04, follower);
-  return driven_at(R"([bodies]
+  return four_bar_at(R"([bodies]
 ground = {{ points = {{ O = [0, 0], Q = [0.0408, 0] }} }}
 left = {{ pose.angle = {t}, points = {{ O = [0, 0], A = [0.04, 0] }} }}
 coupler = {{ pose = {{ x = {x}, y = {y}, angle = {coupler} }}, points = {{ A = [0, 0], B = [0.0408, 0] }} }}
 right = {{ pose = {{ x = 0.0408, angle = {follower} }}, points = {{ Q = [0, 0], B = [0.04, 0] }} }}
-[joints]
-o = {{ type = "revolute", between = ["ground.O", "left.O"] }}
-a = {{ type = "revolute", between = ["left.A", "coupler.A"] }}
-b = {{ type = "revolute", between = ["coupler.B", "right.B"] }}
-q = {{ type = "revolute", between = ["ground.Q", "right.Q"] }}
-[driver]
-joint = "o"
-start = {t}
 )",
-                   theta, std::arg(B - A), follower);
+                     theta, std::arg(B - A), follower);
 }
 
 std::string equal_slider_crank(double theta) {

@@ -31,10 +31,7 @@ PairState pair_state(const ContactPair& pair, const ContactPosition& at) {
   const Vector2d p_W = at.p_W();
   return {velocity_per_q(pair.motion2, p_W),
           jerk_at_rest(pair.motion2, at.dq, at.d2q, p_W) - jerk_at_rest(pair.motion1, 1, 0, p_W),
-          contact_jerk(equivalent_link(is_line(pair.curve1), at.rho1, is_line(pair.curve2), at.rho2),
-                       {curvature_slope(pair.curve1, body1, at.rho1, at.n_W),
-                        curvature_slope(pair.curve2, body2, at.rho2, -at.n_W)},
-                       at, body1, body2)};
+          contact_jerk(pair.curve1, pair.curve2, at, body1, body2)};
 }
 
 // From the condition along the normal.

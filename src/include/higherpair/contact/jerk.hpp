@@ -23,15 +23,10 @@ struct ContactJerk {
   }
 };
 
-/// Rate of change of a curve's curvature by its arc along n turned +90°, n being its outward normal at the
-/// contact point [1/m²]; Curve::slope for a circle, a line and a point.
-/// \param rho  radius of curvature there [m]
-[[nodiscard]] double curvature_slope(const Curve& curve, const BodyMotion& body, double rho,
-                                     const Vector2d& n_W);
-
 /// The condition n·(v2 - v1) = 0 at the moving contact point differentiated twice. With v_r = v2 - v1 and
 /// a_s = t·(a2 - a1) = v̇_s of the material points at the contact, ω_r = ω2 - ω1, α_r = α2 - α1, the weights
-/// w1, w2, w, z of the equivalent link, and κi' the slope of each curve's curvature:
+/// w1, w2, w, z of the equivalent link, and κi' = dκi/ds along each curve's
+/// own outward normal turned +90°:
 ///     u̇1 = z α_r + w2 a_s + C,   u̇2 = z α_r - w1 a_s + C,   C = z (κ2' u2² - κ1' u1²),
 ///     φ̈ = α1 + w1 α_r + w a_s + w2 κ1' u1² + w1 κ2' u2²,
 ///     n·(j2 - j1) = 2 (α2 u2 - α1 u1) + ω2 u̇2 - ω1 u̇1 - 2 φ̇ a_s - v_s φ̈,
@@ -40,9 +35,7 @@ struct ContactJerk {
 /// becomes infinite.
 /// Without slip (v_s = 0 at all times, u1 = u2 = u) also t·(j2 - j1) = ω_r (ω1 + ω2 + φ̇) u.
 /// Uses only the velocities and accelerations of the bodies. \pre They maintain the contact.
-/// \param slopes  κ1' and κ2' [1/m²]
-[[nodiscard]] ContactJerk contact_jerk(const EquivalentLink& link, const std::array<double, 2>& slopes,
-                                       const CommonNormal& at, const BodyMotion& body1,
-                                       const BodyMotion& body2);
+[[nodiscard]] ContactJerk contact_jerk(const Curve& curve1, const Curve& curve2, const CommonNormal& at,
+                                       const BodyMotion& body1, const BodyMotion& body2);
 
 }  // namespace higherpair
