@@ -161,6 +161,31 @@ enum class Taken {
   kLost,     // the motion is lost again before the row
 };
 
+// Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every
+// kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
+class Probes {
+public:
+  explicit Probes(const LineAhead& line)
+      : limit_(line.x_of(line.begin())), step_(line.sense() * kLostBranchProbe * line.scale()) {}
+
+  [[nodiscard]] double at(double k) const {
+    return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
+           : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
+                            : limit_;
+  }
+  /// Index of the first probe that is not before x; at least 1.
+  [[nodiscard]] double first_from(double x) const {
+    double k = std::max(1.0, std::ceil((x - limit_) / step_) + kFirstProbes);
+    while (k > 1 && (at(k - 1) - x) * step_ >= 0) {
+      --k;
+    }
+    return k;
+  }
+
+private:
+  double limit_, step_;
+};
+
 // Looks for a branch on a line and takes it up where it is found.
 class StretchSearch {
 public:
@@ -169,6 +194,8 @@ public:
       : run_(run),
         line_(line),
         drivers_(drivers),
+        probes_(line),
+        couples_(run.plan().couples),
         to_(line.x_of(drivers)),
         searched_to_(line.x_of(line.begin())) {}
 
@@ -184,6 +211,10 @@ private:
   [[nodiscard]] std::vector<double> drivers_at(double x) const { return x == to_ ? drivers_ : line_.at(x); }
   [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return line_.x_of(drivers); }
 
+  [[nodiscard]] double first_probe(double from) const;
+  Outlook outlook(double k);
+  std::optional<double> placed_up_to(double k, const std::optional<Outlook>& before, const Outlook& here);
+  Taken take_up_row();
   bool come_to_begin(double x);
   Taken take_up_across(double pole, double begin, int poles);
   void go_on_from(const Run& back, const State& state, double from);
@@ -192,6 +223,8 @@ private:
   Run& run_;
   const LineAhead& line_;
   const std::vector<double>& drivers_;
+  Probes probes_;
+  bool couples_;                             // whether bodies are coupled
   double to_;                                // x of the row
   double searched_to_;                       // no stretch of the branch begins before this x
   std::optional<double> begins_ahead_ = {};  // x beyond the row where one begins
@@ -226,8 +259,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 bool StretchSearch::come_to_begin(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
   auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
-  const bool couples = run_.plan().couples;
-  if (!inside || !inside->at.held || (!couples && (!inside->at.beside || is_another_branch(*inside)))) {
+  if (!inside || !inside->at.held || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
     return false;
   }
   if (begins_ahead_) {
@@ -316,75 +348,58 @@ Taken StretchSearch::take_up(double x, int poles) {
   return follow_from(x, kInf) ? Taken::kArrived : Taken::kLost;
 }
 
-// Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every
-// kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
-class Probes {
-public:
-  explicit Probes(const LineAhead& line)
-      : limit_(line.x_of(line.begin())), step_(line.sense() * kLostBranchProbe * line.scale()) {}
+// Index of the first probe to look at.
+double StretchSearch::first_probe(double from) const {
+  const double first = probes_.first_from(from);
+  const std::optional<double>& looked_to = run_.at.lost.looked_to;
+  return looked_to && line_.is_from_limit() ? std::max(first, probes_.first_from(*looked_to) + 1) : first;
+}
 
-  [[nodiscard]] double at(double k) const {
-    return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
-           : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
-                            : limit_;
-  }
-  /// Index of the first probe that is not before x; at least 1.
-  [[nodiscard]] double first_from(double x) const {
-    double k = std::max(1.0, std::ceil((x - limit_) / step_) + kFirstProbes);
-    while (k > 1 && (at(k - 1) - x) * step_ >= 0) {
-      --k;
-    }
-    return k;
-  }
+Outlook StretchSearch::outlook(double k) {
+  return outlook_at(run_, line_, probes_.at(k), probes_.at(k + 1) - probes_.at(k));
+}
 
-private:
-  double limit_, step_;
-};
+// Where the branch can be placed, at probe k or between the one before it and it.
+std::optional<double> StretchSearch::placed_up_to(double k, const std::optional<Outlook>& before,
+                                                  const Outlook& here) {
+  if (here.placing.complete) {
+    return here.x;
+  }
+  // For contacts it is unknown how much is lacking (room is not finite): next to a contact's limit it takes
+  // long to find out that it cannot be placed.
+  if (!std::isfinite(here.placing.room)) {
+    return std::nullopt;
+  }
+  return placed_between(run_, line_, before ? *before : outlook(k - 1), here);
+}
 
 Taken StretchSearch::take_up_first(double from) {
-  const Probes probes(line_);
-  std::optional<double>& looked_to = run_.at.lost.looked_to;
-  double first = probes.first_from(from);
-  if (looked_to && line_.is_from_limit()) {
-    first = std::max(first, probes.first_from(*looked_to) + 1);
+  const double first = first_probe(from);
+  const double last = std::min(probes_.first_from(to_), first + kMostProbes);
+  if (couples_ && first > 1) {
+    searched_to_ = probes_.at(first - 1);
   }
-  const double beyond = std::min(probes.first_from(to_), first + kMostProbes);
-  const auto outlook = [&](double k) {
-    return outlook_at(run_, line_, probes.at(k), probes.at(k + 1) - probes.at(k));
-  };
-  const bool couples = run_.plan().couples;
-  std::optional<Nearest>& nearest = run_.at.lost.nearest;
-  std::optional<Nearest> at_looked_to = nearest;
-  std::optional<Outlook> before;
+  std::optional<Nearest> nearest_in_vain = run_.at.lost.nearest;
   bool in_vain = line_.is_from_limit();
-  if (couples && first > 1) {
-    searched_to_ = probes.at(first - 1);
-  }
-  for (double k = first; k <= beyond && !is_stopped(run_); ++k) {
+  std::optional<Outlook> before;
+  for (double k = first; k <= last && !is_stopped(run_); ++k) {
     const Outlook here = outlook(k);
-    // A stretch that begins at this position itself is followed back from the next one.
-    const bool at_begin = here.placing.complete && is_beside_limit(run_.work.trial);
-    if (couples) {
-      nearest = Nearest{run_.work.trial, run_.work.ways};
+    // A stretch of coupled bodies that begins at this position itself is followed back from the next one.
+    const bool at_begin = couples_ && here.placing.complete && is_beside_limit(run_.work.trial);
+    if (couples_) {
+      run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.ways};
     }
-    std::optional<double> x;
-    if (here.placing.complete) {
-      x = here.x;
-    } else if (std::isfinite(here.placing.room)) {
-      // For contacts it is unknown how much is lacking (room is not finite): next to a contact's limit it
-      // takes long to find out that it cannot be placed.
-      x = placed_between(run_, line_, before ? *before : outlook(k - 1), here);
-    }
+    const std::optional<double> x = placed_up_to(k, before, here);
     const Taken taken = x ? take_up(*x) : Taken::kNot;
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
-    in_vain = in_vain && taken == Taken::kNot && !(couples && at_begin);
+    in_vain = in_vain && taken == Taken::kNot && !at_begin;
     if (in_vain) {
-      looked_to = here.x;
-      at_looked_to = nearest;
+      run_.at.lost.looked_to = here.x;
+      nearest_in_vain = run_.at.lost.nearest;
     }
-    if (couples && !at_begin) {
+    if (couples_ && !at_begin) {
       searched_to_ = here.x;
     }
     before = here;
@@ -392,17 +407,21 @@ Taken StretchSearch::take_up_first(double from) {
   if (is_stopped(run_)) {
     return Taken::kNot;
   }
-  if (!couples) {
+  const Taken taken = take_up_row();
+  if (couples_ && line_.is_from_limit()) {
+    run_.at.lost.nearest = std::move(nearest_in_vain);
+  }
+  return taken;
+}
+
+// Coupled bodies are followed through the probes, whatever the rows are; a row may be where the stretch
+// begins.
+Taken StretchSearch::take_up_row() {
+  if (!couples_) {
     return take_up(to_);
   }
-  // Coupled bodies are followed through these positions, whatever the rows are; a row may be where the
-  // stretch begins.
-  const bool at_row = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
-  const bool arrived = at_row && come_to_begin(to_);
-  if (line_.is_from_limit()) {
-    nearest = std::move(at_looked_to);
-  }
-  return arrived ? Taken::kArrived : Taken::kNot;
+  const bool at_begin = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
+  return at_begin && come_to_begin(to_) ? Taken::kArrived : Taken::kNot;
 }
 
 // Takes the motion up again where it first can be behind `from`.
