@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/mechanism/redimension.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -193,7 +194,8 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, 
   }
   const auto schedule = schedule_of(read->data(), run);
   ChainRecipe other;
-  const bool same = (!recipe.writes() || is_as_written(recipe, numbers, read->mechanism())) && schedule &&
+  const bool same = can_be_redimensioned(recipe.mechanism, read->mechanism()) &&
+                    (!recipe.writes() || is_as_written(recipe, numbers, read->mechanism())) && schedule &&
                     take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
                     recipe.where == other.where;
   return same ? Agreement::kFull : Agreement::kNone;

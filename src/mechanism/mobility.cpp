@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "idle_turning.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/product.hpp"
 #include "redundancy.hpp"
@@ -26,38 +27,6 @@ Eigen::MatrixXd without_rows(const Eigen::MatrixXd& matrix, Eigen::Index begin, 
   Eigen::MatrixXd rest(matrix.rows() - count, matrix.cols());
   rest << matrix.topRows(begin), matrix.bottomRows(matrix.rows() - begin - count);
   return rest;
-}
-
-bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
-  const auto middle = round_center(curve);
-  return middle && (*middle - p_B).norm() <= kRoundAbout * size;
-}
-
-// Whether turning a body about one of its points changes nothing: all that holds it is round about that
-// point.
-bool is_idle_about(const SizedMechanism& sized, int body, const Vector2d& p_B) {
-  const Mechanism& mechanism = sized.mechanism;
-  bool touches = false;
-  for (const Joint& joint : mechanism.joints) {
-    for (const PointRef& ref : {joint.first, joint.second}) {
-      if (ref.body == body && (joint.type != JointType::kRevolute ||
-                               (point_of(mechanism, ref) - p_B).norm() > kRoundAbout * sized.size)) {
-        return false;
-      }
-    }
-  }
-  for (const Contact& contact : mechanism.contacts) {
-    for (const CurveRef& ref : {contact.first, contact.second}) {
-      if (ref.body != body) {
-        continue;
-      }
-      if (contact.rolling || !is_round_about(curve_of(mechanism, ref), p_B, sized.size)) {
-        return false;
-      }
-      touches = true;
-    }
-  }
-  return touches;
 }
 
 // The only direction in which a body can move alone (x, y, size·θ), if there is just one.
@@ -88,7 +57,7 @@ std::vector<IdleFreedom> idle_freedoms(const SizedMechanism& sized, const Freedo
     const Vector2d r_W = perp(Vector2d(motion->head<2>())) * (sized.size / motion->z());
     const auto body = static_cast<std::size_t>(b);
     const Vector2d p_B = position.bodies[body].X_WB.R_WB.inverse() * r_W;
-    if (is_idle_about(sized, b, p_B)) {
+    if (turns_idly(sized, b, p_B)) {
       idle.push_back({b, start.bodies[body].X_WB * p_B});
     }
   }

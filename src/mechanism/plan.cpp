@@ -8,7 +8,9 @@
 #include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "idle_turning.hpp"
 #include "recognise.hpp"
+#include "structural_conditions.hpp"
 #include "structure.hpp"
 
 #include <algorithm>
@@ -54,19 +56,6 @@ std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& l
              (body.turning_only ? " (its turning)" : "");
   }
   return names;
-}
-
-// Whether a loose body is a roller: only its turning is free and it has a contact. It is then attached by one
-// pin and touches with circles about it, so that its turning changes nothing else.
-bool is_idle(const Mechanism& mechanism, const LooseBody& loose) {
-  if (!loose.turning_only) {
-    return false;
-  }
-  const bool has_contact =
-      std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(), [&](const Contact& contact) {
-        return contact.first.body == loose.body || contact.second.body == loose.body;
-      });
-  return has_contact;
 }
 
 // Explains why too few coordinates are determined. The rank explains more than the matching: which joints
@@ -175,7 +164,7 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   Plan plan;
   std::vector<LooseBody> missing;
   for (const LooseBody& loose : structure.loose) {
-    if (is_idle(mechanism, loose)) {
+    if (loose.turning_only && turns_idly({mechanism, size_of(mechanism)}, loose.body)) {
       plan.idle_bodies.push_back(loose.body);
     } else {
       missing.push_back(loose);
@@ -210,6 +199,14 @@ std::optional<std::size_t> group_with_contact(const Plan& plan, int contact) {
   return std::nullopt;
 }
 
+bool can_be_redimensioned(const Mechanism& planned, const Mechanism& other) {
+  const std::vector<Condition> a = structural_conditions(planned, NameOrder(planned));
+  const std::vector<Condition> b = structural_conditions(other, NameOrder(other));
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Condition& one, const Condition& two) {
+    return one.variables == two.variables;
+  });
+}
+
 Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   Plan other;
   other.idle_bodies = plan.idle_bodies;
@@ -221,6 +218,11 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   }
   fill_in(other, mechanism, sets);
   return other;
+}
+
+tl::expected<Plan, std::string> plan_like(const Plan& plan, const Mechanism& planned,
+                                          const Mechanism& other) {
+  return can_be_redimensioned(planned, other) ? redimensioned(plan, other) : make_plan(other);
 }
 
 void redimension_groups(Plan& plan, const Mechanism& mechanism) {

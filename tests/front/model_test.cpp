@@ -254,6 +254,61 @@ TEST(Model, WithAnotherStructureIsPlannedAnew) {
   EXPECT_FALSE(more.run());
 }
 
+// The rod hangs on a pin of the lever, which is placed before the lever's angle is only while the lever's two
+// pins coincide.
+constexpr const char* kCoincidentPins = R"(
+[bodies.ground]
+points = { O = [0, 0], G = [100, 0], H = [160, 20] }
+[bodies.crank]
+points = { O = [0, 0], A = [20, 0] }
+[bodies.coupler]
+pose = { x = 20, y = 0, angle = 40.8 }
+points = { A = [0, 0], B = [90, 0] }
+[bodies.rocker]
+pose = { x = 100, y = 0, angle = 101.4 }
+points = { G = [0, 0], B = [60, 0] }
+[bodies.lever]
+pose = { x = 88.1, y = 58.8, angle = 68.7 }
+points = { P = [0, 0], Q = [0, 0], S = [70, 0] }
+[bodies.rod]
+pose = { x = 88.1, y = 58.8, angle = 18.7 }
+points = { Q = [0, 0], E = [50, 0] }
+[bodies.arm]
+pose = { x = 160, y = 20, angle = 114.1 }
+points = { H = [0, 0], E = [60, 0] }
+[joints]
+O = { type = "revolute", between = ["ground.O", "crank.O"] }
+A = { type = "revolute", between = ["crank.A", "coupler.A"] }
+B = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+G = { type = "revolute", between = ["ground.G", "rocker.G"] }
+P = { type = "revolute", between = ["rocker.B", "lever.P"] }
+Q = { type = "revolute", between = ["lever.Q", "rod.Q"] }
+E = { type = "revolute", between = ["rod.E", "arm.E"] }
+H = { type = "revolute", between = ["ground.H", "arm.H"] }
+S = { type = "slot", between = ["arm.E", "lever.S"], direction = [1, 0] }
+[driver]
+joint = "O"
+start = 0
+end = 20
+samples = 5
+)";
+
+TEST(Model, WithPinsThatPartIsPlannedAnew) {
+  const Model model = model_of(kCoincidentPins);
+  const Setting apart("bodies.lever.points.Q.0", 5);
+  const Model with = model.with({apart}).value();
+  const Model fresh = model_of(kCoincidentPins, {apart.path + "=5"});
+  const Motion motion = with.run().value();
+  EXPECT_TRUE(motion.good());
+  EXPECT_EQ(text_of(motion), text_of(fresh.run().value()));
+}
+
+TEST(Model, WithARollerThatIsNotRoundAnyMoreIsRefused) {
+  const Model model = shipped_model("roller_body");
+  EXPECT_TRUE(model.run());
+  EXPECT_FALSE(model.with({{"bodies.roller.curves.rim.center.0", 3}}).value().run());
+}
+
 TEST(Model, WithAKeyThatIsWrongSaysSo) {
   const Model model = model_of(kCam);
   const auto wrong = model.with({{"bodies.cam.curves.disc.radius", -3}});

@@ -140,6 +140,21 @@ TEST(Plan, NamesTheRollerWhoseTurningIsIdle) {
   EXPECT_TRUE(rolling->idle_bodies.empty());
 }
 
+// A roller that is not round about its pin moves its arm by turning, and nothing holds it.
+TEST(Plan, RefusesARollerWhoseTurningIsNotIdle) {
+  const std::string curve = "bodies.roller.curves.rim";
+  for (const std::string& other :
+       {curve + ".center=[3, 0]", curve + "={type = \"ellipse\", center = [0, 0], semi_axes = [15, 10]}"}) {
+    const auto plan = make_plan(shipped("roller_body", {other}));
+    ASSERT_FALSE(plan) << other;
+    EXPECT_THAT(plan.error(), HasSubstr("more freedom than drivers: 1 freedom left by the drivers, in which "
+                                        "arm, roller can move"))
+        << other;
+    // Where it rolls its angle follows from the way that it has rolled.
+    EXPECT_TRUE(make_plan(shipped("roller_body", {other, "contacts.touch.rolling=true"}))) << other;
+  }
+}
+
 TEST(Plan, TakesSeveralDrivers) {
   EXPECT_THAT(groups_of(shipped("five_bar")),
               UnorderedElementsAre("driven: left_crank", "driven: right_crank", "RRR: left_link right_link"));

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "free_assembly.hpp"
+
+namespace higherpair {
+
+/// Whether turning a body about one of its points changes nothing: it has contacts, and all that holds it is
+/// pins at that point and curves round about it that slip.
+/// \param p_B  the point, body frame [m]
+[[nodiscard]] bool turns_idly(const SizedMechanism& sized, int body, const Vector2d& p_B);
+
+/// The same about a pin of the body, or where it has none about the centre of a round curve that touches.
+[[nodiscard]] bool turns_idly(const SizedMechanism& sized, int body);
+
+}  // namespace higherpair
