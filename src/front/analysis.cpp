@@ -244,9 +244,16 @@ bool Analysis::Impl::next_row(Row& row) {
   row.number = next;
   row.status = source.status();
   good = good && row.status == RowStatus::kOk;
-  if (++next == schedule.size() && start) {
-    report_openings();
+  return advance(next + 1);
+}
+
+// The rows before `end` have been taken. False where the run is stopped in the search for openings that
+// follows the last row: that row then counts as not taken.
+bool Analysis::Impl::advance(std::int64_t end) {
+  if (end == schedule.size() && start && !report_openings()) {
+    return false;
   }
+  next = end;
   return true;
 }
 
@@ -297,10 +304,7 @@ void Analysis::Impl::begin_at(std::int64_t row, const RunPlace& from) {
 void Analysis::Impl::add_block(std::vector<Event> found, bool all_good, std::int64_t end) {
   events.insert(events.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
   good = good && all_good;
-  next = end;
-  if (next == schedule.size() && start) {
-    report_openings();
-  }
+  (void)advance(end);
 }
 
 Analysis::Analysis(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -164,13 +164,18 @@ Event Analysis::Impl::opening_event(const ContactForceReport::Opening& opening) 
 }
 
 // Contacts may open between rows as well: openings are searched for on the whole path, whatever its rows.
-void Analysis::Impl::report_openings() {
+// False if the run is stopped before all are found.
+bool Analysis::Impl::report_openings() {
   contacts = report_contacts(model->profile, schedule, *start);
+  if (is_stopped(run)) {
+    return false;
+  }
   for (const ContactForceReport::Opening& opening : contacts.openings) {
     events.push_back(opening_event(opening));
     good = false;
   }
   std::stable_sort(events.begin(), events.end(), is_earlier);
+  return true;
 }
 
 }  // namespace higherpair

@@ -82,7 +82,8 @@ private:
   [[nodiscard]] Event opening_event(const ContactForceReport::Opening& opening) const;
   void move();
   void add_law_jumps();
-  void report_openings();
+  bool advance(std::int64_t end);
+  bool report_openings();
 };
 
 /// A run before its first row, from the first position on.

@@ -167,6 +167,29 @@ TEST(Stop, EndsARunWithinALongRow) {
   EXPECT_FALSE(analysis.next(row));
 }
 
+// Whenever the stop comes, a run that does not say that it was stopped has found all that opens.
+TEST(Stop, IsSaidInTheSearchForOpeningsAfterTheLastRow) {
+  const Model model =
+      shipped_model("cam_with_return_spring", {"driver.samples=3", "driver.velocity=\"900 rpm\""});
+  for (int i = 0; i < 100; ++i) {
+    std::atomic<bool> stop = false;
+    RunSettings settings;
+    settings.forces = true;
+    settings.stop = &stop;
+    Analysis analysis = model.start(settings).value();
+    Row row;
+    ASSERT_TRUE(analysis.next(row) && analysis.next(row));
+    std::thread stopper([&] {
+      std::this_thread::sleep_for(std::chrono::microseconds(20 * i));
+      stop = true;
+    });
+    const bool given = analysis.next(row);
+    stopper.join();
+    EXPECT_NE(given, analysis.stopped());
+    EXPECT_TRUE(!given || !analysis.good());
+  }
+}
+
 TEST(Stop, LeavesAMotionThatIsNotGood) {
   const std::atomic<bool> stop = true;
   RunSettings settings;

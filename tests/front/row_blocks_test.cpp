@@ -221,6 +221,23 @@ TEST(BlocksUnderWay, EndWhereTheRunIsStopped) {
   EXPECT_TRUE(analysis.stopped());
 }
 
+// Openings are searched for after the last row. Without them a run may look good that is not.
+TEST(BlocksUnderWay, CountAsStoppedInTheSearchForOpenings) {
+  std::atomic<bool> stop = false;
+  RunSettings settings;
+  settings.forces = true;
+  settings.stop = &stop;
+  const Model model =
+      shipped_model("cam_with_return_spring", {"driver.samples=3", "driver.velocity=\"900 rpm\""});
+  Analysis whole = model.start(settings).value();
+  EXPECT_FALSE(row_by_row(std::move(whole)).good);
+  Analysis analysis = model.start(settings).value();
+  run_blocks(
+      analysis, 1, [](const RowBlock&, BlockTexts&) {},
+      [&](const RowBlock&, const BlockTexts&) { return stop = true; });
+  EXPECT_TRUE(analysis.stopped());
+}
+
 TEST(RowsAsCsv, AreTheSameOneByOneAndInBlocks) {
   const std::vector<std::string_view> words = {"yes", "a long word that is not short"};
   const std::vector<Column> columns = {{"a", "1", {}}, {"b", "", words}, {"c", "m", {}}, {"d", "m", {}}};

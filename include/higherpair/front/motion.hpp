@@ -96,7 +96,9 @@ public:
   [[nodiscard]] std::int64_t size() const;
   [[nodiscard]] const std::vector<Column>& columns() const;
 
-  /// Moves on to the next row and writes it into `row`. False after the last one, and once stopped.
+  /// Moves on to the next row and writes it into `row`. False after the last one, and once stopped: with
+  /// forces also where the search for openings that comes with the last row is stopped, and that row is not
+  /// given.
   [[nodiscard]] bool next(Row& row);
   /// Whether RunSettings::stop ended it.
   [[nodiscard]] bool stopped() const;
