@@ -120,7 +120,10 @@ Curve local_curve_derivative(const SpanPoint& at, const Curve& local, const Plac
   by.q = 0;
   by.vertex_B = by_p.p_B;
   by.axis_B = is_line(local) ? Vector2d(-by_p.n_B) : Vector2d(Vector2d::Zero());
-  by.slope = local.slope != 0 ? by_p.slope : 0;
+  if (local.slope != 0) {
+    by.kappa = by_p.kappa;
+    by.slope = by_p.slope;
+  }
   if (!is_conic(local)) {
     return by;
   }

@@ -1,5 +1,6 @@
 #include "higherpair/analysis/displaced.hpp"
 
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
@@ -35,10 +37,7 @@ double displacement_of(const Run& run, const Mechanism& derivative, const RowSen
   }
   for_each_number(derivative, [&](double change, NumberKind kind) {
     if (kind != NumberKind::kLoad) {
-      const double unit = kind == NumberKind::kLength ? size
-                          : kind == NumberKind::kBend ? 1 / (size * size)
-                                                      : 1;
-      displaced = std::max(displaced, std::abs(change) / unit);
+      displaced = std::max(displaced, std::abs(change) / (kind == NumberKind::kLength ? size : 1));
     }
   });
   // Speed and acceleration are each estimated from the other, too, as either may be 0 in this row.
@@ -47,34 +46,94 @@ double displacement_of(const Run& run, const Mechanism& derivative, const RowSen
   return std::max({displaced, fast > 0 ? faster / fast : 0, strong > 0 ? accelerated / strong : 0});
 }
 
-// Displaces a row by h of p. The two points of each contact need not coincide afterwards.
-void displace(const RowSensitivity& by_p, double h, const Mechanism& mechanism, MotionRow& row) {
-  for (std::size_t i = 1; i < row.bodies.size(); ++i) {
-    BodyMotion& body = row.bodies[i];
-    const BodyMotion& change = by_p.bodies[i];
-    body.theta += h * change.theta;
-    body.X_WB = {Rotation<double>::from_angle(body.theta), body.X_WB.p_WB + h * change.X_WB.p_WB};
-    body.v_WB += h * change.v_WB;
-    body.omega += h * change.omega;
-    body.a_WB += h * change.a_WB;
-    body.alpha += h * change.alpha;
-  }
-  const Dimensions<double> dimensions = dimensions_of(mechanism);
-  for (std::size_t i = 0; i < row.contacts.size(); ++i) {
-    const auto& contact = dimensions.contacts[i];
-    const BodyMotion& body1 = row.bodies[contact.first];
-    const BodyMotion& body2 = row.bodies[contact.second];
-    ContactMotion& motion = row.contacts[i];
-    motion.phi += h * by_p.phi[i];
-    motion.arc_difference += h * by_p.arcs[i];
-    motion.at = facing_at(contact, {body1.X_WB, body1.theta}, {body2.X_WB, body2.theta}, motion.phi)
-                    .value_or(motion.at);
-    motion.rates = contact_rates(
-        equivalent_link(is_line(curve_of(mechanism, mechanism.contacts[i].first)), motion.at.rho1,
-                        is_line(curve_of(mechanism, mechanism.contacts[i].second)), motion.at.rho2),
-        motion.at, body1, body2);
-  }
+bool is_on_boundaries(const Run& run, std::size_t contact) {
+  return run.mechanism().contacts[contact].by_boundary && run.row.contacts[contact].touches;
 }
+
+// A run that can be displaced along its sensitivity to p.
+class Displaceable {
+public:
+  Displaceable(const Run& run, const Sensitivity& by, const RowSensitivity& of_row)
+      : run_(run), derivative_(by.derivative()), of_row_(of_row), places_(run.row.contacts.size()) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (is_on_boundaries(run, i)) {
+        places_[i] = by.of_places(run, of_row, i);
+      }
+    }
+  }
+
+  // The run displaced by h of p. The two points of each contact need not coincide afterwards.
+  [[nodiscard]] Run by(double h) const {
+    Run other = run_;
+    other.local = displaced(run_.mechanism(), derivative_, h);
+    displace_bodies(h, other.row);
+    const Dimensions<double> dimensions = dimensions_of(other.mechanism());
+    for (std::size_t i = 0; i < other.row.contacts.size(); ++i) {
+      displace_contact(i, h, dimensions.contacts[i], other);
+    }
+    return other;
+  }
+
+private:
+  void displace_bodies(double h, MotionRow& row) const {
+    for (std::size_t i = 1; i < row.bodies.size(); ++i) {
+      BodyMotion& body = row.bodies[i];
+      const BodyMotion& change = of_row_.bodies[i];
+      body.theta += h * change.theta;
+      body.X_WB = {Rotation<double>::from_angle(body.theta), body.X_WB.p_WB + h * change.X_WB.p_WB};
+      body.v_WB += h * change.v_WB;
+      body.omega += h * change.omega;
+      body.a_WB += h * change.a_WB;
+      body.alpha += h * change.alpha;
+    }
+  }
+
+  void displace_contact(std::size_t i, double h, const Dimensions<double>::Contact& dimensions,
+                        Run& other) const {
+    const Contact& contact = other.mechanism().contacts[i];
+    const BodyMotion& body1 = other.row.bodies[contact.first.body];
+    const BodyMotion& body2 = other.row.bodies[contact.second.body];
+    ContactMotion& motion = other.row.contacts[i];
+    motion.phi += h * of_row_.phi[i];
+    motion.arc_difference += h * of_row_.arcs[i];
+    if (is_on_boundaries(run_, i)) {
+      motion.at.n_W = unit_vector(motion.phi);
+      displace_place(i, 0, h, other, motion.at.p1_W, motion.at.rho1);
+      displace_place(i, 1, h, other, motion.at.p2_W, motion.at.rho2);
+    } else {
+      motion.at = facing_at(dimensions, {body1.X_WB, body1.theta}, {body2.X_WB, body2.theta}, motion.phi)
+                      .value_or(motion.at);
+    }
+    motion.rates =
+        contact_rates(equivalent_link(is_line(curve_of(other.mechanism(), contact.first)), motion.at.rho1,
+                                      is_line(curve_of(other.mechanism(), contact.second)), motion.at.rho2),
+                      motion.at, body1, body2);
+  }
+
+  // Where a contact is on a boundary. Its curvature changes linearly; its radius has a pole at an inflection.
+  void displace_place(std::size_t i, std::size_t side, double h, Run& other, Vector2d& p_W,
+                      double& rho) const {
+    const CurveRef& ref = ref_of(other.mechanism().contacts[i], side);
+    const Boundary& boundary = boundary_of(run_.mechanism(), ref);
+    const BoundaryPlace& place = run_.row.contacts[i].place[side];
+    const PlaceDerivative& by = places_[i][side];
+    const bool corner = boundary.is_corner(place);
+    SpanPoint point = boundary.at(place);
+    point.p_B += h * by.p_B;
+    point.n_B = Rotation<double>::from_angle(h * cross(point.n_B, by.n_B)) * point.n_B;
+    point.kappa += h * by.kappa;
+    point.slope += h * by.slope;
+    other.local->bodies[ref.body].curves[ref.curve].curve =
+        local_curve(point, corner, boundary.is_arc(place.span));
+    p_W = other.row.bodies[ref.body].X_WB * point.p_B;
+    rho = corner || point.kappa == 0 ? 0 : 1 / point.kappa;
+  }
+
+  const Run& run_;
+  const Mechanism& derivative_;
+  const RowSensitivity& of_row_;
+  std::vector<std::array<PlaceDerivative, 2>> places_;  // of contacts on boundaries
+};
 
 // The step if p changes no coordinate: everything is then a polynomial of the loads.
 double step_of_loads(const Run& run, const Mechanism& derivative) {
@@ -129,53 +188,93 @@ SidedSlope slope_of_samples(F at, double h) {
   return {down * both, both};
 }
 
-// Largest relative change of a radius of curvature by a displacement: the radii of nearly flat curves change
-// faster than all other numbers.
-double change_of_radii(const MotionRow& row, const MotionRow& displaced) {
-  double change = 0;
-  for (std::size_t i = 0; i < row.contacts.size(); ++i) {
-    for (const auto rho : {&CommonNormal::rho1, &CommonNormal::rho2}) {
-      const double own = row.contacts[i].at.*rho;
-      const double off = std::abs(displaced.contacts[i].at.*rho - own);
-      change = own != 0 && std::isfinite(off) ? std::max(change, off / std::abs(own)) : change;
-    }
+// Curvatures at a contact; those of points are infinite.
+std::array<double, 2> curvatures_at(const Run& run, std::size_t contact) {
+  const auto of = [&](const CurveRef& ref, double rho) {
+    return is_line(curve_of(run.mechanism(), ref)) ? 0 : 1 / rho;
+  };
+  const Contact& described = run.mechanism().contacts[contact];
+  const CommonNormal& at = run.row.contacts[contact].at;
+  return {of(described.first, at.rho1), of(described.second, at.rho2)};
+}
+
+// Largest relative changes of curvatures by a displacement.
+struct CurvatureChange {
+  double sums = 0;    // of the sums of the two curvatures of contacts, on which velocities depend
+  double single = 0;  // of single curvatures, on which radii and centres depend
+};
+
+CurvatureChange curvature_change(const Run& run, const Run& displaced) {
+  const auto relative = [](double own, double other) {
+    const double change = own != 0 ? std::abs(other / own - 1) : 0;
+    return std::isfinite(change) ? change : 0;
+  };
+  CurvatureChange change;
+  for (std::size_t i = 0; i < run.row.contacts.size(); ++i) {
+    const auto own = curvatures_at(run, i), other = curvatures_at(displaced, i);
+    change.sums = std::max(change.sums, relative(own[0] + own[1], other[0] + other[1]));
+    change.single = std::max({change.single, relative(own[0], other[0]), relative(own[1], other[1])});
   }
   return change;
 }
+
+// Values of functions at 0 … 4 steps to either side (0: +, 1: -).
+struct Samples {
+  double h = 0;
+  std::array<std::array<Eigen::VectorXd, 5>, 2> values;
+
+  [[nodiscard]] SidedSlope slope(Eigen::Index i) const {
+    return slope_of_samples([&](std::size_t side, std::size_t k) { return values[side][k](i); }, h);
+  }
+  // An estimate of the error of the slope: the eighth difference, in which poles, kinks and jumps between the
+  // samples show, and rounding.
+  [[nodiscard]] double doubt(Eigen::Index i) const {
+    constexpr std::array kBinomials = {70.0, -56.0, 28.0, -8.0, 1.0};
+    double difference = kBinomials[0] * values[0][0](i), largest = std::abs(values[0][0](i));
+    for (std::size_t k = 1; k < kBinomials.size(); ++k) {
+      const double up = values[0][k](i), down = values[1][k](i);
+      difference += kBinomials[k] * (up + down);
+      largest = std::max({largest, std::abs(up), std::abs(down)});
+    }
+    return (std::abs(difference) + std::numeric_limits<double>::epsilon() * largest) / h;
+  }
+};
 
 }  // namespace
 
 std::vector<SidedSlope> slopes_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,
                                      const std::function<std::vector<double>(const Run&, double)>& f) {
-  const Mechanism derivative = by.derivative_at(run, &of_row);
-  const double displacement = displacement_of(run, derivative, of_row);
-  double h = displacement > 0 ? kLargestDisplacement / displacement : step_of_loads(run, derivative);
-  const auto run_at = [&](double step) {
-    Run displaced_run = run;
-    Mechanism mechanism = displaced(run.mechanism(), derivative, step);
-    displace(of_row, step, mechanism, displaced_run.row);
-    displaced_run.local = std::move(mechanism);
-    return displaced_run;
+  const double displacement = displacement_of(run, by.derivative(), of_row);
+  double h = displacement > 0 ? kLargestDisplacement / displacement : step_of_loads(run, by.derivative());
+  const Displaceable displaceable(run, by, of_row);
+  const CurvatureChange probed = curvature_change(run, displaceable.by(kCurvatureProbe * h));
+  const auto shortened = [&](double change) {
+    const double in_step = change / kCurvatureProbe;
+    return h * (in_step > kLargestDisplacement ? kLargestDisplacement / in_step : 1);
   };
-  const double radii = change_of_radii(run.row, run_at(kRadiiProbe * h).row) / kRadiiProbe;
-  h *= radii > kLargestDisplacement ? kLargestDisplacement / radii : 1;
-  const auto values_at = [&](double step) -> Eigen::VectorXd {
-    const Run displaced_run = run_at(step);
-    const std::vector<double> values = f(displaced_run, step);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  };
-  // Values at 0 … 4 steps to either side.
-  std::array<std::array<Eigen::VectorXd, 5>, 2> samples;
-  samples[0][0] = samples[1][0] = values_at(0);
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t k = 1; k < 5; ++k) {
-      samples[side][k] = values_at((side == 0 ? h : -h) * static_cast<double>(k));
+  const double by_sums = shortened(probed.sums), by_single = shortened(probed.single);
+  const auto samples_with = [&](double step) {
+    const auto values_at = [&](double to) -> Eigen::VectorXd {
+      const std::vector<double> values = f(displaceable.by(to), to);
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    };
+    Samples samples{step, {}};
+    samples.values[0][0] = samples.values[1][0] = values_at(0);
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t k = 1; k < 5; ++k) {
+        samples.values[side][k] = values_at((side == 0 ? step : -step) * static_cast<double>(k));
+      }
     }
-  }
+    return samples;
+  };
+  // Where a curve is nearly straight, radii take a much shorter step than all that is finite there.
+  const bool straight = by_single < kMuchShorterStep * by_sums;
+  const Samples samples = samples_with(straight ? by_sums : std::min(by_single, by_sums));
+  const std::optional<Samples> near = straight ? std::optional(samples_with(by_single)) : std::nullopt;
   std::vector<SidedSlope> slopes;
-  for (Eigen::Index i = 0; i < samples[0][0].size(); ++i) {
-    slopes.push_back(
-        slope_of_samples([&](std::size_t side, std::size_t k) { return samples[side][k](i); }, h));
+  for (Eigen::Index i = 0; i < samples.values[0][0].size(); ++i) {
+    const bool nearer = near && !(samples.doubt(i) <= kWorthShorterStep * near->doubt(i));
+    slopes.push_back((nearer ? *near : samples).slope(i));
   }
   return slopes;
 }

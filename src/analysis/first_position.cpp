@@ -16,6 +16,7 @@
 #include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace higherpair {
 namespace {
@@ -40,26 +41,27 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
   const double sense = contact.approach == Approach::kNearest    ? 0
                        : contact.approach == Approach::kPositive ? sign
                                                                  : -sign;
-  std::optional<BoundaryContact> best;
-  double least = kInf;
-  for (BoundaryContact& found : find_boundary_contacts(pair, u, {-kInf, kInf})) {
-    if (is_stopped(run)) {
-      return std::nullopt;
-    }
+  std::vector<BoundaryContact> contacts = find_boundary_contacts(pair, u, {-kInf, kInf});
+  for (BoundaryContact& found : contacts) {
     if (pair.motion2.turns) {
       found.q = nearest_turn(found.q, q);
       found.q += sense * (found.q - q) < 0 ? sense * 2 * kPi : 0;
     }
-    const double distance = sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
-    const bool wanted = distance >= 0 && distance < least && found.gap_q != 0;
-    if (wanted && (contact.both_sides ||
-                   !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                                   pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size))) {
-      best = found;
-      least = distance;
-    }
   }
-  return best;
+  const auto distance = [&](const BoundaryContact& found) {
+    return sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
+  };
+  std::stable_sort(contacts.begin(), contacts.end(), [&](const BoundaryContact& a, const BoundaryContact& b) {
+    return distance(a) < distance(b);
+  });
+  const auto first = std::find_if(contacts.begin(), contacts.end(), [&](const BoundaryContact& found) {
+    return is_stopped(run) ||
+           (distance(found) >= 0 && found.gap_q != 0 &&
+            (contact.both_sides ||
+             !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                             pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size)));
+  });
+  return first == contacts.end() || is_stopped(run) ? std::nullopt : std::optional(*first);
 }
 
 bool starts_rolling(const Mechanism& mechanism, const Group& group) {

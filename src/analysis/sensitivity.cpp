@@ -1,5 +1,6 @@
 #include "higherpair/analysis/sensitivity.hpp"
 
+#include "higherpair/geometry/boundary.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "series_motion.hpp"
@@ -147,33 +148,60 @@ bool all_known(const SeriesMotion<Parametric, 2>& motion) {
 
 }  // namespace
 
-Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size_t side,
-                                  const RowSensitivity* moved) const {
+Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size_t side) const {
   const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
-  const Boundary& boundary = boundary_of(run.mechanism(), ref);
   const BoundaryPlace& place = run.row.contacts[contact].place[side];
-  const SpanPoint point = boundary.at(place);
-  const bool corner = boundary.is_corner(place);
-  PlaceDerivative by;
-  if (derivative_.boundaries) {
-    by = derivative_.boundaries->at(contact, side, place);
-  }
-  const auto rates =
-      moved != nullptr && !corner && point.kappa != 0 ? boundary.curvature_rates(place) : std::nullopt;
-  if (rates) {
-    // The contact moves by ds along the tangent, until its normal is that of the contact.
-    const Vector2d t_B = perp(point.n_B);
-    const double turn = moved->phi[contact] - moved->bodies[ref.body].theta;
-    const double ds = (turn - by.n_B.dot(t_B)) / point.kappa;
-    by.p_B += ds * t_B;
-    by.n_B += ds * point.kappa * t_B;
-    by.kappa += ds * point.slope;
-    by.slope += ds * (*rates)[0];
-  }
-  return local_curve_derivative(point, curve_of(run.mechanism(), ref), by);
+  return local_curve_derivative(boundary_of(run.mechanism(), ref).at(place), curve_of(run.mechanism(), ref),
+                                at_fixed_place(contact, side, place));
 }
 
-Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved) const {
+PlaceDerivative Sensitivity::at_fixed_place(std::size_t contact, std::size_t side,
+                                            const BoundaryPlace& place) const {
+  return derivative_.boundaries ? derivative_.boundaries->at(contact, side, place) : PlaceDerivative{};
+}
+
+// With s₁ and s₂ the ways of the contact along the boundaries, each along its own n turned +90°, the angle φ
+// of the common normal and the common point require
+//     κ₁ ds₁ = dφ - (turn of n₁ without it),  κ₂ ds₂ likewise,  ds₁ + ds₂ = shift of boundary 2 along n₁
+//     +90°.
+// The more curved boundary determines its own way, and the shift that of the other, which may be straight.
+std::array<PlaceDerivative, 2> Sensitivity::of_places(const Run& run, const RowSensitivity& of_row,
+                                                      std::size_t contact) const {
+  const ContactMotion& motion = run.row.contacts[contact];
+  std::array<PlaceDerivative, 2> by;
+  std::array<SpanPoint, 2> points;
+  std::array<double, 2> kappa{}, turn{}, shift{}, ds{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
+    const Boundary& boundary = boundary_of(run.mechanism(), ref);
+    const BoundaryPlace& place = motion.place[side];
+    const SpanPoint& point = points[side] = boundary.at(place);
+    const Rotation<double>& R_WB = run.row.bodies[ref.body].X_WB.R_WB;
+    const BodyMotion& body = of_row.bodies[ref.body];
+    by[side] = at_fixed_place(contact, side, place);
+    const Vector2d moved_W =
+        body.X_WB.p_WB + body.theta * perp(Vector2d(R_WB * point.p_B)) + R_WB * by[side].p_B;
+    const bool corner = boundary.is_corner(place);
+    kappa[side] = corner ? kInf : std::abs(point.kappa);
+    turn[side] = of_row.phi[contact] - body.theta;
+    ds[side] = corner ? 0 : (turn[side] - by[side].n_B.dot(perp(point.n_B))) / point.kappa;
+    shift[side] = moved_W.dot(perp(motion.at.n_W));
+  }
+  const std::size_t straighter = kappa[0] < kappa[1] ? 0 : 1;
+  ds[straighter] = shift[1] - shift[0] - ds[1 - straighter];
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Boundary& boundary = boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
+    const auto rates = boundary.curvature_rates(motion.place[side]);
+    const Vector2d t_B = perp(points[side].n_B);
+    by[side].p_B += ds[side] * t_B;
+    by[side].n_B = turn[side] * t_B;
+    by[side].kappa += ds[side] * points[side].slope;
+    by[side].slope += rates ? ds[side] * (*rates)[0] : 0;
+  }
+  return by;
+}
+
+Mechanism Sensitivity::derivative_at(const Run& run) const {
   Mechanism derivative = derivative_.numbers;
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
     const Contact& contact = run.mechanism().contacts[i];
@@ -181,10 +209,10 @@ Mechanism Sensitivity::derivative_at(const Run& run, const RowSensitivity* moved
       const CurveRef& ref = ref_of(contact, side);
       Curve& curve = derivative.bodies[ref.body].curves[ref.curve].curve;
       if (run.row.contacts[i].touches) {
-        curve = of_local_curve(run, i, side, moved);
+        curve = of_local_curve(run, i, side);
       } else {
         curve.vertex_B = curve.axis_B = Vector2d::Zero();
-        curve.semi_latus = curve.q = curve.slope = 0;
+        curve.semi_latus = curve.q = curve.kappa = curve.slope = 0;
       }
     }
   }

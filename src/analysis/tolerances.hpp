@@ -330,8 +330,14 @@ inline constexpr double kLargestDisplacement = 4e-3;
 inline constexpr double kKinkOfBends = 100;
 inline constexpr double kKinkOfSlopes = 1e-7;
 inline constexpr double kKinkOfValues = 1e-12;
-/// Fraction of the step by which a row is displaced to see how fast radii of curvature change.
-inline constexpr double kRadiiProbe = 1e-3;
+/// Fraction of the step by which a row is displaced to see how fast curvatures change.
+inline constexpr double kCurvatureProbe = 1e-3;
+/// A step for radii of curvature that is not shorter than this fraction of the step for all else serves both:
+/// it costs a digit.
+inline constexpr double kMuchShorterStep = 0.1;
+/// How much smaller the estimated error of a derivative has to be with the shorter step for it to be taken;
+/// that of a kink at 0 is the same with both.
+inline constexpr double kWorthShorterStep = 2;
 /// Largest relative disagreement of differences of two orders for dimensions that count as smooth.
 inline constexpr double kDimensionsNotSmooth = 1e-6;
 

@@ -47,6 +47,12 @@ inline constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon(
 
 // Sizes and cutters.
 
+/// Trials of sizes: the largest cam is about 2⁷ times as large as the first, the smallest follower 2⁻¹² times.
+inline constexpr int kMostSizeTrials = 12;
+/// Distance beyond the limit of a size, relative to it, at which a flank certainly has no cusp.
+inline constexpr double kJustBeyondSize = 1e-6;
+/// Precision of a size that is found by trial, relative to it.
+inline constexpr double kTriedSize = 1e-3;
 /// Smaller relative changes of a size count as none.
 inline constexpr double kSameCamSize = 4e-16;
 /// Precision of the radius at which a cutter begins to undercut, relative to the radius.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,12 +74,6 @@ Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
   return deepest;
 }
 
-// Where the outlines of two bodies cross.
-std::vector<PolylineCrossing> crossings_of(const PlacedBoundary& one, const PlacedBoundary& two) {
-  return polyline_crossings(one.boundary.outline().polyline(), two.boundary.outline().polyline(),
-                            one.X_WB.inverse_times(two.X_WB));
-}
-
 // One point of each part into which the other body's outline cuts the first or second boundary between two of
 // its samples: such a part is inside or outside of the other body as a whole, whatever its ends are.
 Features points_beside(const std::vector<PolylineCrossing>& crossings, std::size_t which,
@@ -115,9 +110,10 @@ struct PointDepth {
   Depth depth;
 };
 
-// The samples of a body and points beside its cuts, in order.
+// The samples of a body and points beside its cuts, in order. Once one is deeper than `enough`, the rest keep
+// -∞: they are looked at all around the boundary, so that such a point is found early.
 std::vector<PointDepth> depths_of(const PlacedBoundary& own, const Features& beside_cuts,
-                                  const PlacedBoundary& other) {
+                                  const PlacedBoundary& other, double enough) {
   const Features& samples = own.boundary.outline().polyline().features();
   Features points;
   points.reserve(samples.size() + beside_cuts.size());
@@ -130,10 +126,26 @@ std::vector<PointDepth> depths_of(const PlacedBoundary& own, const Features& bes
   std::vector<PointDepth> depths;
   depths.reserve(points.size());
   for (const Feature& point : points) {
-    const bool near = (point.at - middle_B).squaredNorm() <= reach * reach;
-    depths.push_back({point, near ? depth_in(other, own.X_WB * point.at) : Depth{}});
+    depths.push_back({point, {}});
+  }
+  constexpr std::size_t kRounds = 16;
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    for (std::size_t i = round; i < depths.size(); i += kRounds) {
+      const Vector2d& at_B = depths[i].point.at;
+      if ((at_B - middle_B).squaredNorm() <= reach * reach) {
+        depths[i].depth = depth_in(other, own.X_WB * at_B);
+      }
+      if (depths[i].depth.depth > enough) {
+        return depths;
+      }
+    }
   }
   return depths;
+}
+
+bool is_any_deep(const std::vector<PointDepth>& depths, double tolerance) {
+  return std::any_of(depths.begin(), depths.end(),
+                     [&](const PointDepth& point) { return point.depth.depth > tolerance; });
 }
 
 // Calls f for every point that is deeper than its neighbours and near which the curve may be in the other
@@ -154,8 +166,10 @@ void for_deepest(const std::vector<PointDepth>& depths, const F& f) {
 
 using PointsOfBoth = std::array<Features, 2>;
 
+// \param depths1, depths2  of the points of each body in the other
 Penetration find_penetration(const PlacedBoundary& one, const PlacedBoundary& two,
-                             const PointsOfBoth& beside_cuts, double tolerance) {
+                             const std::vector<PointDepth>& depths1, const std::vector<PointDepth>& depths2,
+                             double tolerance) {
   Penetration worst;
   worst.depth = tolerance;
   const auto look = [&](double found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
@@ -168,26 +182,34 @@ Penetration find_penetration(const PlacedBoundary& one, const PlacedBoundary& tw
     }
     worst = here.depth > worst.depth ? here : worst;
   };
-  for_deepest(depths_of(one, beside_cuts[0], two), [&](const PointDepth& found) {
+  for_deepest(depths1, [&](const PointDepth& found) {
     look(found.depth.depth, found.point.place, found.depth.place);
   });
-  for_deepest(depths_of(two, beside_cuts[1], one), [&](const PointDepth& found) {
+  for_deepest(depths2, [&](const PointDepth& found) {
     look(found.depth.depth, found.depth.place, found.point.place);
   });
   worst.depth = worst.depth > tolerance ? worst.depth : 0;
   return worst;
 }
 
-PointsOfBoth points_beside_cuts(const PlacedBoundary& one, const PlacedBoundary& two) {
-  const auto crossings = crossings_of(one, two);
+// Points beside the cuts where the outlines of two bodies cross, all of them or at most so many.
+PointsOfBoth points_beside_cuts(const PlacedBoundary& one, const PlacedBoundary& two,
+                                std::optional<std::size_t> most = std::nullopt) {
+  const Polyline& first = one.boundary.outline().polyline();
+  const Polyline& second = two.boundary.outline().polyline();
+  const Pose<double> X_12 = one.X_WB.inverse_times(two.X_WB);
+  const auto crossings = polyline_crossings(first, second, X_12, most);
   return {points_beside(crossings, 0, one.boundary), points_beside(crossings, 1, two.boundary)};
 }
 
-bool is_any_deep(const PlacedBoundary& own, const Features& points, const PlacedBoundary& other,
+bool is_any_deep(const PlacedBoundary& one, const PlacedBoundary& two, const PointsOfBoth& points,
                  double tolerance) {
-  return std::any_of(points.begin(), points.end(), [&](const Feature& point) {
-    return depth_in(other, own.X_WB * point.at).depth > tolerance;
-  });
+  const auto any = [&](const PlacedBoundary& own, const Features& of_own, const PlacedBoundary& other) {
+    return std::any_of(of_own.begin(), of_own.end(), [&](const Feature& point) {
+      return depth_in(other, own.X_WB * point.at).depth > tolerance;
+    });
+  };
+  return any(one, points[0], two) || any(two, points[1], one);
 }
 
 }  // namespace
@@ -196,16 +218,30 @@ Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X
                                 const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
   const PlacedBoundary one{boundary1, X_W1};
   const PlacedBoundary two{boundary2, X_W2};
-  return find_penetration(one, two, points_beside_cuts(one, two), tolerance);
+  const PointsOfBoth points = points_beside_cuts(one, two);
+  return find_penetration(one, two, depths_of(one, points[0], two, kInf),
+                          depths_of(two, points[1], one, kInf), tolerance);
 }
 
 bool bodies_overlap(const Boundary& boundary1, const Pose<double>& X_W1, const Boundary& boundary2,
                     const Pose<double>& X_W2, double tolerance) {
   const PlacedBoundary one{boundary1, X_W1};
   const PlacedBoundary two{boundary2, X_W2};
+  // Bodies that overlap mostly do so at the first places that are found.
+  constexpr std::size_t kFirstCuts = 8;
+  if (is_any_deep(one, two, points_beside_cuts(one, two, kFirstCuts), tolerance)) {
+    return true;
+  }
   const PointsOfBoth points = points_beside_cuts(one, two);
-  return is_any_deep(one, points[0], two, tolerance) || is_any_deep(two, points[1], one, tolerance) ||
-         find_penetration(one, two, points, tolerance).depth > 0;
+  if (is_any_deep(one, two, points, tolerance)) {
+    return true;
+  }
+  const auto depths1 = depths_of(one, points[0], two, tolerance);
+  if (is_any_deep(depths1, tolerance)) {
+    return true;
+  }
+  const auto depths2 = depths_of(two, points[1], one, tolerance);
+  return is_any_deep(depths2, tolerance) || find_penetration(one, two, depths1, depths2, tolerance).depth > 0;
 }
 
 }  // namespace higherpair

@@ -83,6 +83,11 @@ std::string_view name_of(Verdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
+std::string CheckFigures::place(double driver) const {
+  const Dimension of = driver_dimension(profile_.mechanism);
+  return fmt::format("{:.6g} {}", from_si(of, profile_.units).apply(driver), unit_text(of, profile_.units));
+}
+
 CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dimension,
                                std::optional<double> value, std::optional<double> driver,
                                std::string remark) {

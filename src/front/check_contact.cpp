@@ -256,10 +256,11 @@ private:
     if (!range.least || !range.greatest) {
       return;
     }
-    mark_growing(figures.add("face_width", dimension::kLength, range.greatest->value - range.least->value,
-                             range.greatest->driver, figures.of_contact(index_, LimitKey::kMaxFaceWidth),
-                             Bound::kMost),
-                 range.greatest->grows ? *range.greatest : *range.least);
+    CheckFigure& figure = figures.add("face_width", dimension::kLength,
+                                      range.greatest->value - range.least->value, range.greatest->driver,
+                                      figures.of_contact(index_, LimitKey::kMaxFaceWidth), Bound::kMost);
+    mark_growing_elsewhere(figure, *range.least, figures, "it");
+    mark_growing(figure, *range.greatest);
   }
 
   void read_speeds(const PathRanges& ranges, CheckFigures& figures) const {
@@ -268,7 +269,7 @@ private:
       mark_growing(
           figures.add("sliding_speed", dimension::kVelocity, std::abs(sliding->value), sliding->driver,
                       figures.of_contact(index_, LimitKey::kMaxSlidingSpeed), Bound::kMost),
-          *sliding);
+          ranges[kSliding], figures);
     }
     const auto fastest = peak_of(ranges[kEntrainment]);
     const auto& slowest = ranges[kLeastEntrainment].least;
@@ -277,7 +278,7 @@ private:
     }
     mark_growing(
         figures.add("entrainment_speed", dimension::kVelocity, std::abs(fastest->value), fastest->driver),
-        *fastest);
+        ranges[kEntrainment], figures);
     const auto& [least, greatest] = ranges[kEntrainment];
     const bool reverses = least->value < 0 && greatest->value > 0;
     const bool none = reverses || slowest->value < kNoEntrainment * std::abs(fastest->value);

@@ -71,7 +71,7 @@ public:
     if (const auto most = peak_of(ranges[kOfContact * i + kForce])) {
       mark_growing(figures.add("contact_force", dimension::kForce, most->value, most->driver,
                                figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost),
-                   *most);
+                   ranges[kOfContact * i + kForce], figures);
     }
     read_least(i, figures);
     if (pressures_[i]) {
@@ -84,14 +84,15 @@ public:
       const Driver& driver = mechanism_.drivers[i];
       const auto joint = static_cast<std::size_t>(driver.joint);
       const bool turns = has_angle(mechanism_.joints[joint].type);
-      const auto peak = peak_of(ranges[kOfContact * mechanism_.contacts.size() + i]);
+      const PathRange& range = ranges[kOfContact * mechanism_.contacts.size() + i];
+      const auto peak = peak_of(range);
       if (peak) {
         figures.about(driver.name.empty() ? "driver" : "drivers." + driver.name);
         CheckFigure& figure = figures.add(
             turns ? "driving_torque" : "driving_force", effort_dimension(turns), peak->value, peak->driver,
             figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
             Bound::kMost);
-        mark_growing(figure, *peak);
+        mark_growing(figure, range, figures);
       }
     }
   }

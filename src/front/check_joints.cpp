@@ -103,7 +103,8 @@ public:
         // That a driver runs evenly is worth a figure only where it is limited.
         const bool worth = peak && (!joints_[i].driven || peak->value != 0 || limit != nullptr);
         if (worth) {
-          mark_growing(figures.add(quantity, of, peak->value, peak->driver, limit, Bound::kMost), *peak);
+          mark_growing(figures.add(quantity, of, peak->value, peak->driver, limit, Bound::kMost), range,
+                       figures);
         }
       };
       add("acceleration", turns ? dimension::kAngularAcceleration : dimension::kAcceleration,

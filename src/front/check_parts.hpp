@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,9 @@ public:
     return limit_of(limits_, limits_.bodies, static_cast<std::size_t>(body), key);
   }
   void use(const GivenLimit* limit) { used_.insert(limit); }
+
+  /// A position of the first driver [rad or m] in the profile's unit: "12.5 deg".
+  [[nodiscard]] std::string place(double driver) const;
 
   /// The events on the path.
   [[nodiscard]] const std::vector<Event>& events() const { return report_.events; }
@@ -86,6 +90,14 @@ inline constexpr Sought kBoth = {true, true, 0};
 /// its limit. \param bound  kLeast: a figure that falls where its extreme grows
 void mark_growing(CheckFigure& figure, const PathExtreme& extreme,
                   CheckFigures::Bound bound = CheckFigures::Bound::kMost);
+
+/// The same for a figure that is the peak_of() a range, and may grow with the other sign as well.
+void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigures& figures);
+
+/// The same for a figure that is not at the place of the extreme. \param how  it grows: "with the other sign
+/// it"
+void mark_growing_elsewhere(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
+                            std::string_view how);
 
 /// \name Parts of a check: what each follows along the path, and how it makes figures of the ranges found
 /// @{

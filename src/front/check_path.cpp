@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -19,11 +22,38 @@ std::optional<PathExtreme> peak_of(const PathRange& range) {
   return (same ? least->at < greatest->at : low > high) ? least : greatest;
 }
 
+namespace {
+
+void remark_growing(CheckFigure& figure, std::string what) {
+  figure.remark = std::move(what) + ", towards a limit position or dead point";
+  figure.verdict = figure.verdict == Verdict::kKept ? Verdict::kUndecided : figure.verdict;
+}
+
+}  // namespace
+
 void mark_growing(CheckFigure& figure, const PathExtreme& extreme, CheckFigures::Bound bound) {
   if (extreme.grows) {
-    figure.remark = fmt::format("it still {} there, towards a limit position or dead point",
-                                bound == CheckFigures::Bound::kMost ? "grows" : "falls");
-    figure.verdict = figure.verdict == Verdict::kKept ? Verdict::kUndecided : figure.verdict;
+    remark_growing(figure,
+                   fmt::format("it still {} there", bound == CheckFigures::Bound::kMost ? "grows" : "falls"));
+  }
+}
+
+void mark_growing_elsewhere(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
+                            std::string_view how) {
+  if (extreme.grows) {
+    remark_growing(figure, fmt::format("{} still grows at {}", how, figures.place(extreme.driver)));
+  }
+}
+
+void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigures& figures) {
+  const auto peak = peak_of(range);
+  for (const auto& extreme : {range.least, range.greatest}) {
+    if (peak && extreme && extreme->value * peak->value < 0) {
+      mark_growing_elsewhere(figure, *extreme, figures, "with the other sign it");
+    }
+  }
+  if (peak) {
+    mark_growing(figure, *peak);
   }
 }
 

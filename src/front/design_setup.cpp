@@ -106,17 +106,33 @@ RunSettings run_wanted_by(const DesignTask& task) {
   return wanted;
 }
 
+// The k-th of values that are spread evenly over the ranges of the variables: multiples of the powers of an
+// irrational number (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
+std::vector<double> spread_values(const DesignTask& task, int k) {
+  const std::size_t count = task.variables.size();
+  double base = 2;  // the root of bᵈ⁺¹ = b + 1
+  for (int i = 0; i < 30; ++i) base = std::pow(1 + base, 1 / static_cast<double>(count + 1));
+  std::vector<double> x;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = 0.5 + k * std::pow(base, -static_cast<double>(i + 1));
+    const DesignVariable& range = task.variables[i].range;
+    x.push_back(std::lerp(range.low, range.high, share - std::floor(share)));
+  }
+  return x;
+}
+
 // Changes one variable after the other to see what depends on it.
 class IdleParts {
 public:
-  IdleParts(const DesignSetup& setup, const DesignScore& start)
+  // \param x  values with which the mechanism assembles, and their score
+  IdleParts(const DesignSetup& setup, std::vector<double> x, const DesignScore& start)
       : setup_(setup),
         task_(setup.numbers.task()),
         problem_(problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup))),
         evaluator_(problem_.evaluator()),
         places_(limit_places(setup)),
         start_(start),
-        x_(start_values(task_)),
+        x_(std::move(x)),
         works_(x_.size(), false),
         changed_(task_.objectives.size(), false) {
     evaluator_->evaluate(x_, problem_.start_branch, before_);
@@ -125,16 +141,18 @@ public:
 
   void vary() {
     for (std::size_t i = 0; i < x_.size(); ++i) {
+      bool assembled = false;
       const DesignVariable& range = task_.variables[i].range;
       for (const double share : kIdleShares) {
         const double way = share * (range.high - range.low);
-        vary(i, x_[i] + (x_[i] + way <= range.high ? way : -way));
+        if (vary(i, x_[i] + (x_[i] + way <= range.high ? way : -way))) assembled = true;
       }
+      if (!assembled) idle_.assign(idle_.size(), false);  // nothing is known then
     }
   }
 
-  // Constraints that are broken are tried at the bounds of the variables as well.
-  [[nodiscard]] Diagnostics mistakes() {
+  // Variables and objectives without effect.
+  [[nodiscard]] Diagnostics without_effect() const {
     Diagnostics mistakes;
     for (std::size_t i = 0; i < works_.size(); ++i) {
       if (works_[i]) continue;
@@ -152,6 +170,12 @@ public:
                        "them, or other variables",
                        task_.objectives[k].path_of_key)});
     }
+    return mistakes;
+  }
+
+  // Constraints that do not hold and that nothing changes, not even at the bounds of the variables.
+  [[nodiscard]] Diagnostics hopeless() {
+    Diagnostics mistakes;
     if (is_any_hopeless()) vary_to_bounds();
     for (std::size_t k = 0; k < idle_.size(); ++k) {
       if (!is_hopeless(k)) continue;
@@ -167,7 +191,9 @@ public:
   [[nodiscard]] const std::vector<bool>& idle_constraints() const { return idle_; }
 
 private:
-  void vary(std::size_t i, double value) {
+  // False if the mechanism does not assemble with this value of a variable, which says nothing of
+  // constraints.
+  bool vary(std::size_t i, double value) {
     std::vector<double> other = x_;
     other[i] = value;
     evaluator_->evaluate(other, problem_.start_branch, after_);
@@ -177,16 +203,21 @@ private:
     for (std::size_t k = 0; k < changed_.size(); ++k) {
       changed_[k] = changed_[k] || !(score.objectives[k] == start_.objectives[k]);
     }
+    if (!score.started) return false;
     for (std::size_t k = 0; k < idle_.size(); ++k) {
       idle_[k] = idle_[k] && std::abs(off(after_, k) - off(before_, k)) <= kNoConstraintChange;
     }
+    return true;
   }
 
   void vary_to_bounds() {
+    bool assembled = false;
     for (std::size_t i = 0; i < x_.size(); ++i) {
-      vary(i, task_.variables[i].range.low);
-      vary(i, task_.variables[i].range.high);
+      for (const double bound : {task_.variables[i].range.low, task_.variables[i].range.high}) {
+        if (vary(i, bound)) assembled = true;
+      }
     }
+    if (!assembled) idle_.assign(idle_.size(), false);
   }
 
   // By how much the worse limit of a constraint is missed, relative to its scale.
@@ -284,14 +315,21 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
 
 Diagnostics idle_parts(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
-  const DesignScore start = score_of(setup, start_values(task), setup.start_branch.value_or(0));
-  if (!start.started || start.missing > 0) {
-    return {};
+  for (int k = 0; k <= kMostIdleStarts; ++k) {
+    const std::vector<double> x = k == 0 ? start_values(task) : spread_values(task, k);
+    const DesignScore start = score_of(setup, x, setup.start_branch.value_or(0));
+    if (!start.started || start.missing > 0) {
+      continue;
+    }
+    IdleParts parts(setup, x, start);
+    parts.vary();
+    setup.idle = parts.idle_constraints();
+    Diagnostics mistakes = k == 0 ? parts.without_effect() : Diagnostics();
+    const Diagnostics hopeless = parts.hopeless();
+    mistakes.insert(mistakes.end(), hopeless.begin(), hopeless.end());
+    return mistakes;
   }
-  IdleParts parts(setup, start);
-  parts.vary();
-  setup.idle = parts.idle_constraints();
-  return parts.mistakes();
+  return {};
 }
 
 }  // namespace higherpair

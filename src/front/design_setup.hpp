@@ -22,7 +22,8 @@ struct LimitPlaces {
 [[nodiscard]] std::vector<LimitPlaces> limit_places(const DesignSetup& setup);
 
 /// Diagnostics for variables and objectives that have no effect near the start, and for constraints that no
-/// variable changes and that do not hold. Sets DesignSetup::idle.
+/// variable changes and that do not hold. Sets DesignSetup::idle. If the start does not assemble, constraints
+/// are judged at other values with which it does, if such are found.
 [[nodiscard]] Diagnostics idle_parts(DesignSetup& setup);
 
 /// The text of the model's profile with the design x written into it, and with the poses needed to assemble

@@ -329,6 +329,7 @@ PathResult PathResults::extreme_result(const Measure& measure, std::size_t colum
   }
   if (high && low) {  // the larger absolute value; the other sign is a rival
     if (low->value > high->value) std::swap(high, low);
+    result.grows_elsewhere = low->grows && low->value > 0;
     const double same = kSameResult * (high->value + std::abs(low->value));
     if (low->value >= high->value - same) {
       high->places.insert(high->places.end(), low->places.begin(), low->places.end());

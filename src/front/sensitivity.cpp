@@ -1,5 +1,6 @@
 #include "higherpair/front/sensitivity.hpp"
 
+#include "analysis_impl.hpp"
 #include "arena.hpp"
 #include "difference_slope.hpp"
 #include "exact_slopes.hpp"
@@ -85,7 +86,10 @@ private:
       if (from.rival_where) to.rival_where = where(*from.rival_where);
       if (std::isnan(from.value)) to.remark = "it has no value on this run";
       if (from.constant) to.remark = "it is the same everywhere on the path";
-      if (from.grows) to.remark = "it still grows there, towards a limit position or dead point";
+      if (from.grows || from.grows_elsewhere) {
+        to.remark = fmt::format("{}, towards a limit position or dead point",
+                                from.grows ? "it still grows there" : "with the other sign it still grows");
+      }
     }
   }
 
@@ -134,30 +138,39 @@ private:
 
   // Finite differences for what could not be differentiated.
   void differences(SensitivityReport& report) const {
+    std::vector<std::vector<std::size_t>> open;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) open.push_back(open_results(i, report));
+    if (std::all_of(open.begin(), open.end(), [](const auto& results) { return results.empty(); })) return;
+    const std::vector<double> unchanged = results_of(model_);
     for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
-      const NumberSlopes::State state = slopes_[i]->state();
-      std::vector<std::size_t> open;
-      for (std::size_t m = 0; m < results_.size(); ++m) {
-        Slope& slope = report.results[m].slopes[i];
-        if (state == NumberSlopes::State::kNoInfluence || std::isnan(results_[m].value)) continue;
-        if (results_[m].grows || state == NumberSlopes::State::kRows) {
-          slope = {};
-          slope.remark =
-              results_[m].grows ? "the result is without bounds" : "with another value there are other rows";
-        } else if (slope.kind == SlopeKind::kNone || !is_exact(m)) {
-          open.push_back(m);
-        }
-      }
-      if (!open.empty()) take_differences(i, open, report);
+      if (!open[i].empty()) take_differences(i, open[i], unchanged, report);
     });
   }
 
+  // The results whose slopes by a number need differences. Remarks on those that have none.
+  [[nodiscard]] std::vector<std::size_t> open_results(std::size_t i, SensitivityReport& report) const {
+    const NumberSlopes::State state = slopes_[i]->state();
+    std::vector<std::size_t> open;
+    for (std::size_t m = 0; m < results_.size(); ++m) {
+      Slope& slope = report.results[m].slopes[i];
+      if (state == NumberSlopes::State::kNoInfluence || std::isnan(results_[m].value)) continue;
+      const bool unbounded = results_[m].grows || results_[m].grows_elsewhere;
+      if (unbounded || state == NumberSlopes::State::kRows) {
+        slope = {};
+        slope.remark = unbounded ? "the result is without bounds" : "with another value there are other rows";
+      } else if (slope.kind == SlopeKind::kNone || !is_exact(m)) {
+        open.push_back(m);
+      }
+    }
+    return open;
+  }
+
   void take_differences(std::size_t i, const std::vector<std::size_t>& open,
-                        SensitivityReport& report) const {
+                        const std::vector<double>& unchanged, SensitivityReport& report) const {
     const double h = kDifferenceStep * models_[i]->scale();
     std::array<std::vector<double>, 5> values;
     for (int k = -2; k <= 2 && !stopped(); ++k) {
-      values[k + 2] = results_with(i, k * h);
+      values[k + 2] = k == 0 ? unchanged : results_with(i, k * h);
     }
     for (std::size_t m = 0; m < results_.size() && !stopped(); ++m) {
       if (!contains(open, m)) continue;
@@ -170,10 +183,14 @@ private:
 
   // The results with one number changed; NaN where the mechanism cannot be run with it.
   [[nodiscard]] std::vector<double> results_with(std::size_t number, double h) const {
-    std::vector<double> values(measures_.size(), kNoValue);
     const auto model = models_[number]->at(h);
-    auto analysis = model ? model->start(run_) : Result<Analysis>(tl::unexpected(model.error()));
-    if (analysis) {
+    return model ? results_of(*model) : std::vector<double>(measures_.size(), kNoValue);
+  }
+
+  [[nodiscard]] std::vector<double> results_of(const Model& model) const {
+    std::vector<double> values(measures_.size(), kNoValue);
+    if (auto analysis = model.start(run_)) {
+      analysis->impl().start.reset();  // without events nothing has to be searched for openings
       PathColumns columns(*analysis, run_);
       const PathResults results(*analysis, columns, measures_, false);
       for (std::size_t m = 0; m < values.size(); ++m) values[m] = results.results()[m].value;

@@ -162,6 +162,9 @@ inline constexpr double kLinearRounding = 1e-13;
 inline constexpr double kGrashofStep = 1e-6;
 /// Changes of a variable, as fractions of its range, that are tried to see whether it has any effect.
 inline constexpr std::array kIdleShares = {1e-3, 0.02};
+/// Places in the ranges of the variables that are tried, where the start does not assemble, to see which
+/// constraints the variables change.
+inline constexpr int kMostIdleStarts = 32;
 /// A target that differs from the profile's value by more than this factor may be given in a wrong unit.
 inline constexpr double kTargetApart = 20;
 /// Another unit is suggested where it brings the target to within this factor.

@@ -240,6 +240,7 @@ Curve local_curve(const SpanPoint& point, bool corner, bool arc) {
   curve.axis_B = conic.axis_B;
   curve.semi_latus = conic.semi_latus;
   curve.q = circle ? 1 : 0;
+  curve.kappa = circle && point.slope != 0 ? point.kappa : 0;
   curve.slope = circle ? point.slope : 0;
   return curve;
 }

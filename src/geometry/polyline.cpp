@@ -81,12 +81,12 @@ Feature Polyline::foot_on(std::size_t part, const Vector2d& p) const {
 
 namespace {
 
-// Pairs of parts whose boxes meet, in order.
-std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const Polyline& two,
-                                                      const Pose<double>& X_12) {
-  std::vector<std::array<std::size_t, 2>> pairs;
+// Calls f for the pairs of parts whose boxes meet, until `enough` returns true.
+template <class Enough, class F>
+void for_meeting_parts(const Polyline& one, const Polyline& two, const Pose<double>& X_12,
+                       const Enough& enough, const F& f) {
   const auto may_meet = [&](std::size_t first, std::size_t second) {
-    return one.node(first).box.intersects(moved(two.node(second).box, X_12));
+    return !enough() && one.node(first).box.intersects(moved(two.node(second).box, X_12));
   };
   for_each_pair_of_leaves(one, two, may_meet, [&](const Polyline::Node& a, const Polyline::Node& b) {
     std::array<PartBox, Polyline::kPartsOfLeaf> boxes;
@@ -97,13 +97,11 @@ std::vector<std::array<std::size_t, 2>> meeting_parts(const Polyline& one, const
       const PartBox box = box_of_part(X_12 * two.from(k).at, X_12 * two.to(k).at);
       for (std::size_t i = a.begin; i < a.end; ++i) {
         if (boxes[i - a.begin].intersects(box)) {
-          pairs.push_back({i, k});
+          f(std::array{i, k});
         }
       }
     }
   });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 // Where two short segments cross, or nearly do, as fractions of both.
@@ -119,21 +117,33 @@ std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da
   return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
 }
 
+std::optional<PolylineCrossing> crossing_of(const Polyline& one, const Polyline& two,
+                                            const Pose<double>& X_12,
+                                            const std::array<std::size_t, 2>& parts) {
+  const auto [i, k] = parts;
+  const Vector2d a = one.from(i).at;
+  const Vector2d b = X_12 * two.from(k).at;
+  const auto shares = shares_of_crossing(a, one.to(i).at - a, b, X_12 * two.to(k).at - b);
+  if (!shares) {
+    return std::nullopt;
+  }
+  return PolylineCrossing{
+      parts, {between(one.from(i), one.to(i), shares->x()), between(two.from(k), two.to(k), shares->y())}};
+}
+
 }  // namespace
 
 std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
-                                                 const Pose<double>& X_12) {
+                                                 const Pose<double>& X_12, std::optional<std::size_t> most) {
   std::vector<PolylineCrossing> crossings;
-  for (const auto& parts : meeting_parts(one, two, X_12)) {
-    const auto [i, k] = parts;
-    const Vector2d a = one.from(i).at;
-    const Vector2d b = X_12 * two.from(k).at;
-    if (const auto shares = shares_of_crossing(a, one.to(i).at - a, b, X_12 * two.to(k).at - b)) {
-      crossings.push_back(
-          {parts,
-           {between(one.from(i), one.to(i), shares->x()), between(two.from(k), two.to(k), shares->y())}});
+  const auto enough = [&] { return most && crossings.size() >= *most; };
+  for_meeting_parts(one, two, X_12, enough, [&](const auto& parts) {
+    if (const auto crossing = crossing_of(one, two, X_12, parts)) {
+      crossings.push_back(*crossing);
     }
-  }
+  });
+  std::sort(crossings.begin(), crossings.end(),
+            [](const PolylineCrossing& a, const PolylineCrossing& b) { return a.parts < b.parts; });
   return crossings;
 }
 

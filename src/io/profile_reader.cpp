@@ -110,6 +110,7 @@ std::vector<ProfileDocument::Quantity> ProfileDocument::quantities() const {
   Reading reading;
   reading.sources = content_->sources;
   reading.lists_quantities = true;
+  reading.advises = false;
   const Table& table = std::get<Table>(content_->root.content);
   note_varied(table, reading);
   TableReader root(reading, table, content_->root.mark, "");
@@ -127,6 +128,7 @@ std::vector<ProfileDocument::Quantity> ProfileDocument::quantities() const {
 tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const {
   Reading reading;
   reading.sources = content_->sources;
+  reading.advises = with_notes;
   const Value& document = content_->root;
   const Table& table = std::get<Table>(document.content);
   note_varied(table, reading);

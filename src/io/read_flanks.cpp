@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -208,34 +208,79 @@ private:
         break;
     }
     const auto jump = velocity_jump(motion);
-    return jump.value_or("from " + at + " of the cam on the flank would be undercut: " + remedies(cam));
-  }
-
-  // Changes that would avoid the undercut of the flank, as far as they are changes of what it has.
-  [[nodiscard]] std::string remedies(const FlankOrigin& cam) const {
-    std::string text;
-    const auto here = size_of(cam), size = smallest_for_radius(cam, {});
-    if (here && size && size->base_radius > here->base_radius) {
-      const bool turns = cam.motion.follower.turns;
-      const double moved = size->rest - cam.motion.follower_rest;
-      text += fmt::format(
-          "it takes a base circle of more than {} instead of {} (the follower's pose {} by {}), ",
-          length_text(reading_, size->base_radius), length_text(reading_, here->base_radius),
-          turns ? "turned" : "moved", with_unit(moved, coordinate_dimension(turns), reading_.units));
+    if (jump) {
+      return *jump;
     }
     const auto largest = has_roller(cam) ? largest_follower(cam, 0) : std::nullopt;
-    if (largest && largest->value > 0 && largest->value < cam.curve.semi_latus) {
-      text += fmt::format("a roller of less than {}, ", length_text(reading_, largest->value));
+    return "from " + at + " of the cam on the flank would be undercut: " +
+           remedies(cam, smallest_for_radius(cam, {}), largest ? largest->value : 0);
+  }
+
+  // Whether a flank can be made that closes and does not cross itself.
+  static bool can_be_cut(const FlankOrigin& cam) {
+    auto spans = cam_flank(cam.motion, cam.curve, cam.outer);
+    if (!spans) {
+      return false;
     }
-    return text.empty() ? "it takes " + changes(cam) : text + "or a longer segment of the law";
+    const auto boundary = Boundary::make(*std::move(spans), closes(cam.motion), kFlankMeets);
+    return boundary && !find_self_crossing(*boundary);
+  }
+
+  // Changes that would avoid an undercut or a crossing, as far as they are changes of what the flank has.
+  // \param size, radius  beyond which there is no undercut; 0: no radius is known. From there on sizes are
+  // searched for at which the flank does not cross itself either
+  [[nodiscard]] std::string remedies(const FlankOrigin& cam, std::optional<CamSize> size,
+                                     double radius) const {
+    const auto here = size_of(cam);
+    std::vector<std::string> changes, tried;
+    if (here && size) {
+      const CamSize from = size->base_radius > here->base_radius ? *size : *here;
+      size = reading_.advises ? smallest_that_can_be_cut(cam, from, can_be_cut) : from;
+      if (!size) {
+        tried.push_back("no base circle up to " +
+                        length_text(reading_, largest_tried(cam, from).base_radius));
+      } else if (size->base_radius > here->base_radius) {
+        changes.push_back(base_circle_text(cam, *here, *size));
+      }
+    }
+    const double own = cam.curve.semi_latus;
+    if (radius > 0 && is_roller(cam)) {
+      const double from = std::min(radius, own);
+      const auto found = reading_.advises ? largest_that_can_be_cut(cam, from, can_be_cut) : from;
+      if (!found) {
+        tried.push_back("no roller down to " + length_text(reading_, smallest_radius_tried(from)));
+      } else if (*found < own) {
+        changes.push_back("a roller of less than " + length_text(reading_, *found));
+      }
+    }
+    const std::string none = tried.empty() ? "" : joined_words(tried, " and ") + " would do";
+    if (changes.empty()) {
+      return none.empty() ? "it takes " + changes_of(cam) : none + "; it takes a longer segment of the law";
+    }
+    return fmt::format("it takes {}, or a longer segment of the law{}", fmt::join(changes, ", "),
+                       none.empty() ? "" : " (" + none + ")");
+  }
+
+  [[nodiscard]] std::string base_circle_text(const FlankOrigin& cam, const CamSize& here,
+                                             const CamSize& size) const {
+    const bool turns = cam.motion.follower.turns;
+    return fmt::format(
+        "a base circle of more than {} instead of {} (the follower's pose {} by {})",
+        length_text(reading_, size.base_radius), length_text(reading_, here.base_radius),
+        turns ? "turned" : "moved",
+        with_unit(size.rest - cam.motion.follower_rest, coordinate_dimension(turns), reading_.units));
   }
 
   static bool has_roller(const FlankOrigin& cam) {
     return is_conic(cam.curve) && cam.curve.side == Side::kInside;
   }
 
+  static bool is_roller(const FlankOrigin& cam) {
+    return has_roller(cam) && cam.curve.kind == CurveKind::kCircle;
+  }
+
   // The same without numbers.
-  static std::string changes(const FlankOrigin& cam) {
+  static std::string changes_of(const FlankOrigin& cam) {
     std::vector<std::string> changes;
     if (cam.motion.cam.turns) {
       changes.emplace_back("a larger base circle (the follower's pose farther from the cam's pivot)");
@@ -259,9 +304,10 @@ private:
     const auto [first, second] = std::minmax({coordinate(crossing->first), coordinate(crossing->second)});
     return fmt::format(
         "the flank crosses itself: at {} and at {} of the cam it passes through {}, and what is shaped there "
-        "for the one is cut away for the other; it takes {}",
+        "for the one is cut away for the other; {}",
         cam_coordinate(cam.motion, first), cam_coordinate(cam.motion, second),
-        point_text(reading_, crossing->p_B), changes(cam));
+        point_text(reading_, crossing->p_B),
+        reading_.advises ? remedies(cam, size_of(cam), cam.curve.semi_latus) : "it takes " + changes_of(cam));
   }
 
   Reading& reading_;

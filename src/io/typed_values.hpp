@@ -31,6 +31,8 @@ struct Reading {
   /// read as a quantity.
   std::map<std::string, std::optional<Dimension>> varied;
   bool lists_quantities = false;  ///< whether all quantities are listed as they are read
+  /// Whether mistakes name remedies that have to be searched for; not in one of many variants.
+  bool advises = true;
   struct ReadQuantity {
     std::string path;
     Dimension dimension;

@@ -20,7 +20,7 @@ CurveDimensions<D> curve_dimensions(const Curve& c, const Curve& dc, F number) {
                         number(c.q, dc.q)};
   if (c.slope != 0) {
     of.bent = true;
-    of.bend[0] = c.kind == CurveKind::kLine ? D(0) : D(D(-of.side / 2) / of.semi_latus);
+    of.bend[0] = number(c.kappa, dc.kappa) / D(-2);
     of.bend[1] = number(c.slope, dc.slope) / D(-6);
   }
   return of;

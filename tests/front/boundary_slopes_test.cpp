@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {
@@ -347,6 +349,131 @@ INSTANTIATE_TEST_SUITE_P(
               {"driver.samples=41"}},
         Shape{"involute_pair", nullptr, {"bodies.ground.points.O2.0"}, {"driver.samples=21"}}),
     [](const auto& one) { return std::string(one.param.name); });
+
+// A closed spline with a waist, and an offset of it.
+constexpr const char* kWaist = R"(
+[bodies.ground]
+points = { O = [0, 0], P = [90, 10] }
+[bodies.cam]
+points.O = [0, 0]
+curves.core = { type = "spline", points = [[45, 0], [42.052097, 11.267825], [34.641016, 20], [25.784271, 25.784271],
+  [17.5, 30.310889], [9.437698, 35.22197], [0, 40], [-11.267825, 42.052097], [-22.5, 38.971143],
+  [-30.784271, 30.784271], [-34.641016, 20], [-35.22197, 9.437698], [-35, 0], [-35.22197, -9.437698],
+  [-34.641016, -20], [-30.784271, -30.784271], [-22.5, -38.971143], [-11.267825, -42.052097], [0, -40],
+  [9.437698, -35.22197], [17.5, -30.310889], [25.784271, -25.784271], [34.641016, -20], [42.052097, -11.267825]] }
+curves.grown = { type = "offset", of = "core", by = 3 }
+[bodies.follower]
+pose = { x = 90, y = 10, angle = 0 }
+points.O = [0, 0]
+curves.roller = { type = "circle", center = [-80, 30], radius = 6 }
+[joints]
+arm = { type = "revolute", between = ["ground.P", "follower.O"] }
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+[contacts.touch]
+between = ["cam.core", "follower.roller"]
+[driver]
+joint = "pivot"
+velocity = "3 rad/s"
+positions = [0]
+)";
+
+class OfInflections : public ::testing::TestWithParam<Shape> {};
+
+Motion motion_at(const Shape& shape, const std::vector<double>& positions) {
+  std::string list;
+  for (const double at : positions) list += fmt::format("{}{}", list.empty() ? "" : ", ", at);
+  Shape other = shape;
+  other.overrides.push_back("driver.positions=[" + list + "]");
+  return model_of(other).run().value();
+}
+
+// The first place at which the cam's curvature passes 0 continuously.
+double inflection_of(const Shape& shape) {
+  const auto flatness = [&](const std::vector<double>& positions) {
+    const Motion motion = motion_at(shape, positions);
+    std::vector<double> all;
+    for (const double rho : motion.column("touch.rho1")) all.push_back(std::isnan(rho) ? 0 : 1 / rho);
+    return all;
+  };
+  std::vector<double> positions;
+  for (int k = 0; k <= 360; ++k) positions.push_back(k);
+  const std::vector<double> all = flatness(positions);
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+    if (!(all[k] * all[k + 1] < 0)) continue;
+    double low = positions[k], high = positions[k + 1];
+    while (std::nextafter(low, high) < high) {
+      const double middle = (low + high) / 2;
+      if (middle == low || middle == high) break;
+      (flatness({middle})[0] * all[k] > 0 ? low : high) = middle;
+    }
+    if (std::abs(flatness({low})[0]) < 1e-9) return low;
+  }
+  ADD_FAILURE() << "no inflection";
+  return 0;
+}
+
+Shape near_inflection(const Shape& shape) {
+  const double at = inflection_of(shape);
+  std::string list = fmt::format("{}", at);
+  for (const double off : {1e-1, 1e-3, 1e-5, 1e-6, 1e-7, 1e-9}) {
+    list += fmt::format(", {}, {}", at - off, at + off);
+  }
+  Shape near = shape;
+  near.overrides.push_back("driver.positions=[" + list + "]");
+  return near;
+}
+
+// Radii have a pole there, but not what moves.
+TEST_P(OfInflections, AreTheDifferencesBetweenRunsWithOtherNumbers) {
+  expect_differences_of_runs(
+      near_inflection(GetParam()),
+      {"follower.*", "touch.x", "touch.y", "touch.normal", "touch.sliding", "touch.pressure"}, {}, 2e-7, 150);
+}
+
+// dκ/dp = -(dρ/dp)/ρ² is the same on either side, however large ρ is.
+TEST_P(OfInflections, OfRadiiAreThoseOfTheCurvature) {
+  const Shape near = near_inflection(GetParam());
+  const Slopes found = slopes_of(model_of(near), {"touch.rho1"}, near.numbers);
+  const auto c = static_cast<std::size_t>(
+      std::find_if(found.columns.begin(), found.columns.end(),
+                   [](const Column& column) { return column.name == "touch.rho1"; }) -
+      found.columns.begin());
+  for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+    const auto by_number = [&](std::size_t row) {
+      const double rho = found.values[row][c];
+      return -found.slopes[row][i * found.columns.size() + c] / (rho * rho);
+    };
+    const double expected = (by_number(3) + by_number(4)) / 2;  // at 1e-3 degrees
+    for (std::size_t row = 5; row < found.values.size() - 2; ++row) {
+      EXPECT_NEAR(by_number(row), expected, 1e-4 * std::abs(expected) + 1e-9)
+          << found.numbers[i].name << ", row " << row;
+    }
+  }
+}
+
+TEST_P(OfInflections, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
+  RunSettings settings;
+  settings.jerk = true;
+  expect_differences_of_runs(near_inflection(GetParam()), {"follower.jerk", "follower.*.j?"}, settings, 2e-5,
+                             10);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfKinds, OfInflections,
+    ::testing::Values(Shape{"Spline",
+                            kWaist,
+                            {"bodies.cam.curves.core.points.2.1", "bodies.follower.curves.roller.radius",
+                             "bodies.ground.points.P.0"}},
+                      Shape{"Offset",
+                            kWaist,
+                            {"bodies.cam.curves.grown.by", "bodies.cam.curves.core.points.3.0"},
+                            {"contacts.touch.between=[\"cam.grown\", \"follower.roller\"]"}},
+                      Shape{"law_cam_roller",
+                            nullptr,
+                            {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius",
+                             "bodies.ground.points.rail.0"},
+                            {"bodies.follower.pose.y=25"}}),
+    [](const auto& one) { return std::string(one.param.text == nullptr ? "Law" : one.param.name); });
 
 // The same numbers in other units give a larger or smaller copy.
 TEST(OfCopies, ThatAreScaledAreTheSameNumbers) {

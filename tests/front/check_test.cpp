@@ -447,6 +447,21 @@ TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
   EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
 }
 
+// The follower's load asks for a torque that goes to -∞ at the limit position, the cam's for 500 N mm: the
+// largest torque in the samples is where the path begins.
+TEST(Check, SaysWhatGrowsWithTheOtherSignThanItsLargestValue) {
+  const CheckReport report = checked(shipped_model(
+      "lock_up",
+      {"driver.start=0", "driver.end=80", "loads.push={ body = \"follower\", torque = 100 }",
+       "loads.hold={ body = \"cam\", torque = -500 }", "limits.joints.cam_pivot.max_driving_torque=1000"}));
+  const CheckFigure torque = figure(report, "driver", "driving_torque");
+  EXPECT_NEAR(torque.value.value(), 500 + 500 / 3.0, 1e-9);
+  EXPECT_EQ(torque.at, 0);
+  EXPECT_EQ(torque.verdict, Verdict::kUndecided);
+  EXPECT_THAT(torque.remark, AllOf(HasSubstr("with the other sign it still grows at 65."),
+                                   HasSubstr("deg, towards a limit position or dead point")));
+}
+
 // h = 80 mm: out within 0.3 s by a modified sine, back within 0.2 s by the 3-4-5 polynomial, whose
 // acceleration 10/√3 h/T² and jerk 60 h/T³ at its ends are the largest.
 TEST(Check, HoldsADrivenJointToItsLimits) {

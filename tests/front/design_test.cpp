@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -314,6 +315,29 @@ TEST(Design, AConstantConstraintThatDoesNotHoldIsRefused) {
   EXPECT_THAT(
       message_of(press_with("[[design.constraints]]\ncolumn = \"rod.A.ax\"\nof = \"max\"\nbelow = 1900\n")),
       HasSubstr("design.constraints.0: is 1973.92088 whatever the variables, and does not hold"));
+}
+
+// With a lower link of 5 mm the press does not assemble.
+TEST(Design, AConstantConstraintIsKnownWhereTheStartDoesNotAssemble) {
+  const auto pressed = [](double limit) {
+    std::string text = press_with(
+        fmt::format("[[design.constraints]]\ncolumn = \"rod.A.ax\"\nof = \"max\"\nbelow = {}\n", limit));
+    const auto set = [&](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    set("points.R = [160, 0]", "points.R = [5, 0]");
+    set("min = 128", "min = 5");
+    return model_of(text, {"driver.samples=25"});
+  };
+  const Model model = pressed(50 * 4 * kPi * kPi);
+  EXPECT_FALSE(model.start());
+  const DesignReport report = designed(model, few(8));
+  EXPECT_TRUE(report.holds);
+  EXPECT_EQ(report.constraints.at(0).margin, 0);
+  const auto refused = design(pressed(1900), few(8));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(to_string(refused.error()),
+              HasSubstr("design.constraints.0: is 1973.92088 whatever the variables, and does not hold"));
 }
 
 TEST(Design, UnitsOfObjectivesAreKnownWhereTheStartDoesNotAssemble) {

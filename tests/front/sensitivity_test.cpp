@@ -462,6 +462,18 @@ TEST(SensitivityOfResults, ANumberThatChangesTheRowsHasNoSlopes) {
   EXPECT_EQ(report.where_unit, "s");
 }
 
+// The torque goes to -∞ at the limit position; its largest sample by size is at the start, and positive.
+TEST(SensitivityOfResults, ThatGrowWithTheOtherSignHaveNoSlopes) {
+  const SensitivityReport report =
+      report_of(shipped_model("lock_up", {"driver.start=0", "driver.end=80", "driver.samples=9",
+                                          "loads.push={ body = \"follower\", torque = 100 }",
+                                          "loads.hold={ body = \"cam\", torque = -500 }"}),
+                wanted({"driver.effort:maxabs"}, {"loads.push.torque"}));
+  EXPECT_NEAR(report.results[0].value, 500 + 500 / 3.0, 1e-9);
+  EXPECT_THAT(report.results[0].remark, HasSubstr("with the other sign it still grows"));
+  EXPECT_THAT(slope(report, 0, "loads.push.torque").remark, HasSubstr("without bounds"));
+}
+
 TEST(SensitivityOfResults, DefaultsAreWhatAMechanismIsFor) {
   std::vector<std::string> names;
   for (const NamedMeasure& result : default_results(shipped_model("eccentric_disc_oscillating_roller", {}))) {

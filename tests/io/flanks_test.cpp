@@ -366,7 +366,7 @@ TEST(Flanks, ThatCrossThemselvesAreRefusedWithBothPlaces) {
              { over = 45, law = "cycloidal", rise = -80 }, { over = 255, law = "dwell" } ])";
   const std::string mistake = mistakes_in(neck);
   EXPECT_THAT(mistake, HasSubstr("bodies.cam.curves.flank.law = \"lift\": the flank crosses itself: at "));
-  EXPECT_THAT(mistake, HasSubstr("or a smaller roller or a longer segment of the law"));
+  EXPECT_THAT(mistake, HasSubstr(", or a longer segment of the law"));
   const double first = number_behind(mistake, "itself: at "), second = number_behind(mistake, "and at ");
   EXPECT_NEAR(first + second, 105, 1e-3);
   // The roller's centre and the direction of its path there, in the cam's frame.
@@ -382,6 +382,26 @@ TEST(Flanks, ThatCrossThemselvesAreRefusedWithBothPlaces) {
   EXPECT_NEAR(cross(axis, flank_point(first)), 0, 1e-3);
   neck.height = "40";
   EXPECT_EQ(mistakes_in(neck), "");
+}
+
+// What the message names has been tried: a little more than the limit does, a little less does not.
+TEST(Flanks, ThatCrossThemselvesAreRefusedWithTheSizesThatWouldDo) {
+  const auto neck = [](double height, double radius) {
+    Parts parts;
+    parts.height = fmt::format("{:.9g}", height);
+    parts.follower = fmt::format("{{ type = \"circle\", center = [0, 0], radius = {:.9g} }}", radius);
+    parts.law = R"(segments = [ { over = 45, law = "cycloidal", rise = 80 }, { over = 15, law = "dwell" },
+             { over = 45, law = "cycloidal", rise = -80 }, { over = 255, law = "dwell" } ])";
+    return mistakes_in(parts);
+  };
+  const std::string mistake = neck(12, 10);
+  const double base = number_behind(mistake, "a base circle of more than ");
+  EXPECT_NEAR(number_behind(mistake, "pose moved by "), base + 10 - 12, 1e-3);
+  EXPECT_EQ(neck(base + 10 + 1e-3, 10), "");
+  EXPECT_THAT(neck(0.997 * base + 10, 10), HasSubstr("crosses itself"));
+  const double roller = number_behind(mistake, "a roller of less than ");
+  EXPECT_EQ(neck(12, roller - 1e-3), "");
+  EXPECT_THAT(neck(12, 1.003 * roller), HasSubstr("crosses itself"));
 }
 
 // The ends of a flank over a whole turn whose law does not repeat touch.

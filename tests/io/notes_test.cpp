@@ -5,6 +5,10 @@
 #include "io/profile_testing.hpp"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -295,6 +299,30 @@ TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
   // The limits are at ±65.83442067466342.
   EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9), "; it can be with driver.start from -65.8 to 65.8 deg");
   EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
+}
+
+// The same pair, its cam turned four times as fast by gears and half a turn off at the start: it assembles
+// within 65.834/4 degrees of ±45 and ±135. Of equally near ranges those ahead come first.
+TEST(StartAdvice, NamesTheThreeNearestRangesInWhichItCanBeAssembled) {
+  std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  text += R"(
+[bodies.wheel]
+points.O = [0, 0]
+[joints.wheel_pivot]
+type    = "revolute"
+between = ["ground.O1", "wheel.O"]
+[joints.mesh]
+type    = "gears"
+between = ["wheel.O", "cam.O"]
+ratio   = 4
+)";
+  const std::vector<std::string> overrides = {"driver.joint=wheel_pivot", "bodies.cam.pose.angle=180"};
+  const auto profile = read_profile_text(text, "test.toml", overrides);
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(start_advice(*profile, {0}, 1e-9),
+            "; it can be with driver.start from 28.55 to 61.45 or from 298.55 to 331.45 or from 118.55 to "
+            "151.45 deg");
 }
 
 // Coupler and rocker reach the crank's pin only where all links are in line.

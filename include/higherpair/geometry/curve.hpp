@@ -94,9 +94,9 @@ struct Curve {
   double q = 1;                         ///< 1 - e²; 1 for line and point, 0 for a curve given by its support
   const SupportCurve* support = nullptr;  ///< for kSupport; not owned
   std::size_t piece = 0;                  ///< index of the piece of `support` that touches
-  /// For a circle or line that stands for a nearly straight part of a boundary: dκ/ds at the vertex, along n
-  /// turned +90° [1/m²]; else 0.
-  double slope = 0;
+  /// For a circle or line that stands for a nearly straight part of a boundary: κ [1/m], and dκ/ds along n
+  /// turned +90° [1/m²], at the vertex; else 0.
+  double kappa = 0, slope = 0;
 };
 
 enum class CurveError {

@@ -2,6 +2,8 @@
 
 #include "higherpair/analysis/boundary_derivatives.hpp"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -45,15 +47,18 @@ public:
 
   /// Every number of the mechanism replaced by its derivative, except the curves of contacts by_boundary.
   [[nodiscard]] const Mechanism& derivative() const { return derivative_.numbers; }
-  /// The same for run.mechanism(), whose curves agree with those boundaries at the row's contacts.
-  /// \param moved  sensitivity of the row: the curves are then those at the contact, which moves along the
-  /// boundaries with p, so that even the third derivatives of their points are right. Without it they are
-  /// those at a constant fraction of a span, which is enough up to accelerations.
-  [[nodiscard]] Mechanism derivative_at(const Run& run, const RowSensitivity* moved = nullptr) const;
+  /// The boundaries' derivatives at a row's contact by_boundary that touches: where it is, moving along them
+  /// with p.
+  [[nodiscard]] std::array<PlaceDerivative, 2> of_places(const Run& run, const RowSensitivity& of_row,
+                                                         std::size_t contact) const;
 
 private:
-  [[nodiscard]] Curve of_local_curve(const Run& run, std::size_t contact, std::size_t side,
-                                     const RowSensitivity* moved) const;
+  /// The same as derivative() for run.mechanism(), whose curves agree with the boundaries at the row's
+  /// contacts: those at a constant fraction of a span, which is enough up to accelerations.
+  [[nodiscard]] Mechanism derivative_at(const Run& run) const;
+  [[nodiscard]] Curve of_local_curve(const Run& run, std::size_t contact, std::size_t side) const;
+  [[nodiscard]] PlaceDerivative at_fixed_place(std::size_t contact, std::size_t side,
+                                               const BoundaryPlace& place) const;
 
   MechanismDerivative derivative_;
   std::vector<double> arcs_;

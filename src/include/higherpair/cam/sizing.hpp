@@ -2,6 +2,7 @@
 
 #include "higherpair/cam/flank.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace higherpair {
@@ -71,6 +72,25 @@ struct RadiusLimits {
 /// curvature smaller than `convex`: 1/κ - convex at the largest curvature κ of the pitch curve. None where
 /// the pitch curve is nowhere convex, so that any radius is possible, or the follower is not round.
 [[nodiscard]] std::optional<CamPlace> largest_follower(const FlankOrigin& cam, double convex);
+
+/// Whether a flank can be cut, by whatever it may be refused for.
+using FlankTest = std::function<bool(const FlankOrigin&)>;
+
+/// The smallest cam beyond a size whose flank can be cut, and the largest follower below a radius, with all
+/// else unchanged: the given one, if just beyond it the flank can be cut; otherwise found by trials at
+/// growing distances, then by bisection to within a thousandth, on the side where it can. A condition of the
+/// whole flank, such as that it does not cross itself, has no one place that determines the size. None where
+/// no trial succeeds. \pre a cam with a size_of(); for the radius, a circle with the body inside
+/// @{
+[[nodiscard]] std::optional<CamSize> smallest_that_can_be_cut(const FlankOrigin& cam, const CamSize& from,
+                                                              const FlankTest& can_be_cut);
+[[nodiscard]] std::optional<double> largest_that_can_be_cut(const FlankOrigin& cam, double from_radius,
+                                                            const FlankTest& can_be_cut);
+/// @}
+
+/// The largest cam and the smallest radius that these try.
+[[nodiscard]] CamSize largest_tried(const FlankOrigin& cam, const CamSize& from);
+[[nodiscard]] double smallest_radius_tried(double from_radius);
 
 /// A cam with a sliding follower whose guide may also be offset.
 struct OffsetSize {

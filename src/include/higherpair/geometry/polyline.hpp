@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -112,9 +113,11 @@ struct PolylineCrossing {
   std::array<BoundaryPlace, 2> places;
 };
 
-/// All crossings of one polyline with another placed by X_12, in the order of their parts. The cost grows
-/// about in proportion to the numbers of parts and of crossings.
-[[nodiscard]] std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
-                                                               const Pose<double>& X_12);
+/// Crossings of one polyline with another placed by X_12, in the order of their parts. The cost grows about
+/// in proportion to the numbers of parts and of crossings. \param most  if set, the search ends once it has
+/// found so many
+[[nodiscard]] std::vector<PolylineCrossing> polyline_crossings(
+    const Polyline& one, const Polyline& two, const Pose<double>& X_12,
+    std::optional<std::size_t> most = std::nullopt);
 
 }  // namespace higherpair

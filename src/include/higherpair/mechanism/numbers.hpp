@@ -10,7 +10,6 @@ namespace higherpair {
 enum class NumberKind {
   kLength,  ///< [m]: coordinates and dimensions
   kPure,    ///< angles, directions, ratios
-  kBend,    ///< [1/m²]: rates of curvatures
   kLoad,    ///< masses, forces, stiffnesses
 };
 
@@ -42,7 +41,6 @@ void for_each_number(M& mechanism, F f) {
       vector(curve.axis_B, NumberKind::kPure);
       number(curve.semi_latus, NumberKind::kLength);
       number(curve.q, NumberKind::kPure);
-      number(curve.slope, NumberKind::kBend);
     }
     if (body.mass) {
       number(body.mass->mass, NumberKind::kLoad);
