@@ -66,6 +66,7 @@ public:
   [[nodiscard]] Run by(double h) const {
     Run other = run_;
     other.local = displaced(run_.mechanism(), derivative_, h);
+    other.is_displaced = true;
     displace_bodies(h, other.row);
     const Dimensions<double> dimensions = dimensions_of(other.mechanism());
     for (std::size_t i = 0; i < other.row.contacts.size(); ++i) {

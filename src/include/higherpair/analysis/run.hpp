@@ -139,6 +139,8 @@ struct Run {
 
   /// With boundary contacts: the mechanism with curves that agree with the boundaries at the row's contacts.
   std::optional<Mechanism> local;
+  /// The row is displaced by a change of dimensions (displaced.hpp), but not the state.
+  bool is_displaced = false;
 
   [[nodiscard]] const Mechanism& mechanism() const { return local ? *local : *model.mechanism; }
   [[nodiscard]] const Plan& plan() const { return *model.plan; }
