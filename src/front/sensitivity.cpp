@@ -140,6 +140,7 @@ private:
       for (std::size_t m = 0; m < results_.size(); ++m) {
         Slope& slope = report.results[m].slopes[i];
         if (state == NumberSlopes::State::kNoInfluence || std::isnan(results_[m].value)) continue;
+        if (!slope.remark.empty()) continue;
         if (results_[m].grows || state == NumberSlopes::State::kRows) {
           slope = {};
           slope.remark =

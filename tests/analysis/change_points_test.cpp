@@ -3,6 +3,8 @@
 #include "equal_discs.hpp"
 #include "higherpair/analysis/derivatives.hpp"
 #include "higherpair/analysis/jerk.hpp"
+#include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/mechanism/numbers.hpp"
 #include "io/profile_testing.hpp"
 #include "run_testing.hpp"
 
@@ -205,6 +207,57 @@ TEST(NextToLimits, HigherDerivativesAreThoseOfARoot) {
   }
   EXPECT_NEAR(jerk[1] / jerk[0], std::pow(4, 2.5), 1e-2);
   EXPECT_NEAR(sixth[1] / sixth[0], std::pow(4, 5.5), 1);
+}
+
+// The derivative of a mechanism's numbers by the lengths of some bodies, with which their second points move.
+Mechanism by_lengths(const Mechanism& mechanism, const std::vector<std::size_t>& bodies) {
+  Mechanism derivative = mechanism;
+  for_each_number(derivative, [](double& number) { number = 0; });
+  for (const std::size_t body : bodies) {
+    derivative.bodies[body].points[1].p_B.x() = 1;
+  }
+  return derivative;
+}
+
+TEST(NextToChangePoints, DerivativesByWhatKeepsThemAreRight) {
+  const higherpair::Run start = started(kParallelogram.posed(-0.3, kPi - 0.3), -0.3);
+  const auto by = Sensitivity::at_start(start, {by_lengths(start.mechanism(), {1, kRocker})}, {0});
+  ASSERT_TRUE(by);
+  for_each_row(start, 1, 0.5,
+               [&](const higherpair::Run& at, const std::vector<DriverMotion>& motions, double driver) {
+                 const auto of_row = by->of_row(at, motions, {{}});
+                 ASSERT_TRUE(of_row);
+                 // The rod's origin is the crank's pin.
+                 const Complex u = std::polar(1.0, kPi + driver);
+                 EXPECT_NEAR(of_row->bodies[2].X_WB.p_WB.x(), u.real(), 1e-10);
+                 EXPECT_NEAR(of_row->bodies[2].v_WB.y(), u.real(), 1e-9);
+                 EXPECT_NEAR(of_row->bodies[2].a_WB.y(), -u.imag() + 0.5 * u.real(), 1e-8);
+                 EXPECT_NEAR(of_row->bodies[kRocker].theta, 0, 1e-10);
+                 EXPECT_NEAR(of_row->bodies[kRocker].omega, 0, 1e-9);
+                 EXPECT_NEAR(of_row->bodies[kRocker].alpha, 0, 1e-8);
+               });
+}
+
+// By the crank's length alone the rocker's angle has the derivative -cot(crank's angle)/(rocker's length).
+TEST(NextToChangePoints, DerivativesByWhatDoesAwayWithThemAreSaidToDiverge) {
+  const higherpair::Run start = started(kParallelogram.posed(-0.3, kPi - 0.3), -0.3);
+  const auto by = Sensitivity::at_start(start, {by_lengths(start.mechanism(), {1})}, {0});
+  ASSERT_TRUE(by);
+  for_each_row(start, 1, 0.5,
+               [&](const higherpair::Run& at, const std::vector<DriverMotion>& motions, double driver) {
+                 const auto of_row = by->of_row(at, motions, {{}});
+                 if (std::abs(driver) < 1e-3) {
+                   ASSERT_FALSE(of_row);
+                   EXPECT_EQ(of_row.error(), NoSensitivity::kDiverges);
+                 } else if (std::abs(driver) > 1e-3) {
+                   ASSERT_TRUE(of_row);
+                   const double cot = 1 / std::tan(driver), rise = 1 + cot * cot;
+                   const BodyMotion& rocker = of_row->bodies[kRocker];
+                   EXPECT_NEAR(rocker.theta * kCrank / cot, -1, 1e-8);
+                   EXPECT_NEAR(rocker.omega * kCrank / rise, 1, 1e-8);
+                   EXPECT_NEAR(rocker.alpha * kCrank / (rise * (0.5 - 2 * cot)), 1, 1e-7);
+                 }
+               });
 }
 
 }  // namespace
