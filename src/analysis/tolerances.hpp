@@ -28,6 +28,9 @@ inline constexpr double kSingularStart = 1e-7;
 inline constexpr double kNearSingularStart = 1e-5;
 /// Largest distance of a position from one at which two branches merge [rad, of the size].
 inline constexpr double kNearMerge = 0.3;
+/// Of the branches at a start next to a change point, one is that of the poses if it is nearer to them than
+/// any other by this factor: squared distances, a tenth of the distance.
+inline constexpr double kPosesTell = 1e-2;
 /// Speeds, and accelerations, whose relative difference is smaller are the same.
 inline constexpr double kSameSpeed = 1e-3;
 inline constexpr double kSameAcceleration = 1e-6;

@@ -260,5 +260,77 @@ TEST(NextToChangePoints, DerivativesByWhatDoesAwayWithThemAreSaidToDiverge) {
                });
 }
 
+TEST(StartsNextToChangePoints, AreOnTheBranchOfPosesThatAreExactEnough) {
+  for (const double distance : {1e-3, 1e-5, 1e-6, 1e-7, 3e-8}) {
+    SCOPED_TRACE(distance);
+    for (const bool crossed : {false, true}) {
+      higherpair::Run run = started(
+          kParallelogram.posed(-distance, crossed ? crossed_rocker(-distance) : kPi - distance), -distance);
+      for (const double driver : {-distance, 0.4}) {
+        move_to(run, {{kPi + driver, 1, 0.5}});
+        ASSERT_EQ(run.row.status, RowStatus::kOk);
+        const double rate = crossed ? crossed_rate(driver, 1) : 1;
+        EXPECT_NEAR(run.row.bodies[kRocker].omega, rate, 1e-8);
+        EXPECT_NEAR(run.row.bodies[kRocker].alpha, 0.5 * rate + (crossed ? crossed_rate(driver, 2) : 0),
+                    1e-6);
+      }
+    }
+  }
+}
+
+// All bodies together turn as fast on both; those of the parallelogram without acceleration.
+TEST(StartsNextToChangePoints, AreOnTheSmootherBranchWherePosesCannotTell) {
+  for (const double distance : {1e-8, 0.0}) {
+    const double halfway = (kPi - distance + crossed_rocker(-distance)) / 2;
+    higherpair::Run run = started(kParallelogram.posed(-distance, halfway), -distance);
+    move_to(run, {{kPi + 0.4, 1, 0}});
+    EXPECT_NEAR(run.row.bodies[kRocker].omega, 1, 1e-12);
+  }
+}
+
+// Three wheels on one rod: more conditions than coordinates. Near the change point there are positions that
+// meet them to 1e-10 of the size and are no positions of the mechanism.
+TEST(StartsNextToChangePoints, OfMechanismsWithMoreMembersThanTheyTakeNeedNoExactPoses) {
+  constexpr const char* kWheels = R"(units = {{ length = "m", angle = "rad" }}
+[bodies.ground]
+points = {{ P0 = [0, 0], P1 = [0.48, 0], P2 = [1.77, 0] }}
+[bodies.w0]
+pose = {{ angle = {0} }}
+points = {{ O = [0, 0], A = [1.45, 0] }}
+[bodies.w1]
+pose = {{ x = 0.48, angle = -0.00123 }}
+points = {{ O = [0, 0], A = [1.45, 0] }}
+[bodies.w2]
+pose = {{ x = 1.77, angle = 0.00132 }}
+points = {{ O = [0, 0], A = [1.45, 0] }}
+[bodies.rod]
+pose = {{ x = 1.45 }}
+points = {{ B0 = [0, 0], B1 = [0.48, 0], B2 = [1.77, 0] }}
+[joints]
+p0 = {{ type = "revolute", between = ["ground.P0", "w0.O"] }}
+a0 = {{ type = "revolute", between = ["w0.A", "rod.B0"] }}
+p1 = {{ type = "revolute", between = ["ground.P1", "w1.O"] }}
+a1 = {{ type = "revolute", between = ["w1.A", "rod.B1"] }}
+p2 = {{ type = "revolute", between = ["ground.P2", "w2.O"] }}
+a2 = {{ type = "revolute", between = ["w2.A", "rod.B2"] }}
+[driver]
+joint = "p0"
+)";
+  for (const double distance : {1e-3, 1e-4, 1e-5, 3e-6, 1e-6, -1e-5}) {
+    SCOPED_TRACE(distance);
+    const Profile profile = testing::read(fmt::format(kWheels, distance));
+    auto run = start_run(profile.mechanism, {distance});
+    ASSERT_TRUE(run) << run.error().reason;
+    for (const double driver : {distance, 0.1, 1.0}) {
+      move_to(*run, {{driver, 1, 0}});
+      ASSERT_EQ(run->row.status, RowStatus::kOk);
+      for (const int wheel : {2, 3}) {
+        EXPECT_NEAR(run->row.bodies[wheel].theta, driver, 1e-9);
+        EXPECT_NEAR(run->row.bodies[wheel].omega, 1, 1e-9);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
