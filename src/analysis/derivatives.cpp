@@ -64,7 +64,7 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
     return std::nullopt;
   }
   const auto held = plan_with_held_joints(run, dimensions, at);
-  const auto motion = solve_series(held ? *held : run.plan(), dimensions, dimensions, std::move(at));
+  const auto motion = row_series(run, held ? *held : run.plan(), dimensions, dimensions, std::move(at));
   if (!std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; })) {
     return std::nullopt;
   }

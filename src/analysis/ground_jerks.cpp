@@ -2,6 +2,7 @@
 
 #include "higherpair/contact/jerk.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "series_motion.hpp"
 
 #include <cmath>
 #include <utility>
@@ -79,7 +80,11 @@ private:
                      motion(contact.first.body), motion(contact.second.body))
             .normal_jerk();
     const double apart = along(motion(other), *known) - along(body, jerk_on(follower.freedom, body, 0));
-    const double per_q = velocity_per_q(follower.freedom, p_W).dot(at.n_W);
+    const Vector2d by_q = velocity_per_q(follower.freedom, p_W);
+    const double per_q = by_q.dot(at.n_W);
+    if (rounding_shows(std::abs(per_q) / by_q.norm(), 3)) {
+      return false;
+    }
     return set(follower, (apart + (second ? wanted : -wanted)) / per_q);
   }
 

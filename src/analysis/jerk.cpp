@@ -48,8 +48,8 @@ Jerks jerks_with(const Run& run, Dimensions<double> dimensions, std::span<const 
                                             higher.empty() ? 0.0 : higher[i][0]});
   }
   const auto held = plan_with_held_joints(run, dimensions, at);
-  const auto motion = solve_series(held ? *held : run.plan(), dimensions, dimensions, std::move(at),
-                                   {surplus_slip, &run.row.has_rates});
+  const auto motion = row_series(run, held ? *held : run.plan(), dimensions, dimensions, std::move(at),
+                                 {surplus_slip, &run.row.has_rates});
   Jerks jerks(motion.known.size());
   for (std::size_t i = 0; i < jerks.size(); ++i) {
     if (motion.known[i]) {

@@ -166,6 +166,35 @@ std::optional<int> set_out(Run& run) {
   return std::nullopt;
 }
 
+// Whether the position at which a run starts meets its conditions and their rates.
+bool starts_right(Run run) {
+  set_unit_motions(std::vector(run.at.drivers), run.work.motions);
+  move_to(run, std::vector(run.work.motions));
+  return run.row.status != RowStatus::kNotConverged;
+}
+
+// Next to a change point there are positions that violate surplus conditions least but do not meet them, and
+// poses that are a little off lead there. Beside it they lead to the mechanism, from where it moves to its
+// start. None if it is not right then either.
+std::optional<Run> started_from_beside(const Run& run) {
+  const double reach = kCrossingReach * driver_scale(run, 0);
+  for (const double side : {reach, -reach}) {
+    Run beside = planned_run(run.model, {run.at.drivers[0] + side});
+    beside.tolerance = run.tolerance;
+    if (assemble(beside) || set_out(beside)) {
+      continue;
+    }
+    set_unit_motions(std::vector(run.at.drivers), beside.work.motions);
+    move_to(beside, std::vector(beside.work.motions));
+    if (beside.row.status == RowStatus::kOk) {
+      beside.events.clear();
+      beside.at.outputs = output_joints(run.mechanism());
+      return beside;
+    }
+  }
+  return std::nullopt;
+}
+
 // Sets the shares of all events. With a single driver, its coordinate at an event determines the share,
 // whatever path the event was found on.
 void set_shares(Run& run) {
@@ -221,6 +250,9 @@ tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<doub
   if (const auto contact = set_out(run)) {
     const std::string& name = mechanism.contacts[*contact].name;
     return tl::unexpected(StartFailure{"contacts." + name + ": " + kTouchesAtLimit, std::nullopt});
+  }
+  if (run.plan().couples && drivers.size() == 1 && mechanism.contacts.empty() && !starts_right(run)) {
+    return started_from_beside(run).value_or(std::move(run));
   }
   return run;
 }

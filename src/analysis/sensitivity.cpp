@@ -258,11 +258,12 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
   return sensitivity;
 }
 
-std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vector<DriverMotion>& motions,
-                                                  const std::vector<DriverMotion>& derivatives,
-                                                  RatesAsked rates) const {
+tl::expected<RowSensitivity, NoSensitivity> Sensitivity::of_row(const Run& run,
+                                                                const std::vector<DriverMotion>& motions,
+                                                                const std::vector<DriverMotion>& derivatives,
+                                                                RatesAsked rates) const {
   if (run.row.status == RowStatus::kNotAssemblable || !run.row.all_rates) {
-    return std::nullopt;
+    return tl::unexpected(NoSensitivity::kNoRates);
   }
   Coordinates<ParametricSeries> at = constant<ParametricSeries>(row_coordinates(run));
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -281,10 +282,10 @@ std::optional<RowSensitivity> Sensitivity::of_row(const Run& run, const std::vec
   set_held_angles(derivative, at);
   SeriesOptions options;
   options.last = rates == RatesAsked::kNone ? 0 : 2;
-  const auto motion = solve_series(run.plan(), dimensions_of(run.mechanism()),
-                                   dimensions_of(run.mechanism(), derivative), std::move(at), options);
+  const auto motion = row_series(run, run.plan(), dimensions_of(run.mechanism()),
+                                 dimensions_of(run.mechanism(), derivative), std::move(at), options);
   if (!all_known(motion)) {
-    return std::nullopt;
+    return tl::unexpected(motion.diverges ? NoSensitivity::kDiverges : NoSensitivity::kNoRates);
   }
   RowSensitivity of_row;
   for (const BodyAt<ParametricSeries>& body : motion.at.bodies) {

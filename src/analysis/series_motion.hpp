@@ -4,6 +4,7 @@
 #include "higherpair/geometry/body_jerk.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "tolerances.hpp"
 
 #include <optional>
 #include <utility>
@@ -20,6 +21,9 @@ template <class D, int N>
 struct SeriesMotion {
   Coordinates<PowerSeries<D, N>> at;
   std::vector<bool> known;  ///< of the bodies: whether their series have been solved
+  /// How near the conditions of a group that can cross are to losing their rank (LeastNormSolver).
+  double least_sine = 1;
+  bool diverges = false;  ///< of partials: the parameter does away with a change point next to the row
 };
 
 /// Options that limit solve_series().
@@ -79,6 +83,22 @@ template <class Series>
   }
   return plan;
 }
+
+/// solve_series() for run.row, except next to a change point. There the conditions divide rounding by the
+/// k-th power of the distance at order k; series through the change point itself do not (ChangePoint). They
+/// are along the path of a single driver; of several drivers along their motion in time, if that has no terms
+/// beyond the second order. Bodies whose series is rounding and cannot be had in this way are not known.
+/// \param plan  of the run, or with held joints
+/// \param at    constant except for the drivers
+template <class D, int N>
+[[nodiscard]] SeriesMotion<D, N> row_series(const Run& run, const Plan& plan,
+                                            const Dimensions<double>& values, const Dimensions<D>& dimensions,
+                                            Coordinates<PowerSeries<D, N>> at,
+                                            const SeriesOptions& options = {});
+
+/// Whether rounding, which each order divides by the sine once more, exceeds what is tolerated in the
+/// last of them.
+[[nodiscard]] bool rounding_shows(double sine, std::size_t order, double tolerated = kRoundingOfSeries);
 
 /// Whether a Jacobian leaves no freedom.
 [[nodiscard]] bool is_regular(const Eigen::MatrixXd& J);

@@ -135,6 +135,14 @@ double distance_of(const Run& run, const Group& group, const State& state) {
   return distance;
 }
 
+double distance_of(const Run& run, const std::vector<std::size_t>& groups, const State& state) {
+  double distance = 0;
+  for (const std::size_t g : groups) {
+    distance += distance_of(run, run.plan().groups[g], state);
+  }
+  return distance;
+}
+
 // A way to leave a singular start.
 struct Departure {
   State state;
@@ -142,7 +150,8 @@ struct Departure {
   double reach = 0;  // distance of that driver from the start
   double speed = 0;
   double acceleration = 0;
-  double distance = 0;  // distance of the singular groups from the poses
+  double distance = 0;  // squared distance of the singular groups from the poses
+  double at_start = 0;  // the same where the branch is at the start, between both sides of a crossing
 
   // Order where branches cross: the slower motion; of equally fast ones that with the smaller acceleration;
   // then the one nearer to the poses.
@@ -203,13 +212,56 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
     bool regular = true;
     for (const std::size_t g : groups) {
       regular = regular && !is_singular(run.work.trial.groups[g]);
-      departure.distance += distance_of(run, run.plan().groups[g], run.work.trial);
     }
+    departure.distance = distance_of(run, groups, run.work.trial);
     if (regular) {
       found.push_back(std::move(departure));
     }
   }
   return found;
+}
+
+// How much the velocities of two departures differ: those of one branch hardly do.
+double change_of_velocities(const Run& run, const State& a, const State& b) {
+  double change = 0;
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    change += std::abs(b.bodies[i].omega - a.bodies[i].omega) +
+              (b.bodies[i].v_WB - a.bodies[i].v_WB).norm() / run.plan().size;
+  }
+  return change;
+}
+
+// Sets how far the departures before a crossing are from the poses at the start, where they are interpolated
+// with those that continue them after it.
+void measure_at_start(const Run& run, const std::vector<std::size_t>& groups,
+                      const std::vector<Departure>& after, std::vector<Departure>& before) {
+  for (Departure& one : before) {
+    const auto other =
+        std::min_element(after.begin(), after.end(), [&](const Departure& a, const Departure& b) {
+          return change_of_velocities(run, one.state, a.state) <
+                 change_of_velocities(run, one.state, b.state);
+        });
+    State between = other->state;
+    interpolate(run, one.state, other->reach - one.reach, 0.5, between);
+    one.at_start = distance_of(run, groups, between);
+  }
+}
+
+// The departure before a crossing whose position at the start is that of the poses; none where the branches
+// are too near each other there for the poses to tell.
+std::optional<Departure> posed_among(const Run& run, const std::vector<Departure>& before) {
+  const auto nearest =
+      std::min_element(before.begin(), before.end(),
+                       [](const Departure& a, const Departure& b) { return a.at_start < b.at_start; });
+  const double known = kSameStanding * run.plan().size;
+  for (const Departure& other : before) {
+    const bool same = &other != &*nearest &&
+                      !(nearest->at_start <= kPosesTell * other.at_start && other.at_start > known * known);
+    if (same) {
+      return std::nullopt;
+    }
+  }
+  return *nearest;
 }
 
 // Whether a start is next to its departure; where pins coincide, links may have any direction at the start.
@@ -237,9 +289,16 @@ std::optional<int> leave_singular_start(Run& run) {
   std::optional<Departure> chosen;
   for (std::size_t driver = 0; driver < run.at.drivers.size() && !chosen; ++driver) {
     const double reach = kCrossingReach * driver_scale(run, driver);
-    const std::vector<Departure> before = departures(run, groups, driver, -reach);
+    std::vector<Departure> before = departures(run, groups, driver, -reach);
     const std::vector<Departure> after = departures(run, groups, driver, reach);
     const bool crossing = !before.empty() && !after.empty();
+    if (crossing && run.at.drivers.size() == 1) {
+      measure_at_start(run, groups, after, before);
+      chosen = posed_among(run, before);
+      if (chosen) {
+        break;
+      }
+    }
     for (const Departure& one : before.empty() ? after : before) {
       const bool better = !chosen || (crossing ? one.goes_before(*chosen) : one.distance < chosen->distance);
       chosen = better ? one : chosen;

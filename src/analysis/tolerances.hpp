@@ -28,6 +28,9 @@ inline constexpr double kSingularStart = 1e-7;
 inline constexpr double kNearSingularStart = 1e-5;
 /// Largest distance of a position from one at which two branches merge [rad, of the size].
 inline constexpr double kNearMerge = 0.3;
+/// Of the branches at a start next to a change point, one is that of the poses if it is nearer to them than
+/// any other by this factor: squared distances, a tenth of the distance.
+inline constexpr double kPosesTell = 1e-2;
 /// Speeds, and accelerations, whose relative difference is smaller are the same.
 inline constexpr double kSameSpeed = 1e-3;
 inline constexpr double kSameAcceleration = 1e-6;
@@ -140,6 +143,33 @@ inline constexpr double kCrossingReach = 4e-3;
 /// Farthest that a body may move within this distance, as an angle or relative to the size: the error of the
 /// interpolation is its sixth power.
 inline constexpr double kCrossingTurn = 0.012;
+
+// Series through change points. Distances are how far the fastest of a group's bodies moves, as an angle or
+// relative to the size.
+
+/// Largest rounding of the last order of a row's series, relative, that is not looked into.
+inline constexpr double kRoundingOfSeries = 1e-10;
+/// With more rounding than this a series is given only where it does not matter.
+inline constexpr double kSpoiltSeries = 1e-6;
+/// Farthest change point that is looked for: beyond it no series of moderate order converges.
+inline constexpr double kChangePointReach = 0.3;
+/// A place this near to where the rank is lost is there; the last step is from a much smaller distance.
+inline constexpr double kAtChangePoint = 1e-9;
+/// Most steps of Newton's method for it.
+inline constexpr int kMostChangePointSteps = 10;
+/// Relative to the largest singular value: all but one are above this where branches cross.
+inline constexpr double kOneLostRank = 1e-3;
+/// Largest share of the last two terms of a series in a derivative beside the change point.
+inline constexpr double kLastTerms = 1e-9;
+/// Relative to the size: the series of a crossing leads past the row by no more, nor its rates relative to
+/// the largest; other branches are farther away.
+inline constexpr double kSameBranch = 0.02;
+/// Branches that come near each other by more than this, as a violation of the conditions relative to the
+/// size, are no matter of rounding, which is this fraction's 1e-7.
+inline constexpr double kMeetsNoLonger = 1e-9;
+/// Largest share of the conditions' derivatives by a parameter that bodies cannot make up for at the change
+/// point.
+inline constexpr double kKeepsChangePoint = 1e-9;
 
 // Events.
 

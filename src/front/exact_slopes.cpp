@@ -84,7 +84,7 @@ SidedSlope ExactSlopes::of_part(std::size_t number, std::size_t measure,
   for (const double side : {-1.0, 1.0}) {
     std::vector<double> gains;
     for (const ExtremePlace& at : part) {
-      const SidedSlope& there = at_places_[number][place_index_.at(at.place.row)][column];
+      const SidedSlope& there = at_places_[number][place_index_.at(at.place.row)].of[column];
       const bool moves = is_extreme(measures_[measure].of) && at.stretch == 0 && there.is_kink() &&
                          columns_.path().path.knots.size() > 1;
       gains.push_back(moves ? kNoValue : gain_of(there, at.weight, side));
@@ -114,7 +114,7 @@ double ExactSlopes::gain_between(std::size_t number, std::size_t column, const E
   const auto gain = [&](double at) {
     stop.place = columns_.place(at);
     move_to(stop.run, motions_of(columns_.drivers().at(stop.place)));
-    return gain_of(slopes_at(number, stop)[column], first.weight, side);
+    return gain_of(slopes_at(number, stop).of[column], first.weight, side);
   };
   constexpr int kHalfOfDigits = 26;
   std::uintmax_t most = kMostTrials;
@@ -123,18 +123,32 @@ double ExactSlopes::gain_between(std::size_t number, std::size_t column, const E
               .second;
 }
 
-std::vector<SidedSlope> ExactSlopes::slopes_at(std::size_t number, const Stop& stop) const {
+ExactSlopes::PlaceSlopes ExactSlopes::slopes_at(std::size_t number, const Stop& stop) const {
   const std::size_t count = columns_.columns().size();
+  PlaceSlopes none{std::vector<SidedSlope>(count, {kNoValue, kNoValue})};
   switch (slopes_[number]->state()) {
     case NumberSlopes::State::kNoInfluence:
-      return std::vector<SidedSlope>(count);
-    case NumberSlopes::State::kExact:
-      if (auto slopes = slopes_[number]->at(stop.run, stop.place)) return *std::move(slopes);
-      break;
+      return {std::vector<SidedSlope>(count)};
+    case NumberSlopes::State::kExact: {
+      auto slopes = slopes_[number]->at(stop.run, stop.place);
+      if (slopes) return {*std::move(slopes)};
+      none.diverges = slopes.error() == NoSensitivity::kDiverges;
+      return none;
+    }
     default:
-      break;
+      return none;
   }
-  return std::vector<SidedSlope>(count, {kNoValue, kNoValue});
+}
+
+// Whether the derivative has no bounds at a place that counts.
+bool ExactSlopes::diverges(std::size_t number, std::size_t measure) const {
+  const auto& parts = results_[measure].parts;
+  return parts.empty() ? means_diverge_[number] != 0
+                       : std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+                           return std::any_of(part.begin(), part.end(), [&](const ExtremePlace& at) {
+                             return at_places_[number][place_index_.at(at.place.row)].diverges;
+                           });
+                         });
 }
 
 // Derivatives of means, over all rows that have a value.
@@ -143,6 +157,7 @@ void ExactSlopes::take_rows() {
     return measure.of == MeasureKind::kMean || measure.of == MeasureKind::kRms;
   });
   means_.assign(slopes_.size(), std::vector<SidedSlope>(measures_.size()));
+  means_diverge_.assign(slopes_.size(), 0);
   std::vector<std::int64_t> counted(measures_.size(), 0);
   const std::int64_t rows = columns_.drivers().schedule().size();
   PathWalk walk(columns_);
@@ -180,11 +195,12 @@ bool ExactSlopes::vanishes(std::size_t measure) const {
 }
 
 void ExactSlopes::add_means(std::size_t number, const Stop& stop, const std::vector<double>& values) {
-  const std::vector<SidedSlope> slopes = slopes_at(number, stop);
+  const PlaceSlopes slopes = slopes_at(number, stop);
+  means_diverge_[number] = means_diverge_[number] != 0 || slopes.diverges;
   for (std::size_t m = 0; m < measures_.size(); ++m) {
     const std::size_t column = results_[m].column;
     if (std::isnan(values[column])) continue;
-    const auto [down, up] = slopes[column];
+    const auto [down, up] = slopes.of[column];
     const bool root = measures_[m].of == MeasureKind::kRms;
     means_[number][m].down += vanishes(m) ? down * down
                               : root      ? values[column] / results_[m].value * down
@@ -206,6 +222,9 @@ Slope ExactSlopes::of(std::size_t number, std::size_t measure) const {
       std::abs(slope.up - slope.down) > kSameSlope * std::max(std::abs(slope.up), std::abs(slope.down));
   if (!kink) slope.down = slope.up = (slope.down + slope.up) / 2;
   slope.kind = std::isnan(slope.up) ? SlopeKind::kNone : kink ? SlopeKind::kKink : SlopeKind::kExact;
+  if (slope.kind == SlopeKind::kNone && diverges(number, measure)) {
+    slope.remark = "it grows without bounds towards a change point, which there is with no other value";
+  }
   return slope;
 }
 

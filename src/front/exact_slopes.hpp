@@ -35,12 +35,18 @@ private:
 
   void take_places();
   void take_rows();
-  [[nodiscard]] std::vector<SidedSlope> slopes_at(std::size_t number, const Stop& stop) const;
+  // Slopes of all columns at a place; NaN where there are none.
+  struct PlaceSlopes {
+    std::vector<SidedSlope> of;
+    bool diverges = false;  // NaN because they grow without bounds there
+  };
+  [[nodiscard]] PlaceSlopes slopes_at(std::size_t number, const Stop& stop) const;
   [[nodiscard]] SidedSlope of_part(std::size_t number, std::size_t measure,
                                    const std::vector<ExtremePlace>& part) const;
   [[nodiscard]] double gain_between(std::size_t number, std::size_t column, const ExtremePlace& first,
                                     const ExtremePlace& last, double side) const;
   void add_means(std::size_t number, const Stop& stop, const std::vector<double>& values);
+  [[nodiscard]] bool diverges(std::size_t number, std::size_t measure) const;
   [[nodiscard]] bool vanishes(std::size_t measure) const;
   [[nodiscard]] bool stopped() const;
 
@@ -49,11 +55,12 @@ private:
   const std::vector<Measure>& measures_;
   const std::vector<std::unique_ptr<NumberSlopes>>& slopes_;
   int threads_;
-  std::vector<Stop> stops_;                                      // at the places of all extremes
-  std::map<double, std::size_t> place_index_;                    // in stops_, by row
-  std::vector<std::vector<std::vector<SidedSlope>>> at_places_;  // for each number, place and column
-  std::vector<std::vector<SidedSlope>> extremes_;                // for each number and measure
-  std::vector<std::vector<SidedSlope>> means_;                   // for each number and measure
+  std::vector<Stop> stops_;                          // at the places of all extremes
+  std::map<double, std::size_t> place_index_;        // in stops_, by row
+  std::vector<std::vector<PlaceSlopes>> at_places_;  // for each number and place
+  std::vector<std::vector<SidedSlope>> extremes_;    // for each number and measure
+  std::vector<std::vector<SidedSlope>> means_;       // for each number and measure
+  std::vector<char> means_diverge_;                  // for each number: at some row
 };
 
 }  // namespace higherpair

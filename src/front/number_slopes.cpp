@@ -167,13 +167,14 @@ NumberSlopes::DriverSlopes NumberSlopes::drivers_at(const PathPlace& place) cons
   return slopes;
 }
 
-std::optional<std::vector<SidedSlope>> NumberSlopes::at(const Run& run, const PathPlace& place) const {
+tl::expected<std::vector<SidedSlope>, NoSensitivity> NumberSlopes::at(const Run& run,
+                                                                      const PathPlace& place) const {
   const std::vector<DriverState> states = columns_.drivers().at(place);
   const double time = columns_.drivers().time(place);
   const DriverSlopes slopes = drivers_at(place);
   const auto of_row = by_->of_row(run, motions_of(states), motions_of(slopes.drivers));
   if (!of_row) {
-    return std::nullopt;
+    return tl::unexpected(of_row.error());
   }
   Model::Data like = columns_.data();
   const auto displaced = [&](DriverValues values, const DriverValues& slope, double h) {

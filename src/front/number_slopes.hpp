@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 namespace higherpair {
 
 /// A number of a profile, with its dimension.
@@ -67,9 +69,9 @@ public:
   };
   [[nodiscard]] State state() const { return state_; }
 
-  /// Derivatives of all columns at the place to which a run of the model has moved; none where the run has no
-  /// rates. \pre kExact
-  [[nodiscard]] std::optional<std::vector<SidedSlope>> at(const Run& run, const PathPlace& place) const;
+  /// Derivatives of all columns at the place to which a run of the model has moved. \pre kExact
+  [[nodiscard]] tl::expected<std::vector<SidedSlope>, NoSensitivity> at(const Run& run,
+                                                                        const PathPlace& place) const;
 
 private:
   // Derivatives of the drivers and the time at a place by the number.

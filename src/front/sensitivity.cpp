@@ -154,6 +154,7 @@ private:
     for (std::size_t m = 0; m < results_.size(); ++m) {
       Slope& slope = report.results[m].slopes[i];
       if (state == NumberSlopes::State::kNoInfluence || std::isnan(results_[m].value)) continue;
+      if (!slope.remark.empty()) continue;
       const bool unbounded = results_[m].grows || results_[m].grows_elsewhere;
       if (unbounded || state == NumberSlopes::State::kRows) {
         slope = {};

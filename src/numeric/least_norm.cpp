@@ -1,9 +1,24 @@
 #include "least_norm.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace higherpair {
 
 void LeastNormSolver::compute(const Eigen::MatrixXd& J) {
   decomposition_.compute(J);
+}
+
+double LeastNormSolver::least_sine(const Eigen::MatrixXd& J) const {
+  if (rank() < columns()) {
+    return 0;
+  }
+  double least = 1;
+  for (Eigen::Index i = 0; i < columns(); ++i) {
+    const double length = J.col(decomposition_.colsPermutation().indices()(i)).norm();
+    least = std::min(least, std::abs(decomposition_.matrixQTZ()(i, i)) / length);
+  }
+  return least;
 }
 
 Eigen::VectorXd LeastNormSolver::solve(const Eigen::VectorXd& b) const {

@@ -21,6 +21,9 @@ public:
   void compute(const Eigen::MatrixXd& J);
 
   [[nodiscard]] Eigen::Index rank() const { return decomposition_.rank(); }
+  /// The smallest sine of the angle between a column of J and those before it, in the order of the pivots,
+  /// whatever the lengths of the columns; 0 where the rank is less than their number.
+  [[nodiscard]] double least_sine(const Eigen::MatrixXd& J) const;
   [[nodiscard]] Eigen::Index columns() const { return decomposition_.cols(); }
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   [[nodiscard]] Eigen::MatrixXd pseudoinverse() const;

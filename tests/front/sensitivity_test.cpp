@@ -524,6 +524,30 @@ TEST(SensitivityOfResults, SayWhatIsWrong) {
   EXPECT_THAT(wrong("follower.y:max=3"), HasSubstr("only `at` has a place"));
 }
 
+// A parallelogram turns fully through its change points; with another length it does not.
+TEST(SensitivityOfResults, NextToAChangePointGrowWithoutBoundsByWhatDoesAwayWithIt) {
+  const Model model = model_of(
+      kRocker, {"bodies.coupler.points.B.0=80", "bodies.rocker.points.B.0=20", "bodies.coupler.pose.angle=0",
+                "bodies.rocker.pose.angle=30", "driver.start=30", "driver.end=179.99", "driver.samples=3"});
+  const std::string length = "bodies.rocker.points.B.0", pose = "bodies.rocker.pose.angle";
+  for (const char* result : {"rocker.angle:last", "rocker.alpha:mean", "rocker.omega:max"}) {
+    const SensitivityReport report = report_of(model, wanted({result}, {length, pose}));
+    const Slope& of = slope(report, 0, length);
+    EXPECT_EQ(of.kind, SlopeKind::kNone) << result << of.up;
+    EXPECT_THAT(of.remark, HasSubstr("change point")) << result;
+    EXPECT_EQ(slope(report, 0, pose).up, 0) << result;
+  }
+  std::vector<bool> has_slope;
+  const auto table = sensitivity_rows(
+      model, {"rocker.angle"}, wanted({}, {length}), [](const SlopeTable&) {},
+      [&](const RowSlopes& row) {
+        has_slope.push_back(std::isfinite(row.slopes.back()));
+        return true;
+      });
+  ASSERT_TRUE(table) << to_string(table.error());
+  EXPECT_EQ(has_slope, (std::vector{true, true, false}));
+}
+
 // Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
   struct Case {

@@ -19,8 +19,9 @@ struct BodyDerivatives {
 /// The time derivatives of all bodies up to `order` at run.row. With every coordinate a power series in time,
 /// the conditions of joints, contacts (gap, common normal, no slip) and drivers hold order by order:
 ///     J x_k = -(contribution of the lower orders to the conditions at order k),
-/// with the same Jacobian J in each. Neither finite differences nor equivalent linkages are used. None where
-/// the conditions leave a body free to move (a singular position), or the row has no rates.
+/// with the same Jacobian J in each. Neither finite differences nor equivalent linkages are used. Next to a
+/// change point they are those of the series through it. None where the conditions leave a body free to move
+/// (a singular position), the row has no rates, or branches come so near each other that rounding decides.
 /// \param drivers  those of the row \param order  1 … kHighestDerivative
 /// \param higher  of the drivers; none: their accelerations are constant
 [[nodiscard]] std::optional<std::vector<BodyDerivatives>> derivatives_of(

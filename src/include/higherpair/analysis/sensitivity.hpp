@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 namespace higherpair {
 
 /// Derivative of a row with respect to a parameter p of the mechanism or of its drivers: of the contents of a
@@ -21,6 +23,12 @@ struct RowSensitivity {
 /// What is required of a row besides positions. Rates that are not required stay 0; without them a row takes
 /// a fifth of the time.
 enum class RatesAsked { kNone, kAll };
+
+/// Why a row has no derivatives.
+enum class NoSensitivity {
+  kNoRates,   ///< it has no rates, or its conditions leave a freedom
+  kDiverges,  ///< it is next to a change point that another p does away with: they grow without bounds there
+};
 
 /// Derivatives of a running analysis with respect to one parameter p, on the branch on which it runs. With F
 /// the conditions of the joints, contacts and drivers (conditions.hpp), as functions of the coordinates x and
@@ -38,12 +46,12 @@ public:
   [[nodiscard]] static std::optional<Sensitivity> at_start(const Run& run, MechanismDerivative derivative,
                                                            const std::vector<double>& drivers);
 
-  /// The sensitivity of run.row. None where the row has no rates.
+  /// The sensitivity of run.row.
   /// \param motions      drivers of the row
   /// \param derivatives  of their positions, velocities and accelerations with respect to p
-  [[nodiscard]] std::optional<RowSensitivity> of_row(const Run& run, const std::vector<DriverMotion>& motions,
-                                                     const std::vector<DriverMotion>& derivatives,
-                                                     RatesAsked rates = RatesAsked::kAll) const;
+  [[nodiscard]] tl::expected<RowSensitivity, NoSensitivity> of_row(
+      const Run& run, const std::vector<DriverMotion>& motions, const std::vector<DriverMotion>& derivatives,
+      RatesAsked rates = RatesAsked::kAll) const;
 
   /// Every number of the mechanism replaced by its derivative, except the curves of contacts by_boundary.
   [[nodiscard]] const Mechanism& derivative() const { return derivative_.numbers; }

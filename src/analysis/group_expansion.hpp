@@ -1,0 +1,118 @@
+#pragma once
+
+#include "higherpair/geometry/expansion.hpp"
+#include "higherpair/mechanism/condition_system.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace higherpair {
+
+/// The parts of a coefficient of a series, which are solved for one after the other: the number, and its
+/// partial by a parameter.
+template <class D>
+inline constexpr std::size_t kParts = 1;
+template <>
+inline constexpr std::size_t kParts<Partials<double, 1>> = 2;
+
+inline double& part(double& coefficient, std::size_t /*i*/) {
+  return coefficient;
+}
+inline double& part(Partials<double, 1>& coefficient, std::size_t i) {
+  return coefficient.c[i];
+}
+
+/// The coordinates of a group as power series among those of a whole mechanism: x_k is the k-th coefficient
+/// of the unknowns of a ConditionSystem.
+template <class D, int N>
+class GroupExpansion {
+public:
+  using Series = PowerSeries<D, N>;
+
+  GroupExpansion(const ConditionSystem& system, const Dimensions<D>& dimensions, Coordinates<Series>& at)
+      : system_(system), dimensions_(dimensions), at_(at) {}
+
+  /// The Jacobian of the conditions by x_0; false where they have none.
+  [[nodiscard]] bool jacobian(Eigen::MatrixXd& J) const {
+    Eigen::VectorXd values;
+    return system_.evaluate(start(), values, J) && J.allFinite();
+  }
+
+  /// The coefficients of the conditions at the order k.
+  [[nodiscard]] Eigen::VectorXd conditions(std::size_t k, std::size_t i) {
+    values_.clear();
+    append_conditions(dimensions_, system_.set(), at_, system_.size(), values_);
+    Eigen::VectorXd left(system_.row_count());
+    for (Eigen::Index row = 0; row < left.size(); ++row) {
+      left(row) = part(values_[row].c[k], i);
+    }
+    return left;
+  }
+
+  [[nodiscard]] Eigen::VectorXd coefficient(std::size_t k, std::size_t i) {
+    Eigen::VectorXd x(system_.column_count());
+    each_unknown(k, i, [&](Eigen::Index column, double& value, double unit) { x(column) = unit * value; });
+    return x;
+  }
+
+  /// Adds to x_k.
+  void add(std::size_t k, std::size_t i, const Eigen::VectorXd& x) {
+    each_unknown(k, i, [&](Eigen::Index column, double& value, double unit) { value += x(column) / unit; });
+    for (const int index : system_.set().bodies) {
+      BodyAt<Series>& body = at_.bodies[index];
+      body.X_WB.R_WB = Rotation<Series>::from_angle(body.theta);
+    }
+  }
+
+  [[nodiscard]] const ConditionSet& set() const { return system_.set(); }
+  [[nodiscard]] double size() const { return system_.size(); }
+  [[nodiscard]] Coordinates<Series>& at() { return at_; }
+
+private:
+  // \param f  of a column, the coordinate's coefficient and its unit in m
+  template <class F>
+  void each_unknown(std::size_t k, std::size_t i, F f) {
+    const double size = system_.size();
+    for (const int index : system_.set().bodies) {
+      BodyAt<Series>& body = at_.bodies[index];
+      const Eigen::Index column = system_.body_column(index);
+      f(column, part(body.X_WB.p_WB.x().c[k], i), 1.0);
+      f(column + 1, part(body.X_WB.p_WB.y().c[k], i), 1.0);
+      f(column + 2, part(body.theta.c[k], i), size);
+    }
+    for (const int contact : system_.set().contacts) {
+      f(system_.contact_column(contact), part(at_.phi[contact].c[k], i), size);
+    }
+  }
+
+  [[nodiscard]] Coordinates<double> start() const {
+    Coordinates<double> start;
+    const auto values = [](const std::vector<Series>& series) {
+      std::vector<double> numbers;
+      for (const Series& one : series) {
+        numbers.push_back(value_of(one));
+      }
+      return numbers;
+    };
+    for (const BodyAt<Series>& body : at_.bodies) {
+      const auto& [R_WB, p_WB] = body.X_WB;
+      start.bodies.push_back(
+          {{{value_of(R_WB.cos), value_of(R_WB.sin)}, {value_of(p_WB.x()), value_of(p_WB.y())}},
+           value_of(body.theta)});
+    }
+    start.phi = values(at_.phi);
+    start.arcs = values(at_.arcs);
+    start.drivers = values(at_.drivers);
+    start.held_angles = values(at_.held_angles);
+    return start;
+  }
+
+  const ConditionSystem& system_;
+  const Dimensions<D>& dimensions_;
+  Coordinates<Series>& at_;
+  std::vector<Series> values_;
+};
+
+}  // namespace higherpair
