@@ -17,7 +17,6 @@ namespace {
 constexpr int kTries = 72;
 constexpr int kHalvings = 24;  // 2^-24/72 < 1e-9
 constexpr std::size_t kMostRanges = 3;
-constexpr double kSameDistance = 1e-7;  // of the span
 
 // A range with what is known of its ends: each lies between a position at which the mechanism can be
 // assembled and one at which it cannot. Where they are the same the end is that of the scan.
@@ -51,7 +50,7 @@ public:
   std::vector<StartRange> nearest(double to, double turn) {
     std::vector<RoughRange> found = rough_ranges();
     // Of two that are equally near the first on the way.
-    const double same = kSameDistance * span_;
+    const double same = kSameStartDistance * span_;
     const auto rank = [&](const RoughRange& range) {
       const double settled = std::round(distance(range.range(), to, turn) / same) * same;
       return std::pair(range.settled ? settled : least_distance(range, to, turn) - same, range.inside[0]);

@@ -21,6 +21,10 @@ inline constexpr double kSameStanding = 1e-9;
 /// there.
 inline constexpr double kReachOfSlide = 2;
 
+/// Ranges of positions to start from are equally near if their distances differ by less than this fraction of
+/// the positions that were looked at: their ends are bisected to a hundredth of it.
+inline constexpr double kSameStartDistance = 1e-7;
+
 /// Relative to a group's lever: a start whose sine (see GroupState) is below this counts as singular.
 inline constexpr double kSingularStart = 1e-7;
 /// How near a start has to be to a singular point, as a fraction of the path's unit, to be moved onto it:
