@@ -550,7 +550,7 @@ TEST(SensitivityOfResults, NextToAChangePointGrowWithoutBoundsByWhatDoesAwayWith
 
 // Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
-  struct Case {
+  struct Compared {
     const char* profile;
     const char* number;
     std::vector<std::string> columns;
@@ -558,10 +558,10 @@ TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
   const std::vector<std::string> motion = {"follower.angle", "follower.alpha", "touch.arc1", "touch.linkage"};
   const std::vector<std::string> efforts = {"driver.effort", "driver.effort_check"};
   for (const auto& [name, number, columns] :
-       {Case{"eccentric_disc_oscillating_roller", "bodies.follower.curves.roller.radius", motion},
-        Case{"law_cam_roller", "bodies.follower.curves.roller.radius", motion},
-        Case{"watt_sixbar_forces", "bodies.triangle.points.H.0", efforts},
-        Case{"valve_train", "bodies.ground.points.camshaft.0", efforts}}) {
+       {Compared{"eccentric_disc_oscillating_roller", "bodies.follower.curves.roller.radius", motion},
+        Compared{"law_cam_roller", "bodies.follower.curves.roller.radius", motion},
+        Compared{"watt_sixbar_forces", "bodies.triangle.points.H.0", efforts},
+        Compared{"valve_train", "bodies.ground.points.camshaft.0", efforts}}) {
     const Model model = shipped_model(name, {"driver.samples=9"});
     SensitivitySettings settings;
     settings.by = {number};
