@@ -1,4 +1,5 @@
 #include "analysis_impl.hpp"
+#include "demands.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
@@ -56,12 +57,11 @@ std::string_view farthest_position(const Dimension& of_driver) {
 
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
   const auto refuse = [&](const std::string& rule) { return wrong(model, "RunSettings::" + rule); };
-  if (settings.derivatives && (*settings.derivatives < 3 || *settings.derivatives > kHighestDerivative)) {
-    return refuse(
-        fmt::format("derivatives = {}: must be from 3 to {}", *settings.derivatives, kHighestDerivative));
-  }
-  if (auto refusal = refuse_tolerance(model, settings.tolerance, "RunSettings")) {
-    return tl::unexpected(*std::move(refusal));
+  if (std::string fault = first_unmet(
+          {within(3, kHighestDerivative, "RunSettings::derivatives", settings.derivatives.value_or(3)),
+           positive("RunSettings::tolerance", settings.tolerance)});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   if (std::string fault = fault_of(settings.units.value_or(model.profile.units)); !fault.empty()) {
     return wrong(model, std::move(fault));

@@ -114,6 +114,8 @@ void Analysis::Impl::add_law_jumps() {
     Event event;
     event.type = EventType::kLawJump;
     event.row = next;
+    event.share = std::clamp(
+        (jump.time - schedule.time(next - 1)) / (schedule.time(next) - schedule.time(next - 1)), 0.0, 1.0);
     event.driver_si = schedule.at_time(to_si(dimension::kTime, profile.units).apply(jump.time), 0).position;
     event.driver = from_si(driver_dimension(profile.mechanism), units).apply(event.driver_si);
     event.time =

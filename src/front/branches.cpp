@@ -1,5 +1,6 @@
 #include "higherpair/front/branches.hpp"
 
+#include "demands.hpp"
 #include "higherpair/analysis/branches.hpp"
 #include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/certify.hpp"
@@ -245,8 +246,9 @@ bool can_certify() {
 
 Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings) {
   const Model::Data& data = model.data();
-  if (auto refusal = refuse_tolerance(data, settings.tolerance, "BranchesSettings")) {
-    return tl::unexpected(*std::move(refusal));
+  if (std::string fault = first_unmet({positive("BranchesSettings::tolerance", settings.tolerance)});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   const auto schedule = first_schedule(data);
   if (!schedule) {

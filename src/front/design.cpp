@@ -1,9 +1,11 @@
 #include "higherpair/front/design.hpp"
 
+#include "demands.hpp"
 #include "design_report.hpp"
 #include "design_setup.hpp"
 #include "model_data.hpp"
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -23,6 +25,14 @@ DesignOptions options_of(const DesignTask& task, const DesignSettings& settings)
   options.target = task.target;
   options.alternatives = settings.best;
   return options;
+}
+
+std::string fault_of(const DesignSettings& settings) {
+  constexpr std::int64_t kOne = 1;
+  return first_unmet({at_least(1, "DesignSettings::starts", settings.starts.value_or(1)),
+                      at_least(kOne, "DesignSettings::evaluations", settings.evaluations.value_or(kOne)),
+                      at_least(1, "DesignSettings::best", settings.best),
+                      at_least(0.0, "DesignSettings::seconds", settings.seconds)});
 }
 
 std::string_view method_text(DesignMethod method, bool has_cost) {
@@ -47,6 +57,9 @@ std::string_view method_text(DesignMethod method, bool has_cost) {
 Result<DesignReport> design(const Model& model, const DesignSettings& settings) {
   if (!model.data().document) {
     return wrong(model, "was built and has no profile that a design could be written into");
+  }
+  if (std::string fault = fault_of(settings); !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   const auto setup = design_setup(model);
   if (!setup) {

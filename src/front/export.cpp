@@ -1,5 +1,6 @@
 #include "higherpair/front/export.hpp"
 
+#include "demands.hpp"
 #include "higherpair/cam/cutter_path.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/diagnostic.hpp"
@@ -232,6 +233,12 @@ std::string with_suffix(std::string name, FlankPath path) {
 }  // namespace
 
 Result<std::vector<ExportedCurve>> exported_curves(const Model& model, const ExportSettings& settings) {
+  const double cutter = settings.path == FlankPath::kCutter ? settings.cutter : 1;
+  if (std::string fault = first_unmet({positive("ExportSettings::cutter", cutter),
+                                       positive("ExportSettings::reach", settings.reach.value_or(1))});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
+  }
   const auto wanted = wanted_curves(model, settings);
   if (!wanted) {
     return tl::unexpected(wanted.error());

@@ -1,3 +1,4 @@
+#include "demands.hpp"
 #include "higherpair/drawing/outline_svg.hpp"
 #include "higherpair/front/export.hpp"
 #include "higherpair/front/pictures.hpp"
@@ -46,6 +47,10 @@ Result<std::vector<NamedOutline>> outlines_of(const Model& model, const std::vec
 
 Result<std::string> curve_csv(const Model& model, const ExportedCurve& curve, const ExportAccuracy& accuracy,
                               const Units& units) {
+  if (std::string fault = first_unmet({at_least(2, "ExportAccuracy::points", accuracy.points.value_or(2))});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
+  }
   const auto tolerance = tolerance_of(model, curve, accuracy);
   if (!tolerance) {
     return tl::unexpected(tolerance.error());

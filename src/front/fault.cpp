@@ -1,4 +1,6 @@
 // Checks a mechanism that was built in C++ for what the reader of profiles ensures.
+#include "demands.hpp"
+#include "higherpair/cam/motion_law.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
@@ -40,7 +42,8 @@ public:
     each("drivers", m_.drivers, [&](const std::string& at, const Driver& driver) { check(at, driver); });
     each("loads", m_.loads, [&](const std::string& at, const Load& load) { check(at, load); });
     each("springs", m_.springs, [&](const std::string& at, const Spring& spring) { check(at, spring); });
-    expect(m_.gravity_W.allFinite(), "gravity", "must be finite");
+    each("laws", m_.laws, [&](const std::string& at, const NamedLaw& law) { check(at, law.law); });
+    expect(fits(m_.gravity_W), "gravity", kFitRule);
     return found_;
   }
 
@@ -83,28 +86,63 @@ private:
     if (exists(where + ".body", ref.body)) {
       found_ = no_such(where + ".curve", ref.curve, m_.bodies[ref.body].curves, "curves on this body");
     }
-    return found_.empty() && parts_exist(where, ref);
-  }
-
-  bool parts_exist(const std::string& where, const CurveRef& ref) {
-    const auto& curves = m_.bodies[ref.body].curves;
-    for (const int part : curves[ref.curve].parts) {
-      found_ = found_.empty() ? no_such(where + ".curve.parts", part, curves, "curves on this body") : found_;
-    }
     return found_.empty();
   }
 
   void check(const std::string& at, const Body& body) {
     expect_name(body.name, at);
-    expect(body.guess_p_WB.allFinite() && std::isfinite(body.guess_theta), at, "its pose must be finite");
+    expect(fits(body.guess_p_WB) && fits(body.guess_theta), at + ".pose", kFitRule);
     for (const NamedPoint& point : body.points) {
       const std::string where = fmt::format("{}.points.{}", at, io_detail::visible(point.name));
       expect_name(point.name, where);
-      expect(point.p_B.allFinite(), where, "needs finite coordinates");
+      expect(fits(point.p_B), where, kFitRule);
+    }
+    for (std::size_t i = 0; i < body.curves.size(); ++i) {
+      const std::string& name = body.curves[i].name;
+      check(name.empty() ? fmt::format("{}.curves[{}]", at, i)
+                         : fmt::format("{}.curves.{}", at, io_detail::visible(name)),
+            body.curves[i], body);
     }
     if (body.mass) {
-      expect(body.mass->mass >= 0 && body.mass->inertia >= 0 && body.mass->center_of_mass_B.allFinite(),
-             at + ".mass", "mass and inertia must be >= 0");
+      expect(fits(body.mass->mass) && fits(body.mass->inertia) && fits(body.mass->center_of_mass_B),
+             at + ".mass", kFitRule);
+      expect(body.mass->mass >= 0 && body.mass->inertia >= 0, at + ".mass", "mass and inertia must be >= 0");
+    }
+  }
+
+  void check(const std::string& at, const NamedCurve& named, const Body& body) {
+    const Curve& curve = named.curve;
+    expect(curve.vertex_B.allFinite() && std::isfinite(curve.semi_latus) && std::isfinite(curve.q) &&
+               std::isfinite(curve.slope),
+           at, "must be finite");
+    expect(std::abs(curve.axis_B.norm() - 1) <= kUnitDirection, at + ".axis_B", "must be a unit vector");
+    expect(named.parts.empty() || curve.kind == CurveKind::kChain, at, "has parts and must be a chain");
+    switch (curve.kind) {
+      case CurveKind::kChain:
+        expect(named.boundary || !named.parts.empty(), at, "is a chain and needs a boundary");
+        break;
+      case CurveKind::kSupport:
+        expect(curve.support != nullptr && curve.piece < curve.support->pieces().size(), at,
+               "is given by its support and needs one that has its piece");
+        break;
+      case CurveKind::kLine:
+      case CurveKind::kPoint:
+        break;
+      default:
+        expect(curve.semi_latus > 0, at + ".semi_latus", "must be > 0");
+    }
+    check_references(at, named, body.curves);
+  }
+
+  void check_references(const std::string& at, const NamedCurve& named,
+                        const std::vector<NamedCurve>& curves) {
+    const auto refer = [&](const std::string& where, int index) {
+      found_ = found_.empty() ? no_such(where, index, curves, "curves on this body") : found_;
+    };
+    if (named.copy_of != -1) refer(at + ".copy_of", named.copy_of);
+    for (const int part : named.parts) {
+      refer(at + ".parts", part);
+      expect(!found_.empty() || curves[part].parts.empty(), at + ".parts", "must have no parts themselves");
     }
   }
 
@@ -117,8 +155,10 @@ private:
     expect(joint.type == JointType::kRevolute || couples_turning(joint.type) ||
                std::abs(joint.direction_A.norm() - 1) <= kUnitDirection,
            at + ".direction_A", "must be a unit vector");
+    expect(fits(joint.from.value_or(0)), at + ".from", kFitRule);
+    expect(fits(joint.to.value_or(0)), at + ".to", kFitRule);
     expect(!joint.from || !joint.to || *joint.from < *joint.to, at + ".from", "must be below `to`");
-    expect(std::isfinite(joint.relative_angle), at + ".relative_angle", "must be finite");
+    expect(fits(joint.relative_angle), at + ".relative_angle", kFitRule);
     if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
       expect(std::isfinite(joint.turning_ratio) && joint.turning_ratio != 0, at + ".turning_ratio",
              "must be finite and not 0");
@@ -175,8 +215,7 @@ private:
 
   void check(const std::string& at, const Load& load) {
     (void)exists(at + ".body", load.body);
-    expect(load.p_B.allFinite() && load.force.allFinite() && std::isfinite(load.torque), at,
-           "must be finite");
+    expect(fits(load.p_B) && fits(load.force) && fits(load.torque), at, kFitRule);
   }
 
   void check(const std::string& at, const Spring& spring) {
@@ -185,8 +224,18 @@ private:
     } else if (exists(at + ".first", spring.first)) {
       (void)exists(at + ".second", spring.second);
     }
-    expect(std::isfinite(spring.stiffness) && std::isfinite(spring.free) && std::isfinite(spring.damping), at,
-           "must be finite");
+    expect(fits(spring.stiffness) && fits(spring.free) && fits(spring.damping), at, kFitRule);
+  }
+
+  void check(const std::string& at, const LawDescription& law) {
+    const auto made = MotionLaw::make(law);
+    if (!made && found_.empty()) {
+      const LawFault& fault = made.error();
+      const std::string part = fault.segment ? fmt::format(".segments.{}", *fault.segment)
+                               : fault.point ? fmt::format(".points.{}", *fault.point)
+                                             : "";
+      found_ = at + part + (fault.key.empty() ? " " : "." + fault.key + " ") + fault.rule;
+    }
   }
 
   const Mechanism& m_;
@@ -197,34 +246,6 @@ private:
 
 std::string fault_of(const Mechanism& mechanism) {
   return Checker(mechanism).run();
-}
-
-std::string fault_of(const Units& units) {
-  struct Member {
-    const char* name;
-    Unit unit;
-    Dimension dimension;
-  };
-  for (const auto& [name, unit, dimension] : {Member{"length", units.length, dimension::kLength},
-                                              {"angle", units.angle, dimension::kAngle},
-                                              {"mass", units.mass, dimension::kMass},
-                                              {"time", units.time, dimension::kTime},
-                                              {"force", units.force, dimension::kForce}}) {
-    if (dimension_of(unit) != dimension) {
-      return fault(fmt::format("Units::{} = {}", name, name_of(unit)),
-                   fmt::format("is the unit of {}, expected that of {}", describe(dimension_of(unit)),
-                               describe(dimension)));
-    }
-  }
-  return "";
-}
-
-std::optional<Error> refuse_tolerance(const Model::Data& model, double tolerance, std::string_view settings) {
-  if (tolerance > 0 && std::isfinite(tolerance)) {
-    return std::nullopt;
-  }
-  return error_about(model, ErrorKind::kInput,
-                     fmt::format("{}::tolerance = {}: must be > 0", settings, tolerance));
 }
 
 }  // namespace higherpair

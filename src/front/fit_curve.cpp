@@ -1,3 +1,5 @@
+#include "demands.hpp"
+#include "fit_data.hpp"
 #include "fit_statistics.hpp"
 #include "higherpair/front/fit.hpp"
 #include "higherpair/geometry/boundary_fit.hpp"
@@ -170,7 +172,15 @@ const std::vector<std::string>& fitted_curve_names() {
   return names;
 }
 
-Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve, double confidence) {
+Result<CurveFitReport> fit_curve(const MeasuredTable& given, FittedCurve curve, double confidence) {
+  if (std::string fault = first_unmet({share("confidence", confidence)}); !fault.empty()) {
+    return wrong(Place{given.source}, std::move(fault));
+  }
+  const auto table = whole(given);
+  if (!table) {
+    return tl::unexpected(table.error());
+  }
+  const MeasuredTable& points = *table;
   const auto measured = point_columns(points);
   if (!measured) {
     return tl::unexpected(measured.error());

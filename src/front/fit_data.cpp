@@ -139,7 +139,9 @@ private:
     for (const MeasuredColumn& column : measured_.columns) {
       const bool wanted = data_.task.use.empty() || matches_any(data_.task.use, column.name);
       if (!wanted || is_aside(column.name)) continue;
-      if (column.present == 0 && !column.mistake) {
+      const bool empty = std::all_of(column.values.begin(), column.values.end(),
+                                     [](double value) { return std::isnan(value); });
+      if (empty && !column.mistake) {
         data_.notes.push_back(fmt::format("{} has no values", column.name));
         continue;
       }
@@ -207,6 +209,22 @@ private:
 
 }  // namespace
 
+Result<MeasuredTable> whole(MeasuredTable table) {
+  const std::size_t rows = !table.lines.empty()    ? table.lines.size()
+                           : table.columns.empty() ? 0
+                                                   : table.columns.front().values.size();
+  for (const MeasuredColumn& column : table.columns) {
+    if (column.values.size() == rows) continue;
+    return wrong(Place{table.source},
+                 fmt::format("{} has {} values in a table of {} rows: each row needs one", column.name,
+                             column.values.size(), rows));
+  }
+  for (std::size_t row = table.lines.size(); row < rows; ++row) {
+    table.lines.push_back(static_cast<int>(row) + 1);
+  }
+  return table;
+}
+
 int FitData::values() const {
   std::ptrdiff_t count = 0;
   for (const FitColumn& column : columns) {
@@ -234,7 +252,8 @@ Result<FitData> fit_data(const Model& model, const MeasuredTable& measured, cons
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
-  return DataReader(model, measured, settings).read();
+  return whole(measured).and_then(
+      [&](const MeasuredTable& table) { return DataReader(model, table, settings).read(); });
 }
 
 }  // namespace higherpair

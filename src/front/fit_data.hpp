@@ -29,6 +29,10 @@ struct FitFrame {
   std::size_t x = 0, y = 0;
 };
 
+/// The table with the number of each row's line: from 1 where it has none. Fails for columns of different
+/// lengths.
+[[nodiscard]] Result<MeasuredTable> whole(MeasuredTable table);
+
 /// Measured data, converted to the names and units of a model's tables.
 struct FitData {
   Model model;

@@ -2,6 +2,7 @@
 #include "fit_request.hpp"
 
 #include "column_set.hpp"
+#include "demands.hpp"
 #include "higherpair/io/diagnostic.hpp"
 
 #include <algorithm>
@@ -24,9 +25,10 @@ FitTask with_settings(FitTask task, const FitSettings& settings, Diagnostics& mi
     column.place = {"--offset " + name, 0, 0};
     task.columns.push_back(std::move(column));
   }
-  if (!(task.confidence > 0 && task.confidence < 1)) {
-    mistakes.push_back(
-        {task.place, fmt::format("confidence = {}: must be between 0 and 1", task.confidence)});
+  if (std::string fault =
+          first_unmet({share("confidence", task.confidence), at_least(1, "starts", task.starts.value_or(1))});
+      !fault.empty()) {
+    mistakes.push_back({task.place, std::move(fault)});
   }
   return task;
 }

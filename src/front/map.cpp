@@ -1,3 +1,4 @@
+#include "demands.hpp"
 #include "higherpair/analysis/mapped_contacts.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
@@ -245,8 +246,12 @@ std::string refusal_of(const MapReport& report) {
 
 Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   const Model::Data& data = model.data();
-  if (auto refusal = refuse_tolerance(data, settings.tolerance, "MapSettings")) {
-    return tl::unexpected(*std::move(refusal));
+  constexpr std::int64_t kFewest = 2;
+  if (std::string fault =
+          first_unmet({positive("MapSettings::tolerance", settings.tolerance),
+                       at_least(kFewest, "MapSettings::samples", settings.samples.value_or(kFewest))});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   const auto schedule = first_schedule(data);
   if (!schedule) {

@@ -1,6 +1,7 @@
 #include "higherpair/front/measure.hpp"
 
 #include "analysis_impl.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/contains.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -63,14 +65,33 @@ Result<Available> available_columns(const Model& model, RunSettings settings) {
   return available;
 }
 
+using PlaceOfRow = std::function<double(std::int64_t row)>;
+
+// Where a row is, as its table says.
+PlaceOfRow place_in_units(const DriverSchedule& schedule, const Profile& profile,
+                          const RunSettings& settings) {
+  const Units units = settings.units.value_or(profile.units);
+  const bool own = units == profile.units;
+  if (settings.in_time) {
+    return [&schedule, own, time = from_si(dimension::kTime, units)](std::int64_t row) {
+      return own ? schedule.time(row) : time.apply(schedule.time_si(row));
+    };
+  }
+  return [&schedule, own, position = from_si(driver_dimension(profile.mechanism), units)](std::int64_t row) {
+    const DriverState state = schedule.state(row);
+    return own ? state.profile.position : position.apply(state.si.position);
+  };
+}
+
 // The objection to the place of a measure; empty where there is a row at that place.
-std::string place_objection(const DriverSchedule& schedule, const Measure& measure, bool in_time) {
+std::string place_objection(const DriverSchedule& schedule, const Measure& measure,
+                            const PlaceOfRow& place_of_row, bool in_time) {
   double low = -kInf;  // the rows on both sides of the place
   double high = kInf;
   double first = kInf;
   double last = -kInf;
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    const double place = in_time ? schedule.time(k) : schedule.state(k).profile.position;
+    const double place = place_of_row(k);
     low = place <= measure.at ? std::max(low, place) : low;
     high = place >= measure.at ? std::min(high, place) : high;
     first = std::min(first, place);
@@ -94,11 +115,14 @@ std::string path_of_at(const Measure& measure) {
   return dot == std::string::npos ? "at" : measure.path.substr(0, dot + 1) + "at";
 }
 
-Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures, bool in_time) {
+Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures,
+                           const Profile& profile, const RunSettings& settings) {
+  const PlaceOfRow place_of_row = place_in_units(schedule, profile, settings);
   Diagnostics mistakes;
   for (const Measure& measure : measures) {
-    std::string objection =
-        measure.of == MeasureKind::kAt ? place_objection(schedule, measure, in_time) : std::string();
+    std::string objection = measure.of == MeasureKind::kAt
+                                ? place_objection(schedule, measure, place_of_row, settings.in_time)
+                                : std::string();
     if (!objection.empty()) {
       mistakes.push_back(
           {measure.place, fmt::format("{} = {}: {}", path_of_at(measure), measure.at, objection)});
@@ -148,9 +172,8 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
   if (!schedule) {
     return tl::unexpected(schedule.error());
   }
-  const bool own_units = !settings.units || *settings.units == model.units();
-  if (Diagnostics mistakes = place_mistakes(*schedule, measures, settings.in_time);
-      own_units && !mistakes.empty()) {
+  if (Diagnostics mistakes = place_mistakes(*schedule, measures, model.profile(), settings);
+      !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }
   add_once(where_column(model.mechanism(), settings.in_time), settings.columns);

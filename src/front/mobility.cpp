@@ -1,5 +1,6 @@
 #include "higherpair/front/mobility.hpp"
 
+#include "demands.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
@@ -71,6 +72,9 @@ std::optional<std::vector<BodyMotion>> motion_at_start(Run run, const MobilityQu
 Result<MobilityFindings> mobility_of(const Model& model, double tolerance) {
   const Model::Data& data = model.data();
   const Mechanism& mechanism = data.profile.mechanism;
+  if (std::string fault = first_unmet({positive("tolerance", tolerance)}); !fault.empty()) {
+    return wrong(model, std::move(fault));
+  }
   const auto schedule = DriverSchedule::analyze(data.profile);
   if (!schedule) {
     return wrong(schedule.error());

@@ -140,9 +140,8 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
       programs.push_back(default_program(mechanism, driver, units));
     }
   }
-  if (programs.size() != mechanism.drivers.size()) {
-    return wrong({about(name, fmt::format("{} programs for {} drivers: each driver needs its own",
-                                          programs.size(), mechanism.drivers.size()))});
+  if (std::string fault = fault_of(programs, mechanism, units); !fault.empty()) {
+    return wrong({about(name, std::move(fault))});
   }
   for (DriverProgram& program : programs) {
     program.place.source = name;
@@ -153,7 +152,7 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
 
 Result<Model> Model::with(std::span<const Setting> settings) const {
   if (!data_->document) {
-    return wrong(*data_, "was built and has no keys to set: change a copy of its mechanism()");
+    return wrong(*data_, std::string(kNoKeys));
   }
   std::vector<std::string> overrides;
   for (const Setting& setting : settings) {
@@ -167,6 +166,9 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
   if (fault.empty() && mechanism.drivers.size() != data_->profile.programs.size()) {
     fault = fmt::format("{} drivers instead of {}: what they do would not be known", mechanism.drivers.size(),
                         data_->profile.programs.size());
+  }
+  if (fault.empty()) {
+    fault = fault_of(data_->profile.programs, mechanism, data_->profile.units);
   }
   if (!fault.empty()) {
     return wrong(*data_, std::move(fault));

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -35,6 +36,11 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 /// What all runs of a model share: its mechanism and plan. \pre the model has a plan
 [[nodiscard]] RunModel run_model(const Model::Data& model);
 
+/// Why a model has no keys to be set.
+inline constexpr std::string_view kNoKeys =
+    "was built, or made by ModelVariants or with_mechanism(), and has no keys to set: change a copy of its "
+    "mechanism()";
+
 /// An error of one diagnostic about the model as a whole.
 [[nodiscard]] Error error_about(const Model::Data& model, ErrorKind kind, std::string message);
 
@@ -53,12 +59,12 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 /// there is none.
 [[nodiscard]] std::string fault_of(const Mechanism& mechanism);
 
+/// The same in the motions of its drivers, one each, as "driver.velocity = nan: …". \pre the mechanism has no
+/// fault
+[[nodiscard]] std::string fault_of(const std::vector<DriverProgram>& programs, const Mechanism& mechanism,
+                                   const Units& units);
+
 /// The first of the units that is one of another quantity, as "Units::angle = m: …"; empty if there is none.
 [[nodiscard]] std::string fault_of(const Units& units);
-
-/// The objection to a relative tolerance that is not positive and finite.
-/// \param settings  the name of the struct that has it
-[[nodiscard]] std::optional<Error> refuse_tolerance(const Model::Data& model, double tolerance,
-                                                    std::string_view settings);
 
 }  // namespace higherpair

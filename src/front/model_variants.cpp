@@ -2,6 +2,7 @@
 #include "higherpair/io/profile_variants.hpp"
 #include "model_data.hpp"
 
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -21,7 +22,7 @@ ModelVariants::~ModelVariants() = default;
 
 Result<ModelVariants> ModelVariants::of(const Model& model, std::span<const std::string> paths) {
   if (!model.data().document) {
-    return wrong(model, "was built and has no keys to set: change a copy of its mechanism()");
+    return wrong(model, std::string(kNoKeys));
   }
   auto profiles = ProfileVariants::of(*model.data().document, paths);
   if (!profiles) {

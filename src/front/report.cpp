@@ -1,5 +1,6 @@
 #include "analysis_impl.hpp"
 #include "column_set.hpp"
+#include "demands.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
@@ -126,8 +127,10 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
                              "and npm (tools/setup does) and build again with -DHIGHERPAIR_REPORT=ON",
                              report_page_missing()));
   }
-  if (settings.most_rows < 2) {
-    return wrong(model, fmt::format("ReportSettings::most_rows = {}: must be >= 2", settings.most_rows));
+  constexpr std::int64_t kFewest = 2;
+  if (std::string fault = first_unmet({at_least(kFewest, "ReportSettings::most_rows", settings.most_rows)});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
   }
   RunSettings run = run_settings(settings, settings.in_time);
   run.forces = has_forces(model.mechanism());

@@ -1,5 +1,6 @@
 // Derivatives of whole columns, row by row.
 #include "arena.hpp"
+#include "column_set.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -80,6 +81,7 @@ public:
     SlopeTable table;
     for (const ProfileNumber& number : numbers_) table.numbers.push_back(number.number);
     choose_slots(table);
+    if (auto error = object_to_columns(table)) return tl::unexpected(*std::move(error));
     if (auto error = make_models()) return tl::unexpected(*std::move(error));
     begin(table);
     Row row;
@@ -103,6 +105,19 @@ private:
       slots_.push_back(c);
       table.columns.push_back(column);
     }
+  }
+
+  // The objection to a name or glob of columns none of which has derivatives.
+  [[nodiscard]] std::optional<Error> object_to_columns(const SlopeTable& table) const {
+    for (const std::string& glob : run_.columns) {
+      if (std::none_of(table.columns.begin(), table.columns.end(),
+                       [&](const Column& column) { return matches(glob, column.name); })) {
+        return Error{ErrorKind::kInput,
+                     {about("--columns " + glob,
+                            "has no derivatives: columns of words have none, and the residual is rounding")}};
+      }
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] std::optional<Error> make_models() {

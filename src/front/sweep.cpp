@@ -231,9 +231,30 @@ std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
   return ChainRecipe::of(data.model, data.paths, data.run, data.measures, worker.models(), tries);
 }
 
+// What is wrong with a task that a program made; that of a profile was checked by its reader.
+std::string fault_of(const SweepTask& task) {
+  const VariantPlan& plan = task.plan;
+  if (std::string fault = higherpair::fault_of(plan); !fault.empty()) {
+    return fault;
+  }
+  const auto no_path = std::find_if(plan.variables.begin(), plan.variables.end(),
+                                    [](const SweepVariable& variable) { return variable.paths.empty(); });
+  if (no_path != plan.variables.end()) {
+    return fmt::format("variables.{}: expected at least one path", no_path->name);
+  }
+  return task.units.size() == plan.variables.size()
+             ? ""
+             : fmt::format("units: {} for {} variables: each needs its own", task.units.size(),
+                           plan.variables.size());
+}
+
 Result<void> check(const Model& model, const SweepSettings& settings) {
   if (!settings.task && !model.profile().sweep) {
     return wrong(model, "there is no [sweep]: it says which variants there are, and what is wanted of each");
+  }
+  const SweepTask& task = settings.task ? *settings.task : *model.profile().sweep;
+  if (std::string fault = fault_of(task); !fault.empty()) {
+    return wrong(place_of(task, model), "sweep." + fault);
   }
   if (settings.parts < 1 || settings.part < 1 || settings.part > settings.parts) {
     return wrong(model,
@@ -252,12 +273,15 @@ Result<Sweep> Sweep::of(const Model& model, const SweepSettings& settings) {
   if (!data) {
     return tl::unexpected(std::move(data.error()));
   }
+  if (const auto models = ModelVariants::of(model, data->paths); !models) {
+    return tl::unexpected(models.error());
+  }
   data->begin = cut(data->variants.size(), settings.part - 1, settings.parts);
   data->end = cut(data->variants.size(), settings.part, settings.parts);
   data->forecast = forecast_of(*data);
   const SweepForecast& forecast = data->forecast;
   if (forecast.tried > 0 && forecast.unreadable == forecast.tried) {
-    return wrong(data->task.place,
+    return wrong(place_of(data->task, model),
                  fmt::format("sweep: not one variant of {} that were tried can be read; variant {}: {}",
                              forecast.tried, forecast.variant, forecast.cause));
   }
@@ -278,7 +302,9 @@ std::int64_t Sweep::blocks() const {
 }
 
 std::int64_t Sweep::variants_of(std::int64_t block) const {
-  return std::min(data_->block_variants, size() - block * data_->block_variants);
+  return block >= 0 && block < blocks()
+             ? std::min(data_->block_variants, size() - block * data_->block_variants)
+             : 0;
 }
 
 const std::vector<Column>& Sweep::columns() const {
@@ -300,9 +326,12 @@ const SweepForecast& Sweep::forecast() const {
 SweepBlock Sweep::block(std::int64_t number) const {
   SweepBlock block;
   block.number = number;
+  const std::int64_t variants = variants_of(number);
+  if (variants == 0) {
+    return block;
+  }
   Worker worker(*data_);
   const std::int64_t first = data_->begin + number * data_->block_variants;
-  const std::int64_t variants = variants_of(number);
   for (std::int64_t k = 0; k < variants; ++k) {
     if (!worker.add(first + k, block)) {
       block.complete = false;

@@ -38,6 +38,9 @@ struct Sweep::Data {
   [[nodiscard]] bool writes_rows() const { return !task.rows.empty(); }
 };
 
+/// The place of a task in the profile; the model as a whole for one that a program made.
+[[nodiscard]] Place place_of(const SweepTask& task, const Model& model);
+
 /// Sets up the run of every variant and the columns of the table. Fails for names that do not exist.
 [[nodiscard]] Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings);
 

@@ -1,6 +1,7 @@
 #include "arena.hpp"
 #include "higherpair/front/sweep.hpp"
 
+#include <algorithm>
 #include <tbb/parallel_pipeline.h>
 
 namespace higherpair {
@@ -11,7 +12,7 @@ constexpr std::size_t kBlocksPerThread = 4;
 void run_sweep(const Sweep& sweep, std::int64_t first, int threads,
                const std::function<bool(const SweepBlock&)>& take) {
   threads = thread_count(threads);
-  std::int64_t next = first;
+  std::int64_t next = std::max<std::int64_t>(first, 0);
   std::atomic<bool> ended = false;
   const auto number = [&](tbb::flow_control& control) {
     if (ended || next >= sweep.blocks()) {

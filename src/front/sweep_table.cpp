@@ -26,7 +26,8 @@ Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task,
     return *std::move(made);
   }
   const Diagnostic wanted = columns_of(model.data(), settings, model.units()).error().diagnostics.front();
-  return wrong(task.place, fmt::format("sweep.rows: {} ({})", wanted.message, wanted.place.source));
+  return wrong(place_of(task, model),
+               fmt::format("sweep.rows: {} ({})", wanted.message, wanted.place.source));
 }
 
 void add_results(Sweep::Data& data) {
@@ -87,6 +88,10 @@ std::span<const std::string_view> sweep_statuses() {
   return names;
 }
 
+Place place_of(const SweepTask& task, const Model& model) {
+  return task.place.source.empty() ? Place{model.data().name} : task.place;
+}
+
 Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings) {
   const SweepTask& task = settings.task ? *settings.task : *model.profile().sweep;
   Sweep::Data data = {model, task, Variants(task.plan), {}, {}, {}, {}, {}, {}, 0, 0, 1, {}, {}};
@@ -120,7 +125,7 @@ Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& setting
   data.writes_rows() ? add_row_columns(data) : add_results(data);
   data.columns.push_back({"status", "", sweep_statuses()});
   if (const auto name = repeated(data.columns)) {
-    return wrong(task.place,
+    return wrong(place_of(task, model),
                  fmt::format("sweep: two columns would be called `{}`; choose another name", *name));
   }
   return data;

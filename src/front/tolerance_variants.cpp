@@ -1,5 +1,6 @@
 // Random variants within tolerances, compared with what slopes predict for them.
 #include "analysis_impl.hpp"
+#include "demands.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "higherpair/front/sweep.hpp"
 #include "higherpair/numeric/stop.hpp"
@@ -110,6 +111,12 @@ struct Collected {
 
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
+  constexpr std::int64_t kOne = 1;
+  if (std::string fault =
+          first_unmet({within(kOne, kMostVariants, "ToleranceVariantSettings::count", settings.count)});
+      !fault.empty()) {
+    return wrong(model, std::move(fault));
+  }
   if (!model.profile().tolerances) {
     return wrong(model, "there is no [tolerances]: it says how far which numbers scatter");
   }

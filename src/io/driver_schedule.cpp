@@ -15,7 +15,6 @@
 namespace higherpair {
 namespace {
 
-using io_detail::kMostRows;
 using io_detail::mistake;
 
 bool is_turning(const Profile& profile, std::size_t driver) {
@@ -28,7 +27,7 @@ double full_turn(const Units& units) {
 
 Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
   Diagnostics mistakes;
-  if (samples && (*samples < 1 || *samples > kMostRows)) {
+  if (samples && (*samples < 1 || *samples > DriverSchedule::kMostRows)) {
     mistakes.push_back(about("--samples " + std::to_string(*samples), "must be an integer from 1 to 2^53"));
   }
   return mistakes;

@@ -39,7 +39,7 @@ public:
     if (separator_ == 0) {
       separator_ = io_detail::separator_of(trimmed(text));
       if (has_no_header(text)) {
-        for (const std::string& name : names_) table_.columns.push_back({name, "", {}, 0, {}, {}});
+        for (const std::string& name : names_) table_.columns.push_back({name, "", {}, {}, {}});
         row(text, number);
       } else {
         header(text, number);
@@ -116,7 +116,6 @@ private:
       MeasuredColumn& column = table_.columns[i];
       const auto value = io_detail::number_in(fields[i]);
       column.values.push_back(value.value_or(kMissing));
-      column.present += value ? 1 : 0;
       if (value || is_missing(fields[i]) || column.mistake) continue;
       column.mistake = {place(line, fields[i], number),
                         fmt::format("`{}` is no number{}", visible(fields[i].substr(0, 40)),

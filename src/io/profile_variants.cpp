@@ -4,14 +4,41 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/core.h>
 
 namespace higherpair {
 
 using io_detail::Entry;
 using io_detail::Table;
 using io_detail::Value;
+
+namespace {
+
+// The values in a document that a number may replace: numbers, and texts that are quantities with a unit.
+class Numbers {
+public:
+  explicit Numbers(const ProfileDocument& document) : document_(document) {}
+
+  [[nodiscard]] bool has(const Value& value, const std::string& path) {
+    if (!std::holds_alternative<std::string>(value.content)) {
+      return io_detail::number_in(value).has_value();
+    }
+    if (!quantities_) quantities_ = document_.quantities();
+    return std::any_of(quantities_->begin(), quantities_->end(),
+                       [&](const ProfileDocument::Quantity& quantity) { return quantity.path == path; });
+  }
+
+private:
+  const ProfileDocument& document_;
+  std::optional<std::vector<ProfileDocument::Quantity>> quantities_;  // once they are asked for
+};
+
+}  // namespace
 
 struct ProfileVariants::Impl {
   std::shared_ptr<ProfileDocument::Content> content;  // own copy, whose numbers are changed
@@ -28,14 +55,24 @@ tl::expected<ProfileVariants, Diagnostics> ProfileVariants::of(const ProfileDocu
                                                                std::span<const std::string> paths) {
   auto content = std::make_shared<ProfileDocument::Content>(*document.content_);
   auto& table = std::get<Table>(content->root.content);
-  std::erase_if(table, [](const Entry& entry) {
-    return entry.key == "sweep" || entry.key == "design" || entry.key == "tolerances";
+  // They cost time to read; one that a path leads into must be there to be changed.
+  std::erase_if(table, [&](const Entry& entry) {
+    const bool is_task = entry.key == "sweep" || entry.key == "design" || entry.key == "tolerances";
+    return is_task && std::none_of(paths.begin(), paths.end(), [&](const std::string& path) {
+             return path.starts_with(entry.key + ".");
+           });
   });
+  Numbers possible(document);
   std::vector<Value*> numbers;
   for (const std::string& path : paths) {
     Value* value = io_detail::find_path(content->root, path);
     if (value == nullptr) {
       return tl::unexpected(Diagnostics{about(content->sources.front(), path + ": there is no such key")});
+    }
+    if (!possible.has(*value, path)) {
+      return tl::unexpected(Diagnostics{about(
+          content->sources.front(),
+          fmt::format("{}: this is {}; expected the path of a number", path, io_detail::kind_of(*value)))});
     }
     numbers.push_back(value);
   }

@@ -1,5 +1,6 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-constexpr std::int64_t kMostSamples = std::int64_t{1} << 53;
 
 // Poses and points converted back to the profile's units, so that a drawing in millimetres gives round
 // numbers.
@@ -58,7 +57,7 @@ std::optional<double> read_number(TableReader& table, const std::string& key, co
 void read_samples(TableReader& table, DriverProgram& program) {
   const auto item = table.take("samples");
   const auto samples = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (samples && (*samples < 1 || *samples > kMostSamples)) {
+  if (samples && (*samples < 1 || *samples > DriverSchedule::kMostRows)) {
     report(table.reading(), *item, "must be an integer from 1 to 2^53");
     return;
   }

@@ -1,5 +1,6 @@
 #include "schedule_timing.hpp"
 
+#include "higherpair/io/driver_schedule.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ struct Steps {
 
 std::optional<Steps> steps_in(double duration, double time_step) {
   const double ratio = duration / time_step;
-  if (!(ratio < static_cast<double>(kMostRows - 2))) {
+  if (!(ratio < static_cast<double>(DriverSchedule::kMostRows - 2))) {
     return std::nullopt;
   }
   const double nearest = std::round(ratio);

@@ -11,8 +11,6 @@
 
 namespace higherpair::io_detail {
 
-inline constexpr std::int64_t kMostRows = std::int64_t{1} << 53;  // row numbers are exact doubles
-
 /// A mistake "driver.KEY rule", located at the driver's table.
 [[nodiscard]] Diagnostic mistake(const Profile& profile, std::size_t driver, std::string_view key,
                                  std::string_view rule);

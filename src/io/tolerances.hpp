@@ -73,8 +73,6 @@ inline constexpr double kBeyondLaw = 1e-12;
 
 /// As a fraction of a step: multiples of the step this close to a bound lie on it.
 inline constexpr double kOnVariableStep = 1e-9;
-/// Smallest share of a normal distribution that must lie between its bounds.
-inline constexpr double kLeastShareWithin = 1e-9;
 
 // Notes.
 

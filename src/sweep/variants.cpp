@@ -74,7 +74,8 @@ double count_of(const VariantPlan& plan) {
       return count;
     }
     case SweepMethod::kList:
-      return plan.variables.empty() ? 0 : static_cast<double>(grid_count(plan.variables.front()));
+      return plan.variables.empty() ? 0
+                                    : static_cast<double>(plan.variables.front().distribution.values.size());
     case SweepMethod::kRandom:
     case SweepMethod::kSobol:
       break;

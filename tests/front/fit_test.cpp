@@ -56,7 +56,6 @@ MeasuredTable measured_motion(const Model& model, const std::vector<double>& pos
     MeasuredColumn column;
     column.name = name;
     column.values.assign(values.begin(), values.end());
-    column.present = static_cast<int>(positions.size());
     column.place = {"measured.csv", 1, 1};
     table.columns.push_back(column);
   }

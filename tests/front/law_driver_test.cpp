@@ -107,6 +107,40 @@ TEST(LawDriver, ReportsJumpsOfVelocityAndAcceleration) {
   EXPECT_NEAR(motion.column("driver.velocity")[motion.size() - 1], 50, 1e-12);
 }
 
+// A jump of the velocity at 1 s of a run of 9 rows from 0 to 3 s: on the path from 0.75 to 1.125 s.
+TEST(LawDriver, SaysWhereBetweenTheRowsItJumps) {
+  const Model model = model_of(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.slide]
+points.S = [0, 0]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "slide.S"]
+direction = [1, 0]
+[laws.go]
+segments = [{ over = 1, law = "uniform", rise = 10 }, { over = 2, law = "uniform", rise = -5 }]
+[driver]
+joint = "guide"
+law = "go"
+samples = 9
+)");
+  for (const bool in_time : {false, true}) {
+    RunSettings settings;
+    settings.in_time = in_time;
+    const Motion motion = motion_of(model, settings);
+    int jumps = 0;
+    for (const Event& event : motion.events()) {
+      if (event.type != EventType::kLawJump) continue;
+      ++jumps;
+      EXPECT_EQ(event.row, 3);
+      EXPECT_NEAR(event.share, 2.0 / 3, 1e-12);
+      EXPECT_NEAR(event.time.value(), 1, 1e-12);
+    }
+    EXPECT_EQ(jumps, 1);
+  }
+}
+
 // With two rows the same events are found as with many: the driver turns back twice between them.
 TEST(LawDriver, EventsDoNotDependOnTheRows) {
   const std::string law =

@@ -243,6 +243,18 @@ TEST(Measures, WantARowWhereTheyAreTaken) {
   EXPECT_THAT(at(-1), HasSubstr("the rows begin at 0;"));
 }
 
+// A place is one of the run's own units.
+TEST(Measures, WantARowWhereTheyAreTakenInTheUnitsOfTheRun) {
+  const Model model = model_of(kCam);
+  RunSettings settings;
+  settings.units = kSiUnits;
+  const std::vector<Measure> quarter = {measure("follower.y", MeasureKind::kAt, kPi / 2)};
+  EXPECT_NEAR(measured(model, quarter, settings)[0].value, 0.040, 1e-12);
+  const auto none = settings_for(model, std::vector{measure("follower.y", MeasureKind::kAt, 30)}, settings);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(to_string(none.error()), HasSubstr("no row is at 30: the rows end at 6.28"));
+}
+
 TEST(Measures, OfAMechanismThatCannotRunSayWhy) {
   const Model model = model_of(kCam, {"bodies.loose.points.P=[0, 0]"});
   const auto made = settings_for(model, std::vector<Measure>{measure("follower.y", MeasureKind::kMax)});

@@ -4,6 +4,7 @@
 #include "higherpair/higherpair.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
@@ -158,7 +159,7 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
             "four-bar: drivers[0]: each of several drivers needs a name");
   EXPECT_EQ(
       refusal([](Mechanism& m) { m.bodies[2].points[0].p_B.x() = std::numeric_limits<double>::quiet_NaN(); }),
-      "four-bar: bodies.coupler.points.B: needs finite coordinates");
+      "four-bar: bodies.coupler.points.B: must be finite, and at most 1e50 in SI units");
   EXPECT_EQ(refusal([](Mechanism& m) {
               m.bodies[1].mass = MassProperties{-1, Vector2d::Zero(), 0};
             }),
@@ -175,7 +176,10 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
               m.springs.push_back({"s", 4, {}, {}});
             }),
             "four-bar: springs.s.joint = 4: there are 4 joints");
-  EXPECT_EQ(refusal([](Mechanism& m) { m.gravity_W = {INFINITY, 0}; }), "four-bar: gravity: must be finite");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.gravity_W = {INFINITY, 0};
+            }),
+            "four-bar: gravity: must be finite, and at most 1e50 in SI units");
   const std::string rule = ": a name begins with a letter or _ and goes on with letters, digits, _ and -";
   EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].name = "my body,[x]\n"; }),
             "four-bar: bodies.my body,[x]?" + rule);
@@ -190,6 +194,114 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
   ASSERT_FALSE(units);
   EXPECT_EQ(to_string(units.error()),
             "four-bar: Units::angle = m: is the unit of a length, expected that of an angle");
+}
+
+TEST(Model, ThatIsBuiltWithANumberBeyondItsRangeNamesIt) {
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kInf = std::numeric_limits<double>::infinity();
+  const std::string beyond = ": must be finite, and at most 1e50 in SI units";
+  const auto refusal = [](const std::function<void(Mechanism&)>& change) {
+    Mechanism cam = model_of(kCam).mechanism();
+    cam.title = "cam";
+    change(cam);
+    const auto refused = Model::from(cam);
+    return refused ? "" : to_string(refused.error());
+  };
+  const auto of_curve = [&](const std::function<void(Curve&)>& change) {
+    return refusal([&](Mechanism& m) { change(m.bodies[1].curves[0].curve); });
+  };
+  EXPECT_EQ(refusal([](Mechanism&) {}), "");
+  for (const double bad : {kInf, kNan, 1e51}) {
+    EXPECT_EQ(refusal([&](Mechanism& m) {
+                m.bodies[1].mass = MassProperties{bad, {0, 0}, 1};
+              }),
+              "cam: bodies.cam.mass" + beyond);
+    EXPECT_EQ(refusal([&](Mechanism& m) {
+                m.bodies[1].mass = MassProperties{1, {0, 0}, bad};
+              }),
+              "cam: bodies.cam.mass" + beyond);
+    EXPECT_EQ(refusal([&](Mechanism& m) { m.joints[1].from = bad; }), "cam: joints.guide.from" + beyond);
+    EXPECT_EQ(refusal([&](Mechanism& m) { m.joints[1].to = bad; }), "cam: joints.guide.to" + beyond);
+    EXPECT_EQ(refusal([&](Mechanism& m) { m.bodies[1].points[0].p_B.y() = bad; }),
+              "cam: bodies.cam.points.O" + beyond);
+  }
+  EXPECT_EQ(of_curve([](Curve& c) { c.vertex_B.x() = kNan; }), "cam: bodies.cam.curves.disc: must be finite");
+  EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = kInf; }), "cam: bodies.cam.curves.disc: must be finite");
+  EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = -0.03; }),
+            "cam: bodies.cam.curves.disc.semi_latus: must be > 0");
+  EXPECT_EQ(of_curve([](Curve& c) {
+              c.axis_B = {2, 0};
+            }),
+            "cam: bodies.cam.curves.disc.axis_B: must be a unit vector");
+  EXPECT_EQ(of_curve([](Curve& c) { c.kind = CurveKind::kChain; }),
+            "cam: bodies.cam.curves.disc: is a chain and needs a boundary");
+  EXPECT_EQ(of_curve([](Curve& c) { c.kind = CurveKind::kSupport; }),
+            "cam: bodies.cam.curves.disc: is given by its support and needs one that has its piece");
+  const auto of_parts = [&](CurveKind kind, std::vector<int> parts) {
+    return refusal([&](Mechanism& m) {
+      m.bodies[1].curves[0].curve.kind = kind;
+      m.bodies[1].curves[0].parts = std::move(parts);
+    });
+  };
+  EXPECT_EQ(of_parts(CurveKind::kChain, {3}),
+            "cam: bodies.cam.curves.disc.parts = 3: there are 1 curves on this body");
+  EXPECT_EQ(of_parts(CurveKind::kChain, {0}),
+            "cam: bodies.cam.curves.disc.parts: must have no parts themselves");
+  EXPECT_EQ(of_parts(CurveKind::kCircle, {0}), "cam: bodies.cam.curves.disc: has parts and must be a chain");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              NamedLaw law;
+              law.name = "rise";
+              law.law.segments = {{LawType::kHarmonic, 1, kNan}};
+              m.laws = {law};
+            }).find("cam: laws.rise.segments.0"),
+            0U);
+}
+
+TEST(Model, WhoseDriverIsProgrammedWronglySaysSo) {
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kInf = std::numeric_limits<double>::infinity();
+  const auto refusal = [](const std::function<void(DriverProgram&)>& change) {
+    const Mechanism mechanism = four_bar();
+    DriverProgram program = default_program(mechanism, mechanism.drivers[0], Units());
+    change(program);
+    const auto refused = Model::from(mechanism, {}, {program});
+    return refused ? "" : to_string(refused.error());
+  };
+  EXPECT_EQ(refusal([](DriverProgram&) {}), "");
+  const std::string far = ": is not finite, or beyond 1e9 turns";
+  const std::string beyond = ": must be finite, and at most 1e50 in SI units";
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.start = kNan; }), "four-bar: driver.start = nan" + far);
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.end = kInf; }), "four-bar: driver.end = inf" + far);
+  EXPECT_EQ(refusal([](DriverProgram& p) {
+              p.positions = {0, kNan, 2};
+            }),
+            "four-bar: driver.positions = nan" + far);
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.velocity = kNan; }), "four-bar: driver.velocity = nan" + beyond);
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.acceleration = kInf; }),
+            "four-bar: driver.acceleration = inf" + beyond);
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.samples = 0; }),
+            "four-bar: driver.samples = 0: must be from 1 to 9007199254740992");
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.samples = -3; }),
+            "four-bar: driver.samples = -3: must be from 1 to 9007199254740992");
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.duration = -1; }),
+            "four-bar: driver.duration = -1: must be >= 0");
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.duration = kInf; }),
+            "four-bar: driver.duration = inf: must be finite");
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.time_step = 0; }),
+            "four-bar: driver.time_step = 0: must be > 0");
+  EXPECT_EQ(refusal([](DriverProgram& p) { p.time_step = -0.1; }),
+            "four-bar: driver.time_step = -0.1: must be > 0");
+}
+
+// Mechanisms of every kind of curve, and contacts with copies and parts of them.
+TEST(Model, OfEveryShippedProfileCanBeBuiltFromItsMechanism) {
+  for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Model read = Model::open(entry.path().string()).value();
+    const auto built = Model::from(read.mechanism(), read.units(), read.profile().programs);
+    EXPECT_TRUE(built) << entry.path() << ": " << to_string(built.error());
+    EXPECT_TRUE(read.with_mechanism(read.mechanism())) << entry.path();
+  }
 }
 
 TEST(Model, WithOtherNumbersRunsAsIfReadWithThem) {
@@ -397,7 +509,7 @@ TEST(Model, RefusesACuspedCurveThatIsToBoundABody) {
   EXPECT_EQ(to_string(Model::from(swapped).error()), "mechanism: contacts.touch.second: " + fault);
   // Several curves of a body joined into one.
   Mechanism joined = bad;
-  const CurveRef all = add_curve(joined, 1, "all", Curve{CurveKind::kCircle});
+  const CurveRef all = add_curve(joined, 1, "all", Curve{CurveKind::kChain});
   joined.bodies[1].curves[1].parts = {0};
   joined.contacts[0].first = all;
   EXPECT_EQ(to_string(Model::from(joined).error()), "mechanism: contacts.touch.first: " + fault);

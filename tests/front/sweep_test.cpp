@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -318,6 +322,62 @@ variables.driver = { path = "bodies.cam.curves.disc.radius", values = [30] }
   EXPECT_THAT(sweep_refusal(model), HasSubstr("two columns would be called `driver`"));
 }
 
+// A task that varies the radius of the disc: y = r + 10 sin θ.
+SweepTask task_of_radius() {
+  SweepTask task;
+  SweepVariable radius;
+  radius.name = "r";
+  radius.paths = {"bodies.cam.curves.disc.radius"};
+  radius.distribution.kind = DistributionKind::kValues;
+  radius.distribution.values = {25, 31, 37};
+  task.plan.variables = {radius};
+  task.units = {"mm"};
+  SweepResult top;
+  top.name = "top";
+  top.measure.column = "follower.y";
+  task.results = {top};
+  return task;
+}
+
+std::string task_refusal(const std::function<void(SweepTask&)>& change, const Model& model = model_of(kCam)) {
+  auto task = std::make_shared<SweepTask>(task_of_radius());
+  change(*task);
+  SweepSettings settings;
+  settings.task = std::move(task);
+  return sweep_refusal(model, settings);
+}
+
+TEST(SweepTasksOfAProgram, AreRun) {
+  SweepSettings settings;
+  settings.task = std::make_shared<SweepTask>(task_of_radius());
+  const Sweep sweep = Sweep::of(model_of(kCam), settings).value();
+  const SweepBlock block = sweep.block(0);
+  ASSERT_EQ(block.variants, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(block.values[4 * k + 2], 35 + 6.0 * static_cast<double>(k), 1e-9);
+  }
+  for (const std::int64_t none :
+       {std::int64_t{-1}, std::int64_t{1}, std::numeric_limits<std::int64_t>::max()}) {
+    EXPECT_EQ(sweep.variants_of(none), 0);
+    EXPECT_EQ(sweep.block(none).values.size(), 0U);
+  }
+}
+
+TEST(SweepTasksOfAProgram, NameTheirMistake) {
+  EXPECT_THAT(task_refusal([](auto& t) { t.plan.variables[0].paths = {"bodies.cam.curves.disk.radius"}; }),
+              HasSubstr("bodies.cam.curves.disk.radius: there is no such key"));
+  EXPECT_THAT(task_refusal([](auto& t) { t.plan.variables[0].paths = {"bodies.cam.curves.disc.type"}; }),
+              HasSubstr("bodies.cam.curves.disc.type: this is a string; expected the path of a number"));
+  EXPECT_THAT(task_refusal([](auto& t) { t.plan.variables[0].paths.clear(); }),
+              HasSubstr("sweep.variables.r: expected at least one path"));
+  EXPECT_EQ(task_refusal([](auto& t) { t.units.clear(); }),
+            "test.toml: sweep.units: 0 for 1 variables: each needs its own");
+  EXPECT_EQ(task_refusal([](auto& t) { t.plan.variables[0].distribution.values.clear(); }),
+            "test.toml: sweep.variables.r: expected at least one of `values`");
+  EXPECT_THAT(task_refusal([](auto&) {}, Model::from(model_of(kCam).mechanism()).value()),
+              HasSubstr("has no keys to set"));
+}
+
 TEST(ModelVariants, AreTheModelsThatWithMakes) {
   const Model model = shipped_model("ellipse_cam_roller");
   const std::vector<std::string> paths = {"bodies.follower.curves.roller.radius", "driver.end"};
@@ -350,7 +410,43 @@ TEST(ModelVariants, NeedAProfileAndPathsOfIt) {
   const std::vector<std::string> paths = {"bodies.cam.curves.disc.size"};
   EXPECT_THAT(to_string(ModelVariants::of(model, paths).error()), HasSubstr("there is no such key"));
   const Model built = Model::from(model.mechanism()).value();
-  EXPECT_THAT(to_string(ModelVariants::of(built, paths).error()), HasSubstr("was built and has no keys"));
+  EXPECT_THAT(to_string(ModelVariants::of(built, paths).error()),
+              HasSubstr("was built, or made by ModelVariants"));
+}
+
+TEST(ModelVariants, MayChangeEveryNumberThatTheirModelLists) {
+  for (const char* name :
+       {"design_eccentric", "tolerance_study", "toleranced_linkage", "ellipse_cam_roller"}) {
+    const Model model = shipped_model(name);
+    for (const Parameter& parameter : model.parameters()) {
+      const std::vector<std::string> path = {parameter.path};
+      auto variants = ModelVariants::of(model, path);
+      ASSERT_TRUE(variants) << to_string(variants.error());
+      EXPECT_TRUE(variants->with(std::vector{parameter.value})) << parameter.path;
+    }
+  }
+  const Model inches = model_of(kCam, {"bodies.cam.curves.disc.radius=1.2 in"});
+  const std::vector<std::string> radius = {"bodies.cam.curves.disc.radius"};
+  const Model variant = ModelVariants::of(inches, radius).value().with(std::vector{31.0}).value();
+  EXPECT_DOUBLE_EQ(variant.mechanism().bodies[1].curves[0].curve.semi_latus, 0.031);
+}
+
+TEST(ModelVariants, HaveNoKeysThemselves) {
+  const Model model = model_of(kCam);
+  const std::vector<std::string> radius = {"bodies.cam.curves.disc.radius"};
+  const Model variant = ModelVariants::of(model, radius).value().with(std::vector{31.0}).value();
+  EXPECT_TRUE(variant.parameters().empty());
+  EXPECT_THAT(to_string(variant.with({{radius[0], 32.0}}).error()), HasSubstr("made by ModelVariants"));
+}
+
+TEST(ModelVariants, RefusePathsThatLeadToNoNumber) {
+  const Model model = shipped_model("ellipse_cam_roller");
+  for (const auto& [path, kind] : {std::pair("title", "a string"), std::pair("bodies.follower", "a table"),
+                                   std::pair("bodies.cam.points.O", "a list")}) {
+    const std::vector<std::string> paths = {path};
+    EXPECT_THAT(to_string(ModelVariants::of(model, paths).error()),
+                HasSubstr(std::string(path) + ": this is " + kind + "; expected the path of a number"));
+  }
 }
 
 }  // namespace

@@ -138,7 +138,6 @@ TEST(MeasuredTable, TakesUnitsMissingValuesAndAnySeparator) {
     EXPECT_EQ(table.columns[0].unit, "deg");
     EXPECT_EQ(table.columns[1].name, "slider.x");
     EXPECT_EQ(table.columns[1].unit, "mm");
-    EXPECT_EQ(table.columns[1].present, 1);
     EXPECT_EQ(table.columns[1].values[0], 2.5);
     EXPECT_TRUE(std::isnan(table.columns[1].values[1]));
     EXPECT_THAT(table.lines, ElementsAre(4, 5, 6));

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -84,6 +86,66 @@ TEST(Variants, OfAGridCanBeCountedBeyondAllIntegers) {
 }
 
 // Whatever the order in which they are asked for.
+TEST(Variants, HavePlansWhoseMistakesAreNamed) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto random = [](std::vector<SweepVariable> variables) {
+    return plan_of(SweepMethod::kRandom, std::move(variables), 3);
+  };
+  const auto normal = [&](double deviation, double low, double high) {
+    SweepVariable variable = normal_variable(10, deviation);
+    variable.distribution.low = low;
+    variable.distribution.high = high;
+    return fault_of(random({variable}));
+  };
+  const auto triangle = [&](double mode) {
+    SweepVariable variable = between(1, 5);
+    variable.distribution.kind = DistributionKind::kTriangular;
+    variable.distribution.mode = mode;
+    return fault_of(random({variable}));
+  };
+  EXPECT_EQ(fault_of(random({between(1, 5), normal_variable(3, 1), values({7})})), "");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kGrid, {values({7, 3}), between(1, 2, 3)})), "");
+  EXPECT_EQ(fault_of(random({})), "variables: expected at least one");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kRandom, {values({1})}, -3)),
+            "count: -3 variants, expected from 1 to 100000000000");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kGrid, {between(1, 2, 1'000'000), between(1, 2, 1'000'000)})),
+            "count: 1000000000000 variants, expected from 1 to 100000000000");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kGrid, {between(1, 2, -1)})),
+            "variables.: count = -1: must be >= 0");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kGrid, {SweepVariable{"r", {}, {}, 5}})),
+            "variables.r: low = -inf, high = inf: must be finite, and low below high");
+  EXPECT_EQ(fault_of(plan_of(SweepMethod::kList, {values({1, 2, 3}), values({1})})),
+            "variables.: 1 values, but the first variable has 3: in a list all have equally many");
+  EXPECT_EQ(fault_of(random({values({1, kNan})})), "variables.: `values` must be finite");
+  EXPECT_EQ(fault_of(random({values({})})), "variables.: expected at least one of `values`");
+  EXPECT_EQ(fault_of(random({between(5, 1)})),
+            "variables.: low = 5, high = 1: must be finite, and low below high");
+  EXPECT_EQ(triangle(3), "");
+  EXPECT_EQ(triangle(7), "variables.: mode = 7: must lie from low = 1 to high = 5");
+  EXPECT_EQ(normal(2, 9, 12), "");
+  EXPECT_EQ(normal(0, 9, 12),
+            "variables.: mean = 10, deviation = 0: must be finite, and the deviation above 0");
+  EXPECT_EQ(normal(2, 12, 8), "variables.: low = 12, high = 8: low must be below high");
+  EXPECT_EQ(normal(0.1, 20, 30), "variables.: next to nothing of this distribution lies between its limits");
+}
+
+TEST(Variants, HavePlansWhoseCorrelationsAreBetweenNormalVariables) {
+  const auto fault = [](const std::vector<Correlation>& correlations) {
+    VariantPlan plan =
+        plan_of(SweepMethod::kSobol,
+                {normal_variable(1, 2), normal_variable(3, 4), normal_variable(5, 6), between(1, 2)}, 3);
+    plan.correlations = correlations;
+    return fault_of(plan);
+  };
+  EXPECT_EQ(fault({{0, 1, 0.5}}), "");
+  for (const std::size_t other : {0U, 3U, 7U}) {
+    EXPECT_EQ(fault({{0, other, 0.5}}), "correlations.0: between 0 and " + std::to_string(other) +
+                                            ": must be the indices of two normal variables without limits");
+  }
+  EXPECT_EQ(fault({{0, 1, 1}}), "correlations.0: coefficient = 1: must lie between -1 and 1");
+  EXPECT_EQ(fault({{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, -0.9}}), "correlations: these contradict each other");
+}
+
 TEST(Variants, AreFunctionsOfTheirNumber) {
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
     const auto plan = plan_of(method, {between(0, 1), normal_variable(3, 0.2), between(-1, 1)}, 5000, 42);

@@ -109,6 +109,9 @@ struct LawExtremes {
 /// Outside of its pieces a law that does not repeat keeps its first or last value. A coordinate within
 /// rounding of the joint of two pieces (8 units in the last place of the largest of x and the ends) counts as
 /// the joint.
+///
+/// The functions of an interval need from <= to, both finite. Of a law that repeats they visit every
+/// repetition in it, one after the other.
 class MotionLaw {
 public:
   [[nodiscard]] static tl::expected<MotionLaw, LawFault> make(const LawDescription& description);

@@ -14,7 +14,7 @@ namespace higherpair {
 /// How contacts and assemblies are listed.
 struct BranchesSettings {
   bool certify = false;     ///< decide every contact in exact arithmetic
-  double tolerance = 1e-9;  ///< largest closure error, relative to the size of the mechanism
+  double tolerance = 1e-9;  ///< largest closure error, relative to the size of the mechanism; > 0
 };
 
 /// A position of the follower in which two curves touch, in the profile's units.

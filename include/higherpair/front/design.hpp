@@ -10,12 +10,13 @@
 
 namespace higherpair {
 
-/// `seed`, `starts` and `evaluations`, where set, override [design] of the profile.
+/// `seed`, `starts` and `evaluations`, where set, override [design] of the profile. `seconds` >= 0.
 struct DesignSettings : DesignRun {
   std::optional<std::uint64_t> seed;
-  std::optional<int> starts;
-  std::optional<std::int64_t> evaluations;
-  int best = 1;  ///< number of different optima for which the text is made as well, if there are as many
+  std::optional<int> starts;                ///< >= 1
+  std::optional<std::int64_t> evaluations;  ///< >= 1
+  int best =
+      1;  ///< number of different optima for which the text is made as well, if there are as many; >= 1
 };
 
 /// A design that was found, and its profile. All numbers in the units of tables or of the profile; NaN where

@@ -21,8 +21,8 @@ struct ExportSettings {
   std::string body;                 ///< all curves of this body; if both are empty: the only curve of the
                                     ///< model
   Path path = Path::kCurve;
-  double cutter = 0;  ///< kCutter: radius [m]
-  /// How far unbounded lines and conics extend from their point or vertex [m].
+  double cutter = 0;  ///< kCutter: radius [m], > 0
+  /// How far unbounded lines and conics extend from their point or vertex [m]; > 0.
   std::optional<double> reach;
 };
 

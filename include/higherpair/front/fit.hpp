@@ -27,11 +27,11 @@ struct FitProgress {
 /// Each member that is set overrides [fit] of the profile.
 struct FitSettings {
   std::optional<FitLoss> loss;
-  std::optional<double> confidence;  ///< of the intervals, within 0 … 1
+  std::optional<double> confidence;  ///< of the intervals, > 0 and < 1
   std::vector<std::string> columns;  ///< names or globs of the measured columns to use; empty: the profile's
   std::vector<std::string> offsets;  ///< columns with an unknown zero offset, in addition to those of the
                                      ///< profile
-  std::optional<int> starts;
+  std::optional<int> starts;         ///< number of searches, >= 1
   std::optional<std::uint64_t> seed;
   int threads = 0;  ///< 0: all cores; does not affect the result
   const std::atomic<bool>* stop = nullptr;
@@ -124,10 +124,11 @@ inline constexpr double kUnlikely = 1e-4;
 /// squares of the residuals in units of each column's noise, or of another loss. Intervals are those of
 /// Student's t and the covariance (JᵀJ)⁻¹, to first order; for robust losses with Huber's corrections. Rows
 /// are run in the order of the table, from the profile's first position.
-/// Fails (kInput) for a model without variables or one built in C++; for columns that do not exist, no
-/// columns, fewer values than unknowns, variables that change nothing in them, and values that look as if
-/// they were in another unit; (kMechanism) if the mechanism cannot be started.
-/// \param measured  its columns have the names of the profile's; `driver` or `time` locates each row
+/// Fails (kInput) for a model without variables or one built in C++; for settings beyond their ranges; for
+/// columns that do not exist or have different lengths, no columns, fewer values than unknowns, variables
+/// that change nothing in them, and values that look as if they were in another unit; (kMechanism) if the
+/// mechanism cannot be started. \param measured  its columns have the names of the profile's; `driver` or
+/// `time` locates each row
 [[nodiscard]] Result<FitReport> fit(const Model& model, const MeasuredTable& measured,
                                     const FitSettings& settings = {});
 
@@ -167,7 +168,8 @@ struct CurveFitReport {
 
 /// The curve with the least sum of squared distances from the points. The table has columns `x` and `y`, or
 /// one each whose name ends in that; their unit is that of the header, else mm. Fails (kInput) for missing
-/// columns, different units of x and y, and points that have no such curve.
+/// columns or ones of different lengths, different units of x and y, points that have no such curve, and a
+/// confidence that is not > 0 and < 1.
 [[nodiscard]] Result<CurveFitReport> fit_curve(const MeasuredTable& points, FittedCurve curve,
                                                double confidence = 0.95);
 

@@ -25,7 +25,7 @@ struct MobilityFindings {
 };
 
 /// Counts freedoms, finds the rank, and tries to start the mechanism. Fails only for invalid input, such as a
-/// driver's positions.
+/// driver's positions or a tolerance that is not > 0.
 [[nodiscard]] Result<MobilityFindings> mobility_of(const Model& model, double tolerance = 1e-9);
 
 /// The findings as the text of a JSON object, lengths and angles in the profile's units. Keys:

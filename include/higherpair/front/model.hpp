@@ -49,20 +49,22 @@ public:
                                                std::span<const std::string> overrides = {});
 
   /// A mechanism built in C++, for example with the functions of mechanism/description.hpp. Fails if an index
-  /// refers to nothing or a number is not finite; the message names it.
+  /// refers to nothing, or a number is not finite, beyond kLargestQuantity, or not as its member says (a unit
+  /// vector, > 0); the message names it.
   /// \param units     of columns and of `programs`; the mechanism itself is in SI units and radians
   /// \param programs  the motion of each driver; empty: default_program for each
   [[nodiscard]] static Result<Model> from(Mechanism mechanism, const Units& units = {},
                                           std::vector<DriverProgram> programs = {});
 
   /// The same model with other numbers or keys. If only numbers differ, the order of solution is reused with
-  /// the new dimensions. For models read from a profile; with_mechanism() is for those built in C++.
+  /// the new dimensions. Fails for a model built in C++, for which there is with_mechanism().
   [[nodiscard]] Result<Model> with(std::span<const Setting> settings) const;
   [[nodiscard]] Result<Model> with(std::initializer_list<Setting> settings) const {
     return with(std::span(settings.begin(), settings.size()));
   }
 
-  /// The same units and drivers with another mechanism, such as mechanism() with other dimensions.
+  /// The same units and drivers with another mechanism, such as mechanism() with other dimensions. It counts
+  /// as built in C++: no text with keys belongs to it.
   [[nodiscard]] Result<Model> with_mechanism(Mechanism mechanism) const;
 
   /// Every number of the profile, in the order of the file; none for a model built in C++.
@@ -92,12 +94,13 @@ private:
 };
 
 /// Makes many variants of one model that differ in numbers: a fast Model::with for loops. No text is parsed
-/// again, and the variants have no notes. One thread at a time may use it; the models that it makes are
-/// independent of it.
+/// again. The variants have no notes, and of the tasks [sweep], [design] and [tolerances] only those that a
+/// path leads into; they count as built in C++, so that their own with() fails and parameters() is empty. One
+/// thread at a time may use it; the models that it makes are independent of it.
 class ModelVariants {
 public:
-  /// \param paths  of numbers of the profile, as in a Setting. Fails for one that leads to no number, and for
-  ///               a model built in C++
+  /// \param paths  of numbers that stand in the profile, as in a Setting. Fails for one that leads to no
+  ///               number, and for a model built in C++
   [[nodiscard]] static Result<ModelVariants> of(const Model& model, std::span<const std::string> paths);
   ModelVariants(ModelVariants&& other) noexcept;
   ModelVariants& operator=(ModelVariants&& other) noexcept;

@@ -49,7 +49,7 @@ struct Row {
 struct Event {
   EventType type = EventType::kLimitPosition;
   double driver = 0;           ///< position of the (first) driver in the units of the run
-  std::optional<double> time;  ///< in a run in time
+  std::optional<double> time;  ///< in a run in time, or along the law that a driver follows
   std::string item;            ///< name of the joint or contact concerned; empty: none
   std::string cause;           ///< a sentence
   std::int64_t row = 0;        ///< it happened on the path from the row before to this row
@@ -58,7 +58,8 @@ struct Event {
   std::optional<int> contact;  ///< index into Mechanism::contacts
   /// For a stroke end: the joint's coordinate there, in the units of the run.
   std::optional<double> value;
-  double share = 1;  ///< where it happened, as a fraction of the path from the row before to `row`
+  double share = 1;  ///< where it happened, as a fraction of the path from the row before to `row`; of the
+                     ///< time between them for a law's jump and an opening
 };
 
 /// The word in a column of words; empty where undefined.

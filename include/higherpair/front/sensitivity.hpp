@@ -136,8 +136,8 @@ struct SlopeTable {
 };
 
 /// Differentiates whole columns, row by row, in the same way as sensitivity(). Fails as that does, and for
-/// columns of words, which have no derivative.
-/// \param columns  names or globs
+/// columns none of which has derivatives: those of words, and the residual, which is rounding.
+/// \param columns  names or globs; what they match without derivatives is left out. Empty: all
 /// \param begin    called once before the first row, with the columns and numbers
 /// \param take     receives each row; returning false ends it
 [[nodiscard]] Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::string>& columns,
@@ -185,7 +185,7 @@ struct ToleranceBand {
                                                          const SensitivityReport& report);
 
 struct ToleranceVariantSettings {
-  std::int64_t count = 100'000;
+  std::int64_t count = 100'000;  ///< >= 1
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: one for each available core
   std::optional<std::int64_t> samples;

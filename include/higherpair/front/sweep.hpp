@@ -52,8 +52,9 @@ struct SweepForecast {
 /// cause.
 class Sweep {
 public:
-  /// Fails for a profile without [sweep], for columns that do not exist, if the profile itself cannot be run
-  /// at all, and if none of the variants that are tried has a valid profile.
+  /// Fails for a model without a task or one built in C++, for a task with a mistake (fault_of() of its plan,
+  /// paths that lead to no number, columns that do not exist), if the profile itself cannot be run at all,
+  /// and if none of the variants that are tried has a valid profile.
   [[nodiscard]] static Result<Sweep> of(const Model& model, const SweepSettings& settings = {});
 
   /// Number of variants of this part, and of the first of them.
@@ -61,6 +62,7 @@ public:
   [[nodiscard]] std::int64_t first() const;
   /// The part is divided into blocks of equally many variants; their size depends on the profile alone.
   [[nodiscard]] std::int64_t blocks() const;
+  /// 0 for a number that no block has; block() is empty then.
   [[nodiscard]] std::int64_t variants_of(std::int64_t block) const;
 
   /// "variant", the variables, the results (or the columns of the rows), "status".

@@ -17,16 +17,16 @@ struct MeasuredColumn {
   std::string name;                   ///< "slider.x"
   std::string unit;                   ///< of the header, "mm" in `slider.x[mm]`; empty: it has none
   std::vector<double> values;         ///< one for each row, as written; NaN: missing
-  int present = 0;                    ///< number of values that are not missing
   Place place;                        ///< of the header
   std::optional<Diagnostic> mistake;  ///< the first field that is no number, if there is one
 };
 
 /// A table of numbers with a line that names the columns.
 struct MeasuredTable {
-  std::string source;  ///< its name in messages
-  std::vector<MeasuredColumn> columns;
-  std::vector<int> lines;  ///< line number of each row, from 1
+  std::string source;                   ///< its name in messages
+  std::vector<MeasuredColumn> columns;  ///< all of one length
+  std::vector<int> lines;  ///< line number of each row, from 1; empty, in a table made by a program: the rows
+                           ///< are counted
 };
 
 /// Reads a text of columns separated by commas, semicolons, tabs or spaces. The first line names them, each

@@ -30,7 +30,8 @@ struct NamedCurve {
   /// For a contact's own copy (see use_boundaries): index of the original curve, or of the first of several;
   /// else -1.
   int copy_of = -1;
-  std::vector<int> parts = {};  ///< indices of the curves of the body that a contact takes as one; else empty
+  /// Indices of the curves of the body that a contact takes as one, which is of kind kChain; else empty.
+  std::vector<int> parts = {};
 };
 
 /// Whether curve `index` of a body is curve `other`, or has it as a part.

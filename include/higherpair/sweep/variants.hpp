@@ -41,6 +41,8 @@ struct Distribution {
 
 /// The share of a normal distribution that lies between `low` and `high`.
 [[nodiscard]] double share_within(const Distribution& distribution);
+/// The least of it that a truncated one must have there.
+inline constexpr double kLeastShareWithin = 1e-9;
 
 enum class SweepMethod {
   kGrid,  ///< every value of each variable with every value of the others; the last variable changes fastest
@@ -81,6 +83,9 @@ inline constexpr std::size_t kMostSobolVariables = 3667;
 /// How many variants a plan has, as a double: a grid may have any number.
 [[nodiscard]] double count_of(const VariantPlan& plan);
 
+/// The first mistake in a plan, "variables.r: count = -1: must be >= 0"; empty if there is none.
+[[nodiscard]] std::string fault_of(const VariantPlan& plan);
+
 /// The variables that occur in correlations, ascending.
 [[nodiscard]] std::vector<std::size_t> correlated_variables(const VariantPlan& plan);
 
@@ -98,8 +103,7 @@ inline constexpr std::size_t kMostSobolVariables = 3667;
 /// variable's distribution turns either into a value.
 class Variants {
 public:
-  /// \pre count_of(plan) <= kMostVariants, values and limits are finite, correlations are consistent, and
-  /// between variables that are normal and not truncated
+  /// \pre fault_of(plan) is empty
   explicit Variants(VariantPlan plan);
 
   [[nodiscard]] const VariantPlan& plan() const { return plan_; }

@@ -34,6 +34,9 @@ struct DriverState {
 /// takes no more memory than one of ten.
 class DriverSchedule {
 public:
+  /// Most rows of a run: their numbers are exact doubles.
+  static constexpr std::int64_t kMostRows = std::int64_t{1} << 53;
+
   /// The rows of `analyze` and `forces`: the given positions, or
   ///     start + (end - start) k/(samples - 1),   k = 0 … samples - 1,
   /// correctly rounded and exact at both ends; velocity and acceleration are the profile's in every row.

@@ -14,8 +14,9 @@ namespace higherpair {
 /// only once, and the profiles have no notes. One thread at a time may use it; the caller owns the profiles.
 class ProfileVariants {
 public:
-  /// The variants do not have the tasks [sweep], [design] and [tolerances].
+  /// The variants have only those of the tasks [sweep], [design] and [tolerances] that a path leads into.
   /// \param paths  of numbers of the document; fails for one that leads to no number
+  /// \pre document.read() succeeds
   [[nodiscard]] static tl::expected<ProfileVariants, Diagnostics> of(const ProfileDocument& document,
                                                                      std::span<const std::string> paths);
   ProfileVariants(ProfileVariants&& other) noexcept;

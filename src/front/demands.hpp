@@ -1,0 +1,65 @@
+#pragma once
+
+#include "higherpair/geometry/pose.hpp"
+#include "higherpair/io/units.hpp"
+
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+
+/// Whether a quantity in SI units is one that a profile may have: not too large, and no NaN.
+[[nodiscard]] inline bool fits(double value) {
+  return std::abs(value) <= kLargestQuantity;
+}
+
+[[nodiscard]] inline bool fits(const Vector2d& v) {
+  return fits(v.x()) && fits(v.y());
+}
+
+inline constexpr const char* kFitRule = "must be finite, and at most 1e50 in SI units";
+
+/// What a number that a program sets has to satisfy.
+struct Demand {
+  bool met = false;
+  std::string number;  ///< its name, "MapSettings::samples"
+  double value = 0;
+  std::string rule;  ///< "must be >= 2"
+};
+
+[[nodiscard]] inline Demand positive(std::string number, double value) {
+  return {value > 0 && std::isfinite(value), std::move(number), value,
+          std::isinf(value) ? "must be finite" : "must be > 0"};
+}
+
+template <class Number>
+[[nodiscard]] Demand at_least(Number least, std::string number, Number given) {
+  const auto value = static_cast<double>(given);
+  return {given >= least && std::isfinite(value), std::move(number), value,
+          std::isinf(value) ? "must be finite" : fmt::format("must be >= {}", least)};
+}
+
+/// From `low` to `high`, both included.
+template <class Number>
+[[nodiscard]] Demand within(Number low, Number high, std::string number, Number value) {
+  return {value >= low && value <= high, std::move(number), static_cast<double>(value),
+          fmt::format("must be from {} to {}", low, high)};
+}
+
+[[nodiscard]] inline Demand share(std::string number, double value) {
+  return {value > 0 && value < 1, std::move(number), value, "must be between 0 and 1"};
+}
+
+/// The first demand that is not met, as "MapSettings::samples = 1: must be >= 2"; empty if all are.
+[[nodiscard]] inline std::string first_unmet(std::initializer_list<Demand> demands) {
+  for (const Demand& demand : demands) {
+    if (!demand.met) return fmt::format("{} = {}: {}", demand.number, demand.value, demand.rule);
+  }
+  return "";
+}
+
+}  // namespace higherpair
