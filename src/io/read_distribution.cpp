@@ -1,5 +1,5 @@
+#include "higherpair/sweep/tolerances.hpp"
 #include "sweep_reading.hpp"
-#include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
 // Checks a plan that a program made for what the reader of profiles ensures.
+#include "higherpair/sweep/tolerances.hpp"
 #include "higherpair/sweep/variants.hpp"
 
 #include <algorithm>

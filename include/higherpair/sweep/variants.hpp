@@ -41,8 +41,6 @@ struct Distribution {
 
 /// The share of a normal distribution that lies between `low` and `high`.
 [[nodiscard]] double share_within(const Distribution& distribution);
-/// The least of it that a truncated one must have there.
-inline constexpr double kLeastShareWithin = 1e-9;
 
 enum class SweepMethod {
   kGrid,  ///< every value of each variable with every value of the others; the last variable changes fastest
