@@ -227,18 +227,83 @@ struct Samples {
   [[nodiscard]] SidedSlope slope(Eigen::Index i) const {
     return slope_of_samples([&](std::size_t side, std::size_t k) { return values[side][k](i); }, h);
   }
+
   // An estimate of the error of the slope: the eighth difference, in which poles, kinks and jumps between the
   // samples show, and rounding.
   [[nodiscard]] double doubt(Eigen::Index i) const {
-    constexpr std::array kBinomials = {70.0, -56.0, 28.0, -8.0, 1.0};
-    double difference = kBinomials[0] * values[0][0](i), largest = std::abs(values[0][0](i));
-    for (std::size_t k = 1; k < kBinomials.size(); ++k) {
-      const double up = values[0][k](i), down = values[1][k](i);
-      difference += kBinomials[k] * (up + down);
-      largest = std::max({largest, std::abs(up), std::abs(down)});
-    }
-    return (std::abs(difference) + std::numeric_limits<double>::epsilon() * largest) / h;
+    return (std::abs(eighth_difference(i)) + std::numeric_limits<double>::epsilon() * largest(i)) / h;
   }
+
+  // Whether the eighth difference is more than rounding, and not small beside the slope. Of numbers that are
+  // nothing but rounding, and change sign from sample to sample, it is larger than of any function.
+  [[nodiscard]] bool is_doubtful(Eigen::Index i) const {
+    const double difference = std::abs(eighth_difference(i));
+    const double slope = std::abs(values[0][1](i) - values[1][1](i)) / 2;
+    return difference > kDoubtfulDifference * slope && difference > kSureDifference * largest(i) &&
+           difference < kRoundingDifference * largest(i);
+  }
+
+private:
+  [[nodiscard]] double eighth_difference(Eigen::Index i) const {
+    constexpr std::array kBinomials = {70.0, -56.0, 28.0, -8.0, 1.0};
+    double difference = kBinomials[0] * values[0][0](i);
+    for (std::size_t k = 1; k < kBinomials.size(); ++k) {
+      difference += kBinomials[k] * (values[0][k](i) + values[1][k](i));
+    }
+    return difference;
+  }
+
+  [[nodiscard]] double largest(Eigen::Index i) const {
+    double largest = 0;
+    for (const auto& side : values) {
+      for (const Eigen::VectorXd& at : side) largest = std::max(largest, std::abs(at(i)));
+    }
+    return largest;
+  }
+};
+
+// Of samples with shorter and shorter steps, those with the least doubt about each function.
+class BestSamples {
+public:
+  explicit BestSamples(Samples first) : of_(static_cast<std::size_t>(first.values[0][0].size()), 0) {
+    all_.push_back(std::move(first));
+  }
+
+  // Returns whether they are better for a function that was doubtful.
+  bool add(Samples shorter) {
+    all_.push_back(std::move(shorter));
+    bool helped = false;
+    for (std::size_t i = 0; i < of_.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const Samples& best = all_[of_[i]];
+      if (!(best.doubt(column) <= kWorthShorterStep * all_.back().doubt(column))) {
+        helped = helped || best.is_doubtful(column);
+        of_[i] = all_.size() - 1;
+      }
+    }
+    return helped;
+  }
+
+  [[nodiscard]] bool has_doubts() const {
+    for (std::size_t i = 0; i < of_.size(); ++i) {
+      if (all_[of_[i]].is_doubtful(static_cast<Eigen::Index>(i))) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] double shortest() const { return all_.back().h; }
+
+  [[nodiscard]] std::vector<SidedSlope> slopes() const {
+    std::vector<SidedSlope> slopes;
+    for (std::size_t i = 0; i < of_.size(); ++i) {
+      slopes.push_back(all_[of_[i]].slope(static_cast<Eigen::Index>(i)));
+    }
+    return slopes;
+  }
+
+private:
+  std::vector<Samples> all_;
+  std::vector<std::size_t> of_;  // each function's, of all
 };
 
 }  // namespace
@@ -270,14 +335,17 @@ std::vector<SidedSlope> slopes_along(const Run& run, const Sensitivity& by, cons
   };
   // Where a curve is nearly straight, radii take a much shorter step than all that is finite there.
   const bool straight = by_single < kMuchShorterStep * by_sums;
-  const Samples samples = samples_with(straight ? by_sums : std::min(by_single, by_sums));
-  const std::optional<Samples> near = straight ? std::optional(samples_with(by_single)) : std::nullopt;
-  std::vector<SidedSlope> slopes;
-  for (Eigen::Index i = 0; i < samples.values[0][0].size(); ++i) {
-    const bool nearer = near && !(samples.doubt(i) <= kWorthShorterStep * near->doubt(i));
-    slopes.push_back((nearer ? *near : samples).slope(i));
+  BestSamples best(samples_with(straight ? by_sums : std::min(by_single, by_sums)));
+  bool helped = true;
+  if (straight) {
+    (void)best.add(samples_with(by_single));
   }
-  return slopes;
+  // A distance that is short beside the step, as of a centre of curvature next to a pivot, takes a shorter
+  // one.
+  for (int i = 0; i < kMostShorterSteps && helped && best.has_doubts(); ++i) {
+    helped = best.add(samples_with(kShorterStep * best.shortest()));
+  }
+  return best.slopes();
 }
 
 std::vector<double> derivative_along(const Run& run, const Sensitivity& by, const RowSensitivity& of_row,

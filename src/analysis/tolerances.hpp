@@ -372,6 +372,15 @@ inline constexpr double kMuchShorterStep = 0.1;
 /// How much smaller the estimated error of a derivative has to be with the shorter step for it to be taken;
 /// that of a kink at 0 is the same with both.
 inline constexpr double kWorthShorterStep = 2;
+/// An eighth difference above both, relative to the change in a step and to the largest value, may spoil the
+/// slope: the former of smooth functions is below, the latter is above rounding.
+inline constexpr double kDoubtfulDifference = 1e-5;
+inline constexpr double kSureDifference = 1e-10;
+/// Relative to the largest value: that of |x| is at most 10, that of random numbers around 60.
+inline constexpr double kRoundingDifference = 25;
+/// The next shorter step where a slope is doubtful, and how often it is taken.
+inline constexpr double kShorterStep = 1.0 / 16;
+inline constexpr int kMostShorterSteps = 4;
 /// Largest relative disagreement of differences of two orders for dimensions that count as smooth.
 inline constexpr double kDimensionsNotSmooth = 1e-6;
 

@@ -548,6 +548,26 @@ TEST(SensitivityOfResults, NextToAChangePointGrowWithoutBoundsByWhatDoesAwayWith
   EXPECT_EQ(has_slope, (std::vector{true, true, false}));
 }
 
+// The centre of a disc is 1.4 um from its pivot, at the end of a vector of equal components.
+TEST(SensitivityOfRows, OfADistanceThatIsShortBesideTheMechanismAreTheClosedForm) {
+  const Model model = shipped_model("eccentric_disc_oscillating_roller",
+                                    {"driver.samples=3", "bodies.cam.curves.disc.center=[0.001, 0.001]"});
+  SensitivitySettings settings;
+  settings.by = {"bodies.cam.curves.disc.center.*"};
+  int rows = 0;
+  const auto table = sensitivity_rows(
+      model, {"touch.r2"}, settings, [](const SlopeTable&) {},
+      [&](const RowSlopes& row) {
+        ++rows;
+        EXPECT_EQ(row.slopes.size(), 4U);  // of the driver and the distance, by both numbers
+        EXPECT_NEAR(row.slopes[1], std::sqrt(0.5), 1e-7);
+        EXPECT_NEAR(row.slopes[3], std::sqrt(0.5), 1e-7);
+        return true;
+      });
+  ASSERT_TRUE(table) << to_string(table.error());
+  EXPECT_EQ(rows, 3);
+}
+
 // Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
   struct Compared {
