@@ -47,7 +47,7 @@ inline constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon(
 
 // Sizes and cutters.
 
-/// Trials of sizes: the largest cam is about 2⁷ times as large as the first, the smallest follower 2⁻¹² times.
+/// Trials of sizes: the largest cam is about 2⁷ times the first, the smallest follower 2⁻¹² times.
 inline constexpr int kMostSizeTrials = 12;
 /// Distance beyond the limit of a size, relative to it, at which a flank certainly has no cusp.
 inline constexpr double kJustBeyondSize = 1e-6;
