@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "span_ends.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
