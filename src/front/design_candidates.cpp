@@ -2,6 +2,7 @@
 
 #include "analysis_impl.hpp"
 #include "design_direct.hpp"
+#include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
