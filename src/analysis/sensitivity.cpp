@@ -3,6 +3,7 @@
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
