@@ -37,7 +37,7 @@ public:
   /// The Jacobian of the conditions by x_0; false where they have none.
   [[nodiscard]] bool jacobian(Eigen::MatrixXd& J) const {
     Eigen::VectorXd values;
-    return system_.evaluate(start(), values, J) && J.allFinite();
+    return system_.evaluate(values_of(at_), values, J) && J.allFinite();
   }
 
   /// The coefficients of the conditions at the order k.
@@ -85,28 +85,6 @@ private:
     for (const int contact : system_.set().contacts) {
       f(system_.contact_column(contact), part(at_.phi[contact].c[k], i), size);
     }
-  }
-
-  [[nodiscard]] Coordinates<double> start() const {
-    Coordinates<double> start;
-    const auto values = [](const std::vector<Series>& series) {
-      std::vector<double> numbers;
-      for (const Series& one : series) {
-        numbers.push_back(value_of(one));
-      }
-      return numbers;
-    };
-    for (const BodyAt<Series>& body : at_.bodies) {
-      const auto& [R_WB, p_WB] = body.X_WB;
-      start.bodies.push_back(
-          {{{value_of(R_WB.cos), value_of(R_WB.sin)}, {value_of(p_WB.x()), value_of(p_WB.y())}},
-           value_of(body.theta)});
-    }
-    start.phi = values(at_.phi);
-    start.arcs = values(at_.arcs);
-    start.drivers = values(at_.drivers);
-    start.held_angles = values(at_.held_angles);
-    return start;
   }
 
   const ConditionSystem& system_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,19 +32,16 @@ public:
   LongSeries(const Run& run, const Coordinates<PowerSeries<D, M>>& at)
       : run_(run), by_driver_(run.mechanism().drivers.size() == 1) {
     motion_.known.assign(at.bodies.size(), false);
-    for (const auto& body : at.bodies) {
-      const auto& [R_WB, p_WB] = body.X_WB;
-      motion_.at.bodies.push_back(
-          {{{value_of(R_WB.cos), value_of(R_WB.sin)}, {value_of(p_WB.x()), value_of(p_WB.y())}},
-           value_of(body.theta)});
-    }
-    for (const auto& phi : at.phi) motion_.at.phi.emplace_back(value_of(phi));
-    for (const auto& arc : at.arcs) motion_.at.arcs.emplace_back(arc.c[0]);
-    for (const auto& angle : at.held_angles) motion_.at.held_angles.emplace_back(angle.c[0]);
-    for (const auto& driver : at.drivers) {
-      Series& longer = motion_.at.drivers.emplace_back(driver.c[0]);
-      std::copy(driver.c.begin() + 1, driver.c.end(), longer.c.begin() + 1);
-    }
+    motion_.at = constant<Series>(values_of(at));
+    const auto take = [](const std::vector<PowerSeries<D, M>>& given, std::ptrdiff_t terms,
+                         std::vector<Series>& longer) {
+      for (std::size_t i = 0; i < given.size(); ++i) {
+        std::copy_n(given[i].c.begin(), terms, longer[i].c.begin());
+      }
+    };
+    take(at.arcs, 1, motion_.at.arcs);
+    take(at.held_angles, 1, motion_.at.held_angles);
+    take(at.drivers, M + 1, motion_.at.drivers);
     if (by_driver_) {
       Series& driver = motion_.at.drivers.front();
       driver = Series(driver.c[0]);

@@ -105,6 +105,26 @@ template <class T>
   return constant;
 }
 
+/// The values of coordinates of another scalar type.
+template <class T>
+[[nodiscard]] Coordinates<double> values_of(const Coordinates<T>& at) {
+  const auto all = [](const std::vector<T>& numbers) {
+    std::vector<double> values;
+    for (const T& number : numbers) {
+      values.push_back(value_of(number));
+    }
+    return values;
+  };
+  Coordinates<double> values{{}, all(at.phi), all(at.arcs), all(at.drivers), all(at.held_angles)};
+  for (const BodyAt<T>& body : at.bodies) {
+    const auto& [R_WB, p_WB] = body.X_WB;
+    values.bodies.push_back(
+        {{{value_of(R_WB.cos), value_of(R_WB.sin)}, {value_of(p_WB.x()), value_of(p_WB.y())}},
+         value_of(body.theta)});
+  }
+  return values;
+}
+
 /// Some bodies and the conditions that determine them: a Group of a plan, or all of a mechanism.
 struct ConditionSet {
   std::vector<int> bodies;
