@@ -116,7 +116,7 @@ private:
   void displace_place(std::size_t i, std::size_t side, double h, Run& other, Vector2d& p_W,
                       double& rho) const {
     const CurveRef& ref = ref_of(other.mechanism().contacts[i], side);
-    const Boundary& boundary = boundary_of(run_.mechanism(), ref);
+    const Boundary& boundary = boundary_at(run_, i, side);
     const BoundaryPlace& place = run_.row.contacts[i].place[side];
     const PlaceDerivative& by = places_[i][side];
     const bool corner = boundary.is_corner(place);
@@ -320,13 +320,13 @@ std::vector<SidedSlope> slopes_along(const Run& run, const Sensitivity& by, cons
     return h * (in_step > kLargestDisplacement ? kLargestDisplacement / in_step : 1);
   };
   const double by_sums = shortened(probed.sums), by_single = shortened(probed.single);
-  const auto samples_with = [&](double step) {
-    const auto values_at = [&](double to) -> Eigen::VectorXd {
-      const std::vector<double> values = f(displaceable.by(to), to);
-      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-    };
+  const auto values_at = [&](double to) -> Eigen::VectorXd {
+    const std::vector<double> values = f(displaceable.by(to), to);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  };
+  const auto samples_with = [&, here = values_at(0)](double step) {
     Samples samples{step, {}};
-    samples.values[0][0] = samples.values[1][0] = values_at(0);
+    samples.values[0][0] = samples.values[1][0] = here;
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t k = 1; k < 5; ++k) {
         samples.values[side][k] = values_at((side == 0 ? step : -step) * static_cast<double>(k));
