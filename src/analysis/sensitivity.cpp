@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
+#include "span_ends.hpp"
 #include "span_joints.hpp"
 #include "tolerances.hpp"
 
@@ -152,7 +153,7 @@ bool all_known(const SeriesMotion<Parametric, 2>& motion) {
 Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size_t side) const {
   const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
   const BoundaryPlace& place = run.row.contacts[contact].place[side];
-  return local_curve_derivative(boundary_of(run.mechanism(), ref).at(place), curve_of(run.mechanism(), ref),
+  return local_curve_derivative(boundary_at(run, contact, side).at(place), curve_of(run.mechanism(), ref),
                                 at_fixed_place(contact, side, place));
 }
 
@@ -174,7 +175,7 @@ std::array<PlaceDerivative, 2> Sensitivity::of_places(const Run& run, const RowS
   std::array<double, 2> kappa{}, turn{}, shift{}, ds{};
   for (std::size_t side = 0; side < 2; ++side) {
     const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
-    const Boundary& boundary = boundary_of(run.mechanism(), ref);
+    const Boundary& boundary = boundary_at(run, contact, side);
     const BoundaryPlace& place = motion.place[side];
     const SpanPoint& point = points[side] = boundary.at(place);
     const Rotation<double>& R_WB = run.row.bodies[ref.body].X_WB.R_WB;
@@ -191,8 +192,7 @@ std::array<PlaceDerivative, 2> Sensitivity::of_places(const Run& run, const RowS
   const std::size_t straighter = kappa[0] < kappa[1] ? 0 : 1;
   ds[straighter] = shift[1] - shift[0] - ds[1 - straighter];
   for (std::size_t side = 0; side < 2; ++side) {
-    const Boundary& boundary = boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
-    const auto rates = boundary.curvature_rates(motion.place[side]);
+    const auto rates = boundary_at(run, contact, side).curvature_rates(motion.place[side]);
     const Vector2d t_B = perp(points[side].n_B);
     by[side].p_B += ds[side] * t_B;
     by[side].n_B = turn[side] * t_B;
