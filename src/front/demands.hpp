@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -37,7 +38,7 @@ struct Demand {
 }
 
 template <class Number>
-[[nodiscard]] Demand at_least(Number least, std::string number, Number given) {
+[[nodiscard]] Demand at_least(std::type_identity_t<Number> least, std::string number, Number given) {
   const auto value = static_cast<double>(given);
   return {given >= least && std::isfinite(value), std::move(number), value,
           std::isinf(value) ? "must be finite" : fmt::format("must be >= {}", least)};
@@ -45,7 +46,8 @@ template <class Number>
 
 /// From `low` to `high`, both included.
 template <class Number>
-[[nodiscard]] Demand within(Number low, Number high, std::string number, Number value) {
+[[nodiscard]] Demand within(std::type_identity_t<Number> low, std::type_identity_t<Number> high,
+                            std::string number, Number value) {
   return {value >= low && value <= high, std::move(number), static_cast<double>(value),
           fmt::format("must be from {} to {}", low, high)};
 }

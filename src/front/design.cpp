@@ -28,9 +28,8 @@ DesignOptions options_of(const DesignTask& task, const DesignSettings& settings)
 }
 
 std::string fault_of(const DesignSettings& settings) {
-  constexpr std::int64_t kOne = 1;
   return first_unmet({at_least(1, "DesignSettings::starts", settings.starts.value_or(1)),
-                      at_least(kOne, "DesignSettings::evaluations", settings.evaluations.value_or(kOne)),
+                      at_least(1, "DesignSettings::evaluations", settings.evaluations.value_or(1)),
                       at_least(1, "DesignSettings::best", settings.best),
                       at_least(0.0, "DesignSettings::seconds", settings.seconds)});
 }

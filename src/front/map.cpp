@@ -246,10 +246,8 @@ std::string refusal_of(const MapReport& report) {
 
 Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   const Model::Data& data = model.data();
-  constexpr std::int64_t kFewest = 2;
-  if (std::string fault =
-          first_unmet({positive("MapSettings::tolerance", settings.tolerance),
-                       at_least(kFewest, "MapSettings::samples", settings.samples.value_or(kFewest))});
+  if (std::string fault = first_unmet({positive("MapSettings::tolerance", settings.tolerance),
+                                       at_least(2, "MapSettings::samples", settings.samples.value_or(2))});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }

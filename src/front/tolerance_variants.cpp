@@ -111,9 +111,8 @@ struct Collected {
 
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
-  constexpr std::int64_t kOne = 1;
   if (std::string fault =
-          first_unmet({within(kOne, kMostVariants, "ToleranceVariantSettings::count", settings.count)});
+          first_unmet({within(1, kMostVariants, "ToleranceVariantSettings::count", settings.count)});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }
