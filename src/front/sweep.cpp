@@ -252,9 +252,8 @@ Result<void> check(const Model& model, const SweepSettings& settings) {
   if (!settings.task && !model.profile().sweep) {
     return wrong(model, "there is no [sweep]: it says which variants there are, and what is wanted of each");
   }
-  const SweepTask& task = settings.task ? *settings.task : *model.profile().sweep;
-  if (std::string fault = fault_of(task); !fault.empty()) {
-    return wrong(place_of(task, model), "sweep." + fault);
+  if (std::string fault = settings.task ? fault_of(*settings.task) : ""; !fault.empty()) {
+    return wrong(place_of(*settings.task, model), "sweep." + fault);
   }
   if (settings.parts < 1 || settings.part < 1 || settings.part > settings.parts) {
     return wrong(model,
