@@ -194,7 +194,7 @@ Agreement agreement(const ChainRecipe& recipe, std::span<const double> numbers, 
   }
   const auto schedule = schedule_of(read->data(), run);
   ChainRecipe other;
-  const bool same = can_be_redimensioned(recipe.mechanism, read->mechanism()) &&
+  const bool same = can_be_redimensioned(recipe.plan, read->mechanism()) &&
                     (!recipe.writes() || is_as_written(recipe, numbers, read->mechanism())) && schedule &&
                     take_rows(*schedule, run.in_time, other) && same_rows(recipe.rows, other.rows) &&
                     recipe.where == other.where;

@@ -168,8 +168,7 @@ std::optional<DesignCandidate> DesignCandidates::candidate_of(std::span<const do
   if (!schedule) return std::nullopt;
   auto mechanism =
       std::make_unique<const Mechanism>(data ? data->profile.mechanism : setup.numbers.mechanism_of(x));
-  const Model::Data& planned = setup.numbers.model().data();
-  auto plan = data ? data->plan : plan_like(*planned.plan, planned.profile.mechanism, *mechanism);
+  auto plan = data ? data->plan : plan_like(*setup.numbers.model().data().plan, *mechanism);
   if (!plan) return std::nullopt;
   return DesignCandidate{data, std::move(mechanism), *std::move(plan), *std::move(schedule)};
 }

@@ -59,7 +59,7 @@ std::shared_ptr<const Model::Data> planned(std::string name, std::optional<Profi
   use_boundaries(data->profile.mechanism);
   const Mechanism& mechanism = data->profile.mechanism;
   const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
-  data->plan = known ? plan_like(*like->plan, like->profile.mechanism, mechanism) : make_plan(mechanism);
+  data->plan = known ? plan_like(*like->plan, mechanism) : make_plan(mechanism);
   return data;
 }
 

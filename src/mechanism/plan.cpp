@@ -174,6 +174,7 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
     return tl::unexpected(too_loose(mechanism, missing));
   }
   plan.surplus = structure.surplus;
+  plan.coincidences = coincidences_of(mechanism);
   plan.phase_bodies = phase_bodies(mechanism);
   fill_in(plan, mechanism, structure.sets);
   if (auto objection = cannot_part(mechanism, plan)) {
@@ -199,12 +200,8 @@ std::optional<std::size_t> group_with_contact(const Plan& plan, int contact) {
   return std::nullopt;
 }
 
-bool can_be_redimensioned(const Mechanism& planned, const Mechanism& other) {
-  const std::vector<Condition> a = structural_conditions(planned, NameOrder(planned));
-  const std::vector<Condition> b = structural_conditions(other, NameOrder(other));
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Condition& one, const Condition& two) {
-    return one.variables == two.variables;
-  });
+bool can_be_redimensioned(const Plan& plan, const Mechanism& mechanism) {
+  return plan.coincidences == coincidences_of(mechanism);
 }
 
 Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
@@ -212,6 +209,7 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   other.idle_bodies = plan.idle_bodies;
   other.phase_bodies = plan.phase_bodies;
   other.surplus = plan.surplus;
+  other.coincidences = plan.coincidences;
   std::vector<BodySet> sets;
   for (const Group& group : plan.groups) {
     sets.push_back({group.bodies, group.joints, group.contacts, group.drivers});
@@ -220,9 +218,8 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   return other;
 }
 
-tl::expected<Plan, std::string> plan_like(const Plan& plan, const Mechanism& planned,
-                                          const Mechanism& other) {
-  return can_be_redimensioned(planned, other) ? redimensioned(plan, other) : make_plan(other);
+tl::expected<Plan, std::string> plan_like(const Plan& plan, const Mechanism& mechanism) {
+  return can_be_redimensioned(plan, mechanism) ? redimensioned(plan, mechanism) : make_plan(mechanism);
 }
 
 void redimension_groups(Plan& plan, const Mechanism& mechanism) {

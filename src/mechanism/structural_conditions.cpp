@@ -35,17 +35,51 @@ std::vector<int> first_rows(const std::vector<T>& items, int& rows) {
   return first;
 }
 
+// The reference points of the bodies: their first pins.
+class References {
+public:
+  // \param order  of the joints, by name
+  References(const Mechanism& mechanism, const std::vector<int>& order)
+      : mechanism_(mechanism), of_(mechanism.bodies.size()) {
+    for (const int index : order) {
+      const Joint& joint = mechanism.joints[index];
+      if (joint.type == JointType::kRevolute) {
+        choose(joint.first);
+        choose(joint.second);
+      }
+    }
+  }
+
+  // Whether a point is its body's reference, or the origin of a body without pins.
+  [[nodiscard]] bool is_at(const PointRef& ref) const { return is_at(ref.body, point_of(mechanism_, ref)); }
+
+  // Whether a curve is round about its body's reference pin: a circle, or a knife edge there.
+  [[nodiscard]] bool is_about(const CurveRef& ref) const {
+    const auto middle = round_center(curve_of(mechanism_, ref));
+    return middle && of_[ref.body] && is_at(ref.body, *middle);
+  }
+
+private:
+  void choose(const PointRef& ref) {
+    auto& reference = of_[ref.body];
+    if (!reference) {
+      reference = point_of(mechanism_, ref);
+    }
+  }
+
+  [[nodiscard]] bool is_at(int body, const Vector2d& p_B) const {
+    const Vector2d reference = of_[body].value_or(Vector2d(Vector2d::Zero()));
+    return (p_B - reference).norm() <= kSameBodyPoint * (p_B.norm() + reference.norm());
+  }
+
+  const Mechanism& mechanism_;
+  std::vector<std::optional<Vector2d>> of_;
+};
+
 class Conditions {
 public:
   Conditions(const Mechanism& mechanism, const NameOrder& order)
-      : mechanism_(mechanism), reference_(mechanism.bodies.size()) {
-    for (const int index : order.joints) {
-      const Joint& joint = mechanism.joints[index];
-      if (joint.type == JointType::kRevolute) {
-        choose_reference(joint.first);
-        choose_reference(joint.second);
-      }
-    }
+      : mechanism_(mechanism), references_(mechanism, order.joints) {
     for (const int index : order.drivers) {
       add_driver(driven_joint(mechanism, static_cast<std::size_t>(index)));
     }
@@ -79,18 +113,6 @@ private:
     }
   }
 
-  void choose_reference(const PointRef& ref) {
-    auto& reference = reference_[ref.body];
-    if (!reference) {
-      reference = point_of(mechanism_, ref);
-    }
-  }
-
-  [[nodiscard]] bool is_reference(int body, const Vector2d& p_B) const {
-    const Vector2d reference = reference_[body].value_or(Vector2d(Vector2d::Zero()));
-    return (p_B - reference).norm() <= kSameBodyPoint * (p_B.norm() + reference.norm());
-  }
-
   void enter(Condition& condition, int body, std::initializer_list<Coordinate> coordinates) const {
     if (body == 0) {
       return;
@@ -107,7 +129,7 @@ private:
 
   // Enters the coordinates that one component of a point's position depends on.
   void enter_point(Condition& condition, const PointRef& ref, Coordinate coordinate) const {
-    if (is_reference(ref.body, point_of(mechanism_, ref))) {
+    if (references_.is_at(ref)) {
       enter(condition, ref.body, {coordinate});
     } else {
       enter(condition, ref.body, {coordinate, Coordinate::kAngle});
@@ -163,11 +185,9 @@ private:
     joint.type == JointType::kRevolute ? add_angle(joint) : add_along_line(joint);
   }
 
-  // The condition of a circle about its body's reference pin, or of a knife edge there, does not depend on
-  // the body's angle.
+  // The condition of a curve that is round about its body's pin does not depend on the body's angle.
   void enter_curve(Condition& condition, const CurveRef& ref) const {
-    const auto middle = round_center(curve_of(mechanism_, ref));
-    if (middle && reference_[ref.body] && is_reference(ref.body, *middle)) {
+    if (references_.is_about(ref)) {
       enter(condition, ref.body, {Coordinate::kX, Coordinate::kY});
     } else {
       enter_all(condition, ref.body);
@@ -189,7 +209,7 @@ private:
   }
 
   const Mechanism& mechanism_;
-  std::vector<std::optional<Vector2d>> reference_;
+  References references_;
   std::vector<Condition> conditions_;
 };
 
@@ -203,6 +223,22 @@ NameOrder::NameOrder(const Mechanism& mechanism)
 
 std::vector<Condition> structural_conditions(const Mechanism& mechanism, const NameOrder& order) {
   return Conditions(mechanism, order).all();
+}
+
+std::vector<bool> coincidences_of(const Mechanism& mechanism) {
+  const References references(mechanism, by_name(mechanism.joints));
+  std::vector<bool> coincide;
+  for (const Joint& joint : mechanism.joints) {
+    if (joint.type == JointType::kRevolute) {
+      coincide.push_back(references.is_at(joint.first));
+      coincide.push_back(references.is_at(joint.second));
+    }
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    coincide.push_back(references.is_about(contact.first));
+    coincide.push_back(references.is_about(contact.second));
+  }
+  return coincide;
 }
 
 }  // namespace higherpair

@@ -37,4 +37,8 @@ struct NameOrder {
 [[nodiscard]] std::vector<Condition> structural_conditions(const Mechanism& mechanism,
                                                            const NameOrder& order);
 
+/// Of the ends of pins, whether they are at their body's reference point, and of the curves of contacts,
+/// whether they are round about it: all dimensions on which structural_conditions() depend.
+[[nodiscard]] std::vector<bool> coincidences_of(const Mechanism& mechanism);
+
 }  // namespace higherpair

@@ -162,9 +162,10 @@ struct Plan {
   /// Those whose angle is determined by nothing but a rolling contact: they start with the angle of their
   /// pose.
   std::vector<int> phase_bodies;
-  int surplus = 0;       ///< number of conditions in excess of the coordinates
-  bool couples = false;  ///< some of the groups are CoupledBodies
-  double size = 1;       ///< size_of the mechanism [m]
+  std::vector<bool> coincidences;  ///< of pins and round curves, which the order of solution depends on
+  int surplus = 0;                 ///< number of conditions in excess of the coordinates
+  bool couples = false;            ///< some of the groups are CoupledBodies
+  double size = 1;                 ///< size_of the mechanism [m]
 };
 
 /// Those bodies of a group whose rotation is not determined.
