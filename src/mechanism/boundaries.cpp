@@ -73,11 +73,13 @@ bool needs_boundaries(const Mechanism& mechanism, const Contact& contact) {
 }
 
 void use_boundaries(Mechanism& mechanism) {
+  // Of the description alone: the boundaries made below are as long as this reach.
+  const double reach = kReachOfOpenCurves * size_with_boundaries(mechanism);
   for (Contact& contact : mechanism.contacts) {
     if (!needs_boundaries(mechanism, contact)) {
       continue;
     }
-    const BoundaryRules rules{kReachOfOpenCurves * size_with_boundaries(mechanism), !contact.both_sides};
+    const BoundaryRules rules{reach, !contact.both_sides};
     make_own(mechanism, contact.first, rules);
     make_own(mechanism, contact.second, rules);
     contact.by_boundary = true;

@@ -2,6 +2,7 @@
 #include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -368,6 +369,42 @@ TEST(BoundaryCams, AStraightRailCarriesWheelsWhereverItEnds) {
       EXPECT_NEAR((body.X_WB.p_WB - Vector2d(x, 0.02)).norm(), 0, 1e-15) << half << " " << x;
       EXPECT_NEAR(body.theta, 0, 1e-14) << half << " " << x;
     }
+  }
+}
+
+// The face of a follower is a line, which is followed up to 10 times the size of the mechanism; how many
+// contacts there are besides does not matter.
+TEST(BoundaryCams, EqualFollowersOnOneShoeLoseItTogether) {
+  constexpr double r = 0.01, slope = 0.01;
+  Mechanism m;
+  const int shoe = add_body(m, "shoe");
+  const int rail = add_prismatic(m, "rail", add_point(m, kGround, "O", Vector2d::Zero()),
+                                 add_point(m, shoe, "O", Vector2d::Zero()), Vector2d::UnitX());
+  const PointRef G = add_point(m, kGround, "G", Vector2d(0, 0.03));
+  const CurveRef disc = add_curve(m, shoe, "disc", *make_circle({0, 0}, r));
+  for (const char* name : {"a", "b", "c"}) {
+    const int follower = add_body(m, name, Vector2d(0, r));
+    add_prismatic(m, name, G, add_point(m, follower, "F", Vector2d::Zero()), Vector2d::UnitY());
+    add_contact(m, name, disc, add_curve(m, follower, "face", *make_line({0, 0}, {slope, -1})));
+    m.contacts.back().keep = Keep::kGap;
+  }
+  add_driver(m, rail);
+  const double reach = 10 * size_of(m);
+  use_boundaries(m);
+  auto run = start_run(m, {0});
+  ASSERT_TRUE(run) << run.error().reason;
+  move_to(*run, {{2 * reach, 1, 0}});
+  // With F at the height r length - slope x, the foot of the disc's centre on the face is this far from F.
+  const double length = std::hypot(1, slope);
+  std::vector<double> lost;
+  for (const RunEvent& event : run->events) {
+    if (event.type == EventType::kRelease) {
+      lost.push_back(event.driver);
+    }
+  }
+  ASSERT_EQ(lost.size(), 3U);
+  for (const double x : lost) {
+    EXPECT_NEAR((x - slope * (r * length - slope * x)) / length, reach, 1e-12);
   }
 }
 
