@@ -9,14 +9,15 @@
 namespace higherpair {
 namespace {
 
-// The joint between a body and ground; none if there is more than one, or if it is a slot.
+// The joint between a body and ground; none if there is more than one, or if it leaves the
+// body more than one coordinate.
 std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
   std::optional<int> found;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
     const bool joins = (joint.first.body == 0 && joint.second.body == body) ||
                        (joint.second.body == 0 && joint.first.body == body);
-    if (joins && (found || joint.type == JointType::kSlot)) {
+    if (joins && (found || !can_be_driven(joint.type))) {
       return std::nullopt;
     }
     if (joins) {

@@ -63,6 +63,29 @@ TEST(MappedContacts, OfRollingBodiesAreRefused) {
   EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("rolls"));
 }
 
+// A cam on the planet of a planetary gear with a fixed ring: gears join it to ground, but it turns on the arm.
+TEST(MappedContacts, OfABodyThatGearsAloneJoinToGroundAreRefused) {
+  Builder builder;
+  const int arm = builder.body("arm", {0, 0}, 0);
+  const int planet = builder.body("planet", {0.027, 0}, 0);
+  const int follower = builder.body("follower", {0.043, 0}, 0);
+  builder.drive(builder.revolute(0, arm, {0, 0}));
+  (void)builder.revolute(arm, planet, {0.027, 0});
+  Joint ring;
+  ring.name = "ring";
+  ring.type = JointType::kGears;
+  ring.first = builder.point(0, {0, 0});
+  ring.second = builder.point(planet, {0.027, 0});
+  ring.carrier = arm;
+  ring.turning_ratio = 4;
+  builder.mechanism.joints.push_back(ring);
+  (void)builder.prismatic(0, follower, {0.043, 0}, {1, 0}, -0.05);
+  builder.contact(builder.circle(planet, {0.029, 0}, 0.009), builder.circle(follower, {0.043, 0}, 0.005));
+  const auto mapped = mapped_contacts(builder.mechanism, {0});
+  ASSERT_TRUE(mapped) << mapped.error();
+  EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("planet has no revolute or prismatic joint to ground"));
+}
+
 TEST(MappedContacts, OfAMechanismThatLacksADriverSayWhatIsMissing) {
   Pair pair;
   const int loose = pair.builder.body("loose", {0.3, 0}, 0);
