@@ -78,7 +78,8 @@ bool tells_alike(const Run& a, const Run& b) {
     return one.overlaps == other.overlaps && one.interrupted == other.interrupted;
   };
   const auto same_crossing = [&](const Crossing& one, const Crossing& other) {
-    return one.group == other.group && std::abs(one.s - other.s) <= kSameStanding * (1 + std::abs(one.s));
+    return one.group == other.group &&
+           std::abs(one.s - other.s) <= kSameStanding * (driver_scale(a, 0) + std::abs(one.s));
   };
   return all_alike(a.at.outputs, b.at.outputs, same_sense) &&
          all_alike(a.at.watches, b.at.watches, same_watch) &&

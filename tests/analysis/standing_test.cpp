@@ -62,6 +62,21 @@ TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
   EXPECT_FALSE(go_on_alike(run, other));
 }
 
+// A slide of 20 nm: change points that differ by half a hundredth of that are not the same.
+TEST(StandingElsewhere, IsJudgedRelativeToTheSize) {
+  constexpr double size = 2e-8;
+  Mechanism m;
+  const int slider = add_body(m, "slider", Vector2d(-size, 0));
+  add_driver(m, add_prismatic(m, "guide", add_point(m, kGround, "O", Vector2d::Zero()),
+                              add_point(m, slider, "P", Vector2d(size, 0)), Vector2d::UnitX()));
+  auto run = start_run(m, {0}).value();
+  run.at.reported = {{0, size / 2}};
+  auto other = run;
+  EXPECT_TRUE(go_on_alike(run, other));
+  other.at.reported = {{0, 0.505 * size}};
+  EXPECT_FALSE(go_on_alike(run, other));
+}
+
 // Beyond its limit a mechanism is in the same state wherever it was lost; back from there it no longer is.
 TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
   const double from = 0;
