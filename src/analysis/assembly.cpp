@@ -18,8 +18,6 @@ namespace {
 // After this many tries the search ends with the best assembly so far, if there is one.
 constexpr int kMaxTries = 20000;
 
-constexpr int kMostModes = 16;  // modes that a branch number encodes; further groups are in mode +1
-
 constexpr std::size_t kMaxAssemblies = 4096;
 
 // How far the bodies of a group are turned from their poses, each at most 1. A lever that is turned by half a
@@ -133,26 +131,30 @@ int branch_count(const Plan& plan) {
   for (const Group& group : plan.groups) {
     modes += traits_of(group).two_modes ? 1 : 0;
   }
-  return 1 << std::min(modes, kMostModes);
+  return 1 << std::min(modes, kMostBranchModes);
 }
 
 int branch_of(const Run& run) {
   int branch = 0;
   int bit = 0;
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    if (traits_of(run.plan().groups[g]).two_modes && bit < kMostModes) {
+    if (traits_of(run.plan().groups[g]).two_modes && bit < kMostBranchModes) {
       branch |= (run.at.state.groups[g].mode < 0 ? 1 : 0) << bit++;
     }
   }
   return branch;
 }
 
-tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const std::vector<double>& drivers) {
+tl::expected<RunModel, StartFailure> planned_model(const Mechanism& mechanism) {
   auto plan = make_plan(mechanism);
   if (!plan) {
-    return tl::unexpected(StartFailure{plan.error(), std::nullopt});
+    return tl::unexpected(StartFailure{std::move(plan.error()), std::nullopt});
   }
-  return planned_run(make_run_model(mechanism, *std::move(plan)), drivers);
+  return make_run_model(mechanism, *std::move(plan));
+}
+
+tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism, const std::vector<double>& drivers) {
+  return planned_model(mechanism).map([&](RunModel model) { return planned_run(std::move(model), drivers); });
 }
 
 Run planned_run(RunModel model, const std::vector<double>& drivers) {
@@ -180,7 +182,7 @@ State posed_state(const Mechanism& mechanism, const Plan& plan, int branch) {
   state.tracks.resize(plan.groups.size());
   int bit = 0;
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
-    if (traits_of(plan.groups[g]).two_modes && bit < kMostModes) {
+    if (traits_of(plan.groups[g]).two_modes && bit < kMostBranchModes) {
       state.groups[g].mode = ((branch >> bit++) & 1) == 0 ? 1 : -1;
     }
   }

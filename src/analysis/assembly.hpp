@@ -4,6 +4,9 @@
 
 namespace higherpair {
 
+/// A model of a mechanism, planned.
+[[nodiscard]] tl::expected<RunModel, StartFailure> planned_model(const Mechanism& mechanism);
+
 /// A mechanism with its plan at these positions of its drivers, not yet assembled.
 [[nodiscard]] tl::expected<Run, StartFailure> planned_run(const Mechanism& mechanism,
                                                           const std::vector<double>& drivers);
@@ -15,8 +18,8 @@ namespace higherpair {
                                          const std::vector<BodyMotion>& bodies,
                                          const std::vector<BodyMotion>& posed);
 
-/// Sets run.at.state to the assembly at run.at.drivers that is nearest to the poses, without rates. \returns
-/// why there is none
+/// Sets run.at.state to the assembly at run.at.drivers that is nearest to the poses, without rates; may be
+/// stopped by run.stop, and then finds none. \returns why there is none
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);
 
 /// The same in the modes of a branch (branch_run.hpp); false where the branch has no assembly at

@@ -4,7 +4,7 @@
 #include "higherpair/geometry/local_conic.hpp"
 #include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -108,7 +108,7 @@ public:
       return false;
     }
     const double s = std::sqrt(least2);
-    const double offset = std::abs(offset_of(dyad));
+    const double offset = std::abs(slot_offset(dyad));
     const double omega = speed / s;
     const double sliding = speed + offset * omega;
     const double alpha = (acceleration + 2 * sliding * omega + offset * squared(omega)) / s;

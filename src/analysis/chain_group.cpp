@@ -21,11 +21,6 @@ std::optional<Oval> oval_of(const Curve& curve) {
   return Oval{center(curve), {curve.axis_B.x(), curve.axis_B.y()}, along, across};
 }
 
-Rotation<double> direction(const Vector2d& v) {
-  const double length = v.norm();
-  return {v.x() / length, v.y() / length};
-}
-
 // The two centres keep a constant distance, the sum of the radii: a link between them.
 std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   const double length = contact.on_known.along + contact.on_body.along;
@@ -51,7 +46,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
     dyad.b_pC = contact.on_body.center_B;
     dyad.length_a = length;
     dyad.length_b = arm.norm();
-    dyad.along_b = direction(arm);
+    dyad.along_b = direction_of(arm);
     return ChainGroup{dyad, true, touch};
   }
   RrpDyad dyad;
@@ -59,7 +54,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   dyad.link = touch.link;
   dyad.pC = Vector2d(length, 0);
   dyad.length = length;
-  dyad.line = {touch.carrier, freedom.p_WO + freedom.R_WB * arm, direction(freedom.direction_W)};
+  dyad.line = {touch.carrier, freedom.p_WO + freedom.R_WB * arm, direction_of(freedom.direction_W)};
   dyad.slider = Rider{touch.body, touch.carrier, contact.on_body.center_B, freedom.theta, freedom.R_WB};
   return ChainGroup{dyad, true, touch};
 }

@@ -233,18 +233,13 @@ inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, 
   }
 }
 
-/// The offset of the line of an RPR dyad from its pin A, both on the link.
-[[nodiscard]] inline double offset_of(const RprDyad& dyad) {
-  return cross(Vector2d(dyad.line.u_B.cos, dyad.line.u_B.sin), Vector2d(dyad.line.p_B - dyad.pA));
-}
-
 template <ChainRates kRates, class T>
 inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, ChainWatch<T>& watch) {
   using std::max;
   const ChainPoint<T> A = chain_point<kRates>(bodies, dyad.A);
   const ChainPoint<T> B = chain_point<kRates>(bodies, dyad.B);
   const Vector2<T> D(B.p_W.x() - A.p_W.x(), B.p_W.y() - A.p_W.y());
-  const T offset(offset_of(dyad));
+  const T offset(slot_offset(dyad));
   const Reach<T> reach = rpr_reach(D, offset, T(0));
   const RprPosition<T> position = rpr_position(D, offset, reach, T(mode));
   watch.note(-reach.fold);

@@ -6,10 +6,6 @@
 namespace higherpair {
 namespace {
 
-const Joint& joint_of_chain(const Mechanism& mechanism, int index) {
-  return mechanism.joints[index];
-}
-
 BodyPoint body_point(const Mechanism& mechanism, const PointRef& ref) {
   return {ref.body, point_of(mechanism, ref)};
 }
@@ -22,7 +18,7 @@ bool add_spring(const Mechanism& mechanism, const Spring& spring, std::span<cons
         {body_point(mechanism, spring.first), body_point(mechanism, spring.second), tension});
     return true;
   }
-  const Joint& joint = joint_of_chain(mechanism, *spring.joint);
+  const Joint& joint = mechanism.joints[*spring.joint];
   if (joint.type == JointType::kPrismatic || joint.type == JointType::kSlot) {
     loads.line_springs.push_back(
         {{joint.first.body, point_of(mechanism, joint.first), {joint.direction_A.x(), joint.direction_A.y()}},
@@ -71,7 +67,7 @@ bool take_loads(const Mechanism& mechanism, std::span<const ChainAngle> angles, 
 bool take_joint(const Mechanism& mechanism, const Group& group, int held, int other, JointType type,
                 ChainSupport& support) {
   for (const int index : group.joints) {
-    const Joint& joint = joint_of_chain(mechanism, index);
+    const Joint& joint = mechanism.joints[index];
     const bool is_second = joint.second.body == held && joint.first.body == other;
     const bool is_first = joint.first.body == held && joint.second.body == other;
     if (joint.type == type && (is_first || is_second)) {

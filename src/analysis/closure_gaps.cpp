@@ -51,9 +51,7 @@ std::optional<double> closure_gap(const Group& group, const std::vector<BodyMoti
     return distance_from(dyad->line, bodies, in_ground(dyad->A, bodies)) - dyad->length;
   }
   if (const auto* dyad = std::get_if<RprDyad>(&group.kind)) {
-    const double offset = std::abs(
-        cross(Vector2d(dyad->line.u_B.cos, dyad->line.u_B.sin), Vector2d(dyad->pA - dyad->line.p_B)));
-    return offset - (in_ground(dyad->A, bodies) - in_ground(dyad->B, bodies)).norm();
+    return std::abs(slot_offset(*dyad)) - (in_ground(dyad->A, bodies) - in_ground(dyad->B, bodies)).norm();
   }
   return std::nullopt;
 }

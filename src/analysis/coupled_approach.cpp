@@ -28,7 +28,7 @@ std::vector<Vector2d> middles_of(const Planned& model, const Group& group, const
   for (const int body : group.bodies) {
     const std::vector<Vector2d> places = places_of(model, group, at, body);
     const Vector2d sum = std::accumulate(places.begin(), places.end(), Vector2d(0, 0));
-    middles.push_back(places.empty() ? body_in(at, body).X_WB.p_WB
+    middles.push_back(places.empty() ? at.bodies[body].X_WB.p_WB
                                      : Vector2d(sum / static_cast<double>(places.size())));
   }
   return middles;
@@ -47,7 +47,7 @@ public:
   /// Moves the bodies by a change from their original position, in which they still are in `to`.
   void move(const Eigen::VectorXd& change, State& to) const {
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
-      BodyMotion& body = body_in(to, group_.bodies[i]);
+      BodyMotion& body = to.bodies[group_.bodies[i]];
       const double turn = change(first(i) + 2);
       const Vector2d lever = Rotation<double>::from_angle(turn) * Vector2d(body.X_WB.p_WB - middles_[i]);
       body.theta += turn;
@@ -60,7 +60,7 @@ public:
   template <class Matrix>
   void transform(const Eigen::VectorXd& change, const State& to, Matrix& J) const {
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
-      const Vector2d lever = (body_in(to, group_.bodies[i]).X_WB.p_WB - moved(i, change)) / size_;
+      const Vector2d lever = (to.bodies[group_.bodies[i]].X_WB.p_WB - moved(i, change)) / size_;
       J.col(first(i) + 2) += lever.x() * J.col(first(i) + 1) - lever.y() * J.col(first(i));
     }
   }
@@ -69,8 +69,8 @@ public:
   [[nodiscard]] Eigen::VectorXd change_between(const State& from, const State& to) const {
     Eigen::VectorXd change(count());
     for (std::size_t i = 0; i < group_.bodies.size(); ++i) {
-      const BodyMotion& a = body_in(from, group_.bodies[i]);
-      const BodyMotion& b = body_in(to, group_.bodies[i]);
+      const BodyMotion& a = from.bodies[group_.bodies[i]];
+      const BodyMotion& b = to.bodies[group_.bodies[i]];
       const double turn = b.theta - a.theta;
       const Vector2d lever = Rotation<double>::from_angle(turn) * Vector2d(a.X_WB.p_WB - middles_[i]);
       change.segment<3>(first(i)) << (b.X_WB.p_WB - lever - middles_[i]) / size_, turn;

@@ -4,7 +4,6 @@
 #include "group_kinds.hpp"
 #include "group_solver.hpp"
 #include "higherpair/geometry/newton.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
@@ -65,7 +64,7 @@ void predict(const Group& group, const State& from, double h, State& to) {
   for (const int index : group.bodies) {
     const BodyMotion& before = from.bodies[index];
     BodyMotion& body = to.bodies[index];
-    body.theta = before.theta + h * (before.omega + h / 2 * before.alpha);
+    body.theta = predicted_angle(from, index, h);
     body.X_WB = {Rotation<double>::from_angle(body.theta),
                  before.X_WB.p_WB + h * (before.v_WB + h / 2 * before.a_WB)};
   }
@@ -126,8 +125,8 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
     const ContactMotion& motion = state.contacts[index];
     const Vector2d p_W = motion.at.p_W();
     const Vector2d& n_W = motion.at.n_W;
-    const PointMotion one = motion_at_place(body_in(state, contact.first.body), p_W);
-    const PointMotion two = motion_at_place(body_in(state, contact.second.body), p_W);
+    const PointMotion one = motion_at_place(state.bodies[contact.first.body], p_W);
+    const PointMotion two = motion_at_place(state.bodies[contact.second.body], p_W);
     const Vector2d apart = order == 1 ? Vector2d(two.v_W - one.v_W) : Vector2d(two.a_W - one.a_W);
     values.push_back(n_W.dot(apart) - (order == 1 ? 0 : motion.rates.normal_acceleration));
     if (contact.rolling) {

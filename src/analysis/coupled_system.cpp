@@ -18,18 +18,6 @@ Eigen::Index column_of(const Group& group, int body) {
   return found == group.bodies.end() ? -1 : 3 * (found - group.bodies.begin());
 }
 
-// A point of ground that the mechanism is joined to.
-Vector2d place_of_ground(const Mechanism& mechanism) {
-  for (const Joint& joint : mechanism.joints) {
-    for (const PointRef& point : {joint.first, joint.second}) {
-      if (point.body == 0 && !couples_turning(joint.type)) {
-        return mechanism.bodies[0].points[point.point].p_B;
-      }
-    }
-  }
-  return Vector2d::Zero();
-}
-
 }  // namespace
 
 void take_group(const Group& group, const State& from, State& to) {
@@ -78,14 +66,6 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   return rows;
 }
 
-Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    values(static_cast<Eigen::Index>(i)) = rows[i].value;
-  }
-  return values;
-}
-
 std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
                                 std::optional<int> body) {
   const auto counts = [&](int index) { return !body || index == *body; };
@@ -94,8 +74,7 @@ std::vector<Vector2d> places_of(const Planned& model, const Group& group, const 
     const Joint& joint = model.mechanism.joints[index];
     for (const PointRef& point : {joint.first, joint.second}) {
       if (!couples_turning(joint.type) && counts(point.body)) {
-        const Body& of = model.mechanism.bodies[point.body];
-        places.push_back(body_in(state, point.body).X_WB * of.points[point.point].p_B);
+        places.push_back(state.bodies[point.body].X_WB * point_of(model.mechanism, point));
       }
     }
   }
@@ -123,14 +102,19 @@ Eigen::VectorXd gradient_of(const Group& group, const std::vector<ConstraintRow>
 }
 
 Eigen::MatrixXd jacobian_of(const Group& group, const std::vector<ConstraintRow>& rows, double size) {
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
-                                            3 * static_cast<Eigen::Index>(group.bodies.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    add_coefficients(
-        rows[i], size, [&](std::size_t k) { return column_of(group, rows[i].body[k]); },
-        J.row(static_cast<Eigen::Index>(i)));
+  return jacobian_of(rows, size, 3 * static_cast<Eigen::Index>(group.bodies.size()),
+                     [&](int body) { return column_of(group, body); });
+}
+
+Vector2d place_of_ground(const Mechanism& mechanism) {
+  for (const Joint& joint : mechanism.joints) {
+    for (const PointRef& point : {joint.first, joint.second}) {
+      if (point.body == 0 && !couples_turning(joint.type)) {
+        return point_of(mechanism, point);
+      }
+    }
   }
-  return J;
+  return Vector2d::Zero();
 }
 
 double farthest_coupled(const Planned& model, const State& state) {

@@ -29,15 +29,17 @@ void take_group(const Group& group, const State& from, State& to);
 void hold_angles(const std::vector<int>& held, const State& in, const State& to, double size,
                  std::vector<ConstraintRow>& rows);
 
-[[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
-
 /// Positions in ground of the points of the group's joints and of its contacts [m]. \param body  if given:
 /// only those of this body
 [[nodiscard]] std::vector<Vector2d> places_of(const Planned& model, const Group& group, const State& state,
                                               std::optional<int> body = std::nullopt);
 
-/// The largest distance of a place of coupled bodies, or of their contacts, from a point of ground that the
-/// mechanism is joined to [m]; infinite where one is undefined, 0 without coupled bodies.
+/// A point of ground that the mechanism is joined to [m]: distances that decide what is far out are measured
+/// from it, as the origin of ground may be anywhere.
+[[nodiscard]] Vector2d place_of_ground(const Mechanism& mechanism);
+
+/// The largest distance of a place of coupled bodies, or of their contacts, from place_of_ground() [m];
+/// infinite where one is undefined, 0 without coupled bodies.
 [[nodiscard]] double farthest_coupled(const Planned& model, const State& state);
 
 /// Σ weight · (derivatives of a row by the coordinates).

@@ -1,7 +1,6 @@
 #include "crossing.hpp"
 
 #include "higherpair/mechanism/group_traits.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -41,15 +40,6 @@ Jet<V> between(const Jet<V>& a, const Jet<V>& b, double h, double t) {
   return {value, first, second};
 }
 
-// How fast the fastest body moves, per unit of s: turns, and ways relative to the size.
-double fastest(const Run& run, const State& state) {
-  double speed = 0;
-  for (const BodyMotion& body : state.bodies) {
-    speed = std::max({speed, std::abs(body.omega), body.v_WB.norm() / run.plan().size});
-  }
-  return speed;
-}
-
 }  // namespace
 
 bool is_near_crossing(const Run& run, const State& state) {
@@ -63,7 +53,7 @@ bool is_near_crossing(const Run& run, const State& state) {
 }
 
 double crossing_reach(const Run& run, const Path& path, const State& state) {
-  return std::min(kCrossingReach * unit_of(run, path), kCrossingTurn / fastest(run, state));
+  return std::min(kCrossingReach * unit_of(run, path), kCrossingTurn / fastest_body(run, state));
 }
 
 void interpolate(const Run& run, const State& a, double h, double t, State& b) {

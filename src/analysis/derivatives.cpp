@@ -5,7 +5,6 @@
 #include "series_motion.hpp"
 #include "span_ends.hpp"
 
-#include <algorithm>
 #include <cassert>
 
 namespace higherpair {
@@ -65,7 +64,7 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
   }
   const auto held = plan_with_held_joints(run, dimensions, at);
   const auto motion = row_series(run, held ? *held : run.plan(), dimensions, dimensions, std::move(at));
-  if (!std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; })) {
+  if (!motion.all_known()) {
     return std::nullopt;
   }
   std::vector<BodyDerivatives> bodies(motion.at.bodies.size());

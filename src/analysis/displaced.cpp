@@ -140,8 +140,7 @@ private:
 // The step if p changes no coordinate: everything is then a polynomial of the loads.
 double step_of_loads(const Run& run, const Mechanism& derivative) {
   double largest = 1;
-  std::vector<double> numbers;
-  for_each_number(run.mechanism(), [&](double number) { numbers.push_back(number); });
+  const std::vector<double> numbers = numbers_of(run.mechanism());
   for_each_number(derivative, [&, i = std::size_t{0}](double change) mutable {
     const double number = numbers[i++];
     largest = change != 0 ? std::max(largest, std::abs(number / change)) : largest;

@@ -6,7 +6,6 @@
 #include "chain_loads.hpp"
 #include "chain_rows.hpp"
 #include "higherpair/mechanism/description.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"

@@ -13,7 +13,7 @@ namespace {
 // is the path since `from`, to predict the whole turns of its angle.
 void pose_link(int index, const Rotation<double>& along_W, const Rotation<double>& along_B,
                const Vector2d& p_W, const Vector2d& p_B, const State& from, double h, State& to) {
-  BodyMotion& body = body_in(to, index);
+  BodyMotion& body = to.bodies[index];
   body.X_WB.R_WB = along_W * along_B.inverse();
   body.X_WB.p_WB = p_W - body.X_WB.R_WB * p_B;
   const auto i = static_cast<std::size_t>(index);
@@ -22,16 +22,16 @@ void pose_link(int index, const Rotation<double>& along_W, const Rotation<double
 }
 
 void pose_rider(const Rider& rider, const Vector2d& p_W, State& to) {
-  const BodyMotion& carrier = body_in(to, rider.carrier);
-  BodyMotion& body = body_in(to, rider.body);
+  const BodyMotion& carrier = to.bodies[rider.carrier];
+  BodyMotion& body = to.bodies[rider.body];
   body.theta = carrier.theta + rider.relative_angle;
   body.X_WB.R_WB = carrier.X_WB.R_WB * rider.relative;
   body.X_WB.p_WB = p_W - body.X_WB.R_WB * rider.p_B;
 }
 
 void move_rider(const Rider& rider, const PointMotion& point, State& state) {
-  const BodyMotion& carrier = body_in(state, rider.carrier);
-  move_link(body_in(state, rider.body), carrier.omega, carrier.alpha, point, rider.p_B);
+  const BodyMotion& carrier = state.bodies[rider.carrier];
+  move_link(state.bodies[rider.body], carrier.omega, carrier.alpha, point, rider.p_B);
 }
 
 AssemblyMode mode_of(const GroupState& group) {
@@ -39,7 +39,7 @@ AssemblyMode mode_of(const GroupState& group) {
 }
 
 GuideMotion guide_on(const BodyLine& line, const State& state) {
-  return guide_motion(body_in(state, line.body), line.p_B, line.u_B);
+  return guide_motion(state.bodies[line.body], line.p_B, line.u_B);
 }
 
 // At a singular position the sine is 0 to within rounding; it counts as 0.
@@ -55,8 +55,8 @@ struct RrrEnds {
 RrrEnds rrr_ends(const RrrDyad& dyad, const State& state) {
   RrrEnds ends{place_of(state, dyad.A), place_of(state, dyad.B), {}};
   if (dyad.loop) {
-    const Rotation<double> arm = body_in(state, dyad.arm.body).X_WB.R_WB * dyad.arm.u_B;
-    const Rotation<double> ground = body_in(state, dyad.ground.body).X_WB.R_WB * dyad.ground.u_B;
+    const Rotation<double> arm = state.bodies[dyad.arm.body].X_WB.R_WB * dyad.arm.u_B;
+    const Rotation<double> ground = state.bodies[dyad.ground.body].X_WB.R_WB * dyad.ground.u_B;
     ends.reach = reach_at(dyad.loop->stretch, dyad.loop->fold, arm * ground.inverse());
   } else {
     ends.reach = rrr_reach(Vector2d(ends.B_W - ends.A_W), dyad.length_a, dyad.length_b,
@@ -89,8 +89,8 @@ void move_dyad(const RrrDyad& dyad, std::size_t g, State& state) {
   GroupState& group = state.groups[g];
   const PointMotion A = motion_of(state, dyad.A);
   const PointMotion B = motion_of(state, dyad.B);
-  BodyMotion& a = body_in(state, dyad.link_a);
-  BodyMotion& b = body_in(state, dyad.link_b);
+  BodyMotion& a = state.bodies[dyad.link_a];
+  BodyMotion& b = state.bodies[dyad.link_b];
   const RrrPosition<double> position{a.X_WB.R_WB * dyad.along_a, b.X_WB.R_WB * dyad.along_b, group.sine};
   const RrrRates<double> rates =
       rrr_rates(position, dyad.length_a, dyad.length_b, Vector2d(B.v_W - A.v_W), Vector2d(B.a_W - A.a_W));
@@ -104,12 +104,6 @@ namespace {
 
 RrpMotion solve(const RrpDyad& dyad, const GroupState& group, const State& state) {
   return rrp_dyad(motion_of(state, dyad.A), guide_on(dyad.line, state), dyad.length, mode_of(group));
-}
-
-// The offset of the line from the pin, both on the link.
-double slot_offset(const RprDyad& dyad) {
-  const Vector2d u(dyad.line.u_B.cos, dyad.line.u_B.sin);
-  return cross(u, Vector2d(dyad.line.p_B - dyad.pA));
 }
 
 RprMotion solve(const RprDyad& dyad, const GroupState& group, const State& state) {
@@ -134,7 +128,7 @@ GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, do
   if (motion.status == LinkageStatus::kNotAssemblable) {
     return GroupStatus::kOutOfReach;
   }
-  const Rotation<double> u = body_in(to, dyad.line.body).X_WB.R_WB * dyad.line.u_B;
+  const Rotation<double> u = to.bodies[dyad.line.body].X_WB.R_WB * dyad.line.u_B;
   group.sine = sine_unless_singular(motion.status, (motion.u_link * u.inverse()).cos);
   pose_link(dyad.link, motion.u_link, dyad.along, place_of(to, dyad.A), dyad.pA, from, h, to);
   if (dyad.slider) {
@@ -147,23 +141,24 @@ void move_dyad(const RrpDyad& dyad, std::size_t g, State& state) {
   GroupState& group = state.groups[g];
   const RrpMotion motion = solve(dyad, group, state);
   const RrpMotion::Rates rates = motion.rates.value_or(RrpMotion::Rates{});
-  move_link(body_in(state, dyad.link), rates.omega, rates.alpha, motion_of(state, dyad.A), dyad.pA);
+  move_link(state.bodies[dyad.link], rates.omega, rates.alpha, motion_of(state, dyad.A), dyad.pA);
   if (dyad.slider) {
     move_rider(*dyad.slider, {motion.p_WC, rates.v_WC, rates.a_WC}, state);
   }
-  const BodyMotion& carrier = body_in(state, dyad.line.body);
+  const BodyMotion& carrier = state.bodies[dyad.line.body];
   const Rotation<double> u = carrier.X_WB.R_WB * dyad.line.u_B;
   group.sine_rate = -(motion.u_link * u.inverse()).sin * (rates.omega - carrier.omega);
 }
 
-GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h, State& to) {
+GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h, double size,
+                       State& to) {
   GroupState& group = to.groups[g];
   const RprMotion motion = solve(dyad, group, to);
   if (motion.status == LinkageStatus::kNotAssemblable) {
     return GroupStatus::kOutOfReach;
   }
   group.sine = sine_unless_singular(motion.status, motion.s);
-  group.lever = dyad.size;
+  group.lever = size;
   pose_link(dyad.link, motion.u, dyad.line.u_B, place_of(to, dyad.A), dyad.pA, from, h, to);
   if (dyad.slider) {
     pose_rider(*dyad.slider, place_of(to, dyad.B), to);
@@ -174,7 +169,7 @@ GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, do
 void move_dyad(const RprDyad& dyad, std::size_t g, State& state) {
   const RprMotion motion = solve(dyad, state.groups[g], state);
   const RprMotion::Rates rates = motion.rates.value_or(RprMotion::Rates{});
-  move_link(body_in(state, dyad.link), rates.omega, rates.alpha, motion_of(state, dyad.A), dyad.pA);
+  move_link(state.bodies[dyad.link], rates.omega, rates.alpha, motion_of(state, dyad.A), dyad.pA);
   if (dyad.slider) {
     move_rider(*dyad.slider, motion_of(state, dyad.B), state);
   }
@@ -229,19 +224,19 @@ double reach_of(const RprDyad& dyad, const GroupState& group, const State& state
 }
 
 double dyad_sine(const RrrDyad& dyad, const State& state) {
-  const Rotation<double> u_a = body_in(state, dyad.link_a).X_WB.R_WB * dyad.along_a;
-  const Rotation<double> u_b = body_in(state, dyad.link_b).X_WB.R_WB * dyad.along_b;
+  const Rotation<double> u_a = state.bodies[dyad.link_a].X_WB.R_WB * dyad.along_a;
+  const Rotation<double> u_b = state.bodies[dyad.link_b].X_WB.R_WB * dyad.along_b;
   return (u_a.inverse() * u_b).sin;
 }
 
 double dyad_sine(const RrpDyad& dyad, const State& state) {
-  const Rotation<double> u_link = body_in(state, dyad.link).X_WB.R_WB * dyad.along;
-  const Rotation<double> u = body_in(state, dyad.line.body).X_WB.R_WB * dyad.line.u_B;
+  const Rotation<double> u_link = state.bodies[dyad.link].X_WB.R_WB * dyad.along;
+  const Rotation<double> u = state.bodies[dyad.line.body].X_WB.R_WB * dyad.line.u_B;
   return (u.inverse() * u_link).cos;
 }
 
 double dyad_sine(const RprDyad& dyad, const State& state) {
-  const Rotation<double> u = body_in(state, dyad.link).X_WB.R_WB * dyad.line.u_B;
+  const Rotation<double> u = state.bodies[dyad.link].X_WB.R_WB * dyad.line.u_B;
   return (place_of(state, dyad.B) - place_of(state, dyad.A)).dot(Vector2d(u.cos, u.sin));
 }
 

@@ -14,15 +14,6 @@
 namespace higherpair {
 namespace {
 
-// The largest speed of any body, as that of an output that turns [per unit of the path] or slides [m].
-double fastest_motion(const State& state, double size, bool turning) {
-  double fastest = 0;
-  for (const BodyMotion& body : state.bodies) {
-    fastest = std::max({fastest, std::abs(body.omega), body.v_WB.norm() / size});
-  }
-  return turning ? fastest : fastest * size;
-}
-
 // Where within a step the speed of an output first falls and then rises, so that it may have reversed twice:
 // the minimum of the cubic through the velocities and accelerations at both ends. 0 if there is none.
 double slowest_within(double v0, double a0, double v1, double a1, double h) {
@@ -79,8 +70,8 @@ private:
 
   // Below this speed the sense of an output is a matter of rounding.
   [[nodiscard]] double slowest(const OutputJoint& output, double fast) const {
-    return kSlowestOutput * std::max(fast, fastest_motion(run_.work.trial, run_.plan().size,
-                                                          has_angle(joint_of(output).type)));
+    const double unit = has_angle(joint_of(output).type) ? 1 : run_.plan().size;
+    return kSlowestOutput * std::max(fast, unit * fastest_body(run_, run_.work.trial));
   }
 
   // Notes a reversal between x0 and x1 within the step.

@@ -6,6 +6,7 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "start_failures.hpp"
@@ -20,10 +21,6 @@
 
 namespace higherpair {
 namespace {
-
-const Contact& contact_of(const Mechanism& mechanism, int index) {
-  return mechanism.contacts[index];
-}
 
 FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
   if (approach == Approach::kNearest) {
@@ -67,7 +64,7 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
 bool starts_rolling(const Mechanism& mechanism, const Group& group) {
   return traits_of(group).coupled &&
          std::any_of(group.contacts.begin(), group.contacts.end(),
-                     [&](int contact) { return contact_of(mechanism, contact).rolling; });
+                     [&](int contact) { return mechanism.contacts[contact].rolling; });
 }
 
 // The coordinates of a follower between the ends of its joint, to within rounding.
@@ -142,7 +139,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
 
 void FirstPosition::begin_arcs(const Group& group) {
   for (const int index : group.contacts) {
-    const Contact& contact = contact_of(run_.mechanism(), index);
+    const Contact& contact = run_.mechanism().contacts[index];
     ContactMotion& motion = state_.contacts[index];
     if (contact.rolling) {
       motion.arc_difference = arc_difference(run_.mechanism(), contact, motion, state_.bodies);
@@ -151,7 +148,7 @@ void FirstPosition::begin_arcs(const Group& group) {
 }
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
-  const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
+  const Contact& contact = run_.mechanism().contacts[tracked.contact];
   const double u = tracked.driver_sign * run_.at.drivers[tracked.driver];
   const double q = carried_coordinate(tracked.follower, posed_.bodies);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
@@ -183,14 +180,14 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
                                        const FindResult& found) {
   const ContactPair& pair = tracked.pair;
   const Separation here = separation(pair.curve1, pose_at(pair.motion1, u), pair.curve2,
-                                     pose_at(pair.motion2, q), kRoughSeparation * run_.plan().size);
+                                     pose_at(pair.motion2, q), kRoughNormal * run_.plan().size);
   RollingTrack track;
   const RollingResult start = start_rolling(track, pair, u, q, here.n_W);
   if (start.converged && start.mismatch <= run_.tolerance * run_.plan().size) {
     state_.tracks[g] = track;
     return true;
   }
-  const Contact& contact = contact_of(run_.mechanism(), tracked.contact);
+  const Contact& contact = run_.mechanism().contacts[tracked.contact];
   if (found.status != FindStatus::kFound) {
     fail(g, why_no_contact(found.status, contact));
     return false;
@@ -204,12 +201,12 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
 
 // Finds the contact of a body that depends on bodies placed before; place_group then starts from it.
 bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) {
-  const Contact& contact = contact_of(run_.mechanism(), touching.contact);
+  const Contact& contact = run_.mechanism().contacts[touching.contact];
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
   const StandingPair placed = standing_pair(model_, touching, state_);
   const double posed = carried_coordinate(follower, posed_.bodies);
-  const double turned = follower.freedom.turns ? body_in(state_, follower.carrier).theta : 0;
+  const double turned = follower.freedom.turns ? state_.bodies[follower.carrier].theta : 0;
   if (contact.by_boundary) {
     return start_on_boundaries(touching, g, placed, posed + turned);
   }
@@ -224,7 +221,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
     return false;
   }
   state_.groups[g].mode = found.branch;
-  body_in(touching_start_, follower.body) = motion_at(placed.pair.motion2, found.at.q, 0, 0);
+  touching_start_.bodies[follower.body] = motion_at(placed.pair.motion2, found.at.q, 0, 0);
   ContactMotion& motion = touching_start_.contacts[touching.contact];
   motion.at.n_W = touching.follower_is_second ? found.at.n_W : Vector2d(-found.at.n_W);
   motion.phi = angle_of(motion.at.n_W);
@@ -233,7 +230,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
 
 bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                         const StandingPair& placed, double posed) {
-  const Contact& contact = contact_of(run_.mechanism(), touching.contact);
+  const Contact& contact = run_.mechanism().contacts[touching.contact];
   const BoundaryPair pair = standing_boundaries(model_, touching, placed);
   const double size = run_.plan().size;
   if (contact.approach != Approach::kNearest && !contact.both_sides &&
@@ -256,7 +253,7 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
     return false;
   }
   state_.groups[g].mode = found->gap_q < 0 ? -1 : 1;
-  body_in(touching_start_, touching.follower.body) = motion_at(pair.motion2, found->q, 0, 0);
+  touching_start_.bodies[touching.follower.body] = motion_at(pair.motion2, found->q, 0, 0);
   ContactMotion& motion = touching_start_.contacts[touching.contact];
   move_contact(touching, *found, 0, motion);
   motion.phi = angle_of(motion.at.n_W);
@@ -266,24 +263,14 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
 // Newton's method starts from the common normal of the bodies in their poses.
 void FirstPosition::start_coupled(const Group& group) {
   for (const int index : group.contacts) {
-    const Contact& contact = contact_of(run_.mechanism(), index);
+    const Contact& contact = run_.mechanism().contacts[index];
     const auto pose = [&](const CurveRef& ref) {
       const auto body = static_cast<std::size_t>(ref.body);
       const bool placed = !contains(group.bodies, ref.body);
       return (placed ? state_ : posed_).bodies[body].X_WB;
     };
-    if (contact.by_boundary) {
-      posed_.contacts[index].place =
-          nearest_places(boundary_of(run_.mechanism(), contact.first), pose(contact.first),
-                         boundary_of(run_.mechanism(), contact.second), pose(contact.second));
-      continue;
-    }
-    const Separation here = separation(curve_of(run_.mechanism(), contact.first), pose(contact.first),
-                                       curve_of(run_.mechanism(), contact.second), pose(contact.second),
-                                       kRoughSeparation * run_.plan().size);
-    ContactMotion& motion = posed_.contacts[index];
-    motion.at.n_W = here.n_W;
-    motion.phi = angle_of(here.n_W);
+    posed_.contacts[index] =
+        facing_motion(run_.mechanism(), contact, pose(contact.first), pose(contact.second), run_.plan().size);
   }
 }
 

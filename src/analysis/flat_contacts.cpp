@@ -5,10 +5,7 @@
 #include "other_place.hpp"
 #include "step.hpp"
 
-#include <cmath>
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace higherpair {
 namespace {

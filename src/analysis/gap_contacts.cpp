@@ -9,7 +9,7 @@
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -56,14 +56,9 @@ std::vector<Passing> passings_of(const Run& run, const Contact& contact) {
   const auto add = [&](const CurveRef& own, const CurveRef& other) {
     const Boundary& boundary = boundary_of(run.mechanism(), own);
     for (int span = 0; span < static_cast<int>(boundary.spans().size()); ++span) {
-      if (is_edge(boundary, span)) {
-        continue;
-      }
-      if (boundary.joint_after(span) == SpanJoint::kEnd) {
-        all.push_back({own, other, end_of(boundary, span, true), 1});
-      }
-      if (boundary.joint_after(boundary.next_span(span, false)) == SpanJoint::kEnd) {
-        all.push_back({own, other, end_of(boundary, span, false), -1});
+      if (!is_edge(boundary, span)) {
+        append_passings(
+            run, own, other, span, [](SpanJoint joint) { return joint == SpanJoint::kEnd; }, all);
       }
     }
   };
@@ -95,9 +90,9 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
 
 // The places of the other curve that may face an end in run.at.state.
 std::vector<BoundaryPlace> facing_places(const Run& run, const Passing& passing) {
-  const Vector2d n_W = body_in(run.at.state, passing.own.body).X_WB.R_WB *
+  const Vector2d n_W = run.at.state.bodies[passing.own.body].X_WB.R_WB *
                        boundary_of(run.mechanism(), passing.own).at(passing.end).n_B;
-  const Pose<double>& X_WC = body_in(run.at.state, passing.other.body).X_WB;
+  const Pose<double>& X_WC = run.at.state.bodies[passing.other.body].X_WB;
   return facing_places(boundary_of(run.mechanism(), passing.other), X_WC.R_WB.inverse() * Vector2d(-n_W));
 }
 
@@ -114,7 +109,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const StandingPair placed = standing_pair(model, touching, state);
   const BoundaryPair pair = standing_boundaries(model, touching, placed);
   const CarriedBody& follower = touching.follower;
-  const double turned = follower.freedom.turns ? body_in(state, follower.carrier).theta : 0;
+  const double turned = follower.freedom.turns ? state.bodies[follower.carrier].theta : 0;
   auto [place1, place2] = at.place;
   if (!touching.follower_is_second) {
     std::swap(place1, place2);
@@ -135,7 +130,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const double phi = motion.phi;
   motion = {};
   move_contact(touching, found, phi, motion);
-  body_in(state, follower.body) = motion_at(pair.motion2, found.q, 0, 0);
+  state.bodies[follower.body] = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = state.groups[at.group];
   group.held = false;
   group.mode = found.gap_q < 0 ? -1 : 1;

@@ -15,7 +15,7 @@ Drive drive_of(const Planned& model, const GearedBody& geared, const State& stat
   const std::array<int, 3> bodies{joint.first.body, joint.second.body, joint.carrier};
   std::array<BodyAt<Partials<double, 3>>, 3> at;
   for (std::size_t k = 0; k < at.size(); ++k) {
-    at[k].theta = body_in(state, bodies[k]).theta;
+    at[k].theta = state.bodies[bodies[k]].theta;
     at[k].theta.c[k + 1] = 1;
   }
   const auto values = joint_conditions(joint_dimensions(model.mechanism, joint), at[0], at[1], at[2], 1);
@@ -23,7 +23,7 @@ Drive drive_of(const Planned& model, const GearedBody& geared, const State& stat
   Drive drive;
   drive.value = value;
   for (std::size_t k = 0; const double coefficient : {by_first, by_second, by_carrier}) {
-    const BodyMotion& body = body_in(state, bodies[k]);
+    const BodyMotion& body = state.bodies[bodies[k]];
     if (bodies[k++] == geared.body) {
       drive.own += coefficient;
     } else {
@@ -37,17 +37,14 @@ Drive drive_of(const Planned& model, const GearedBody& geared, const State& stat
 }  // namespace
 
 void place_geared(const Planned& model, const GearedBody& geared, State& to) {
-  BodyMotion& body = body_in(to, geared.body);
-  body = {};
+  to.bodies[geared.body] = {};
   const Drive drive = drive_of(model, geared, to);
-  body.theta = -drive.value / drive.own;
-  body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
-  body.X_WB.p_WB = place_of(to, geared.pin) - body.X_WB.R_WB * geared.p_B;
+  turn_on_pin(geared.pin, geared.body, geared.p_B, -drive.value / drive.own, to);
 }
 
 void move_geared(const Planned& model, const GearedBody& geared, State& state) {
   const Drive drive = drive_of(model, geared, state);
-  move_link(body_in(state, geared.body), -drive.speed / drive.own, -drive.acceleration / drive.own,
+  move_link(state.bodies[geared.body], -drive.speed / drive.own, -drive.acceleration / drive.own,
             motion_of(state, geared.pin), geared.p_B);
 }
 

@@ -10,31 +10,23 @@
 
 namespace higherpair {
 
-[[nodiscard]] inline BodyMotion& body_in(State& state, int index) {
-  return state.bodies[index];
-}
-
-[[nodiscard]] inline const BodyMotion& body_in(const State& state, int index) {
-  return state.bodies[index];
-}
-
 [[nodiscard]] inline Vector2d place_of(const State& state, const BodyPoint& point) {
-  return body_in(state, point.body).X_WB * point.p_B;
+  return state.bodies[point.body].X_WB * point.p_B;
 }
 
 [[nodiscard]] inline PointMotion motion_of(const State& state, const BodyPoint& point) {
-  return point_motion(body_in(state, point.body), point.p_B);
+  return point_motion(state.bodies[point.body], point.p_B);
 }
 
 /// The angle of a body after `h` of the path, extrapolated from its rates.
 [[nodiscard]] inline double predicted_angle(const State& from, int body, double h) {
-  const BodyMotion& at = body_in(from, body);
+  const BodyMotion& at = from.bodies[body];
   return at.theta + h * (at.omega + h / 2 * at.alpha);
 }
 
 /// Places a body at the coordinate q of its joint to ground; its rates are left as they are.
 inline void place_at(const OneFreedom& freedom, double q, int index, const State& from, State& to) {
-  BodyMotion& body = body_in(to, index);
+  BodyMotion& body = to.bodies[index];
   if (!freedom.turns) {
     body.X_WB = pose_at(freedom, q);
     body.theta = freedom.theta;
@@ -56,12 +48,22 @@ inline void move_link(BodyMotion& body, double omega, double alpha, const PointM
   body.a_WB = point.a_W + alpha * perp(r_W) - omega * omega * r_W;
 }
 
+/// Places a body at the angle theta about its pin on a known body, at rest.
+inline void turn_on_pin(const BodyPoint& pin, int index, const Vector2d& p_B, double theta, State& to) {
+  BodyMotion& body = to.bodies[index];
+  body = {};
+  body.theta = theta;
+  body.X_WB.R_WB = Rotation<double>::from_angle(theta);
+  body.X_WB.p_WB = place_of(to, pin) - body.X_WB.R_WB * p_B;
+}
+
 [[nodiscard]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
                                      State& to);
 [[nodiscard]] GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, double h,
                                      State& to);
+/// \param size  of the mechanism [m]
 [[nodiscard]] GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h,
-                                     State& to);
+                                     double size, State& to);
 [[nodiscard]] GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State& from, double h,
                                      State& to);
 void move_dyad(const RrrDyad& dyad, std::size_t g, State& state);
@@ -112,11 +114,11 @@ inline void move_contact(const TouchingBody& touching, const BoundaryContact& fo
 
 /// The rate of the follower's joint. \pre its carrier is at rest
 [[nodiscard]] inline double follower_rate(const State& state, const TouchingBody& touching) {
-  const BodyMotion& body = body_in(state, touching.follower.body);
+  const BodyMotion& body = state.bodies[touching.follower.body];
   return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
 }
 [[nodiscard]] inline double follower_acceleration(const State& state, const TouchingBody& touching) {
-  const BodyMotion& body = body_in(state, touching.follower.body);
+  const BodyMotion& body = state.bodies[touching.follower.body];
   return touching.follower.freedom.turns ? body.alpha : body.a_WB.dot(touching.follower.freedom.direction_W);
 }
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);

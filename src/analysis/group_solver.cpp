@@ -23,7 +23,7 @@ void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, 
     place_at(carried.freedom, q, carried.body, from, to);
     return;
   }
-  body_in(to, carried.body) = carried_motion(carried, body_in(to, carried.carrier), q, 0, 0);
+  to.bodies[carried.body] = carried_motion(carried, to.bodies[carried.carrier], q, 0, 0);
 }
 
 void move_driven(const DrivenBody& driven, const std::vector<DriverMotion>& drivers, State& state) {
@@ -31,20 +31,12 @@ void move_driven(const DrivenBody& driven, const std::vector<DriverMotion>& driv
   const DriverMotion& driver = drivers[driven.driver];
   if (carried.carrier == 0) {
     set_rates_at(carried.freedom, carried.sign * driver.velocity, carried.sign * driver.acceleration,
-                 body_in(state, carried.body));
+                 state.bodies[carried.body]);
     return;
   }
-  body_in(state, carried.body) =
-      carried_motion(carried, body_in(state, carried.carrier), carried.sign * driver.position,
+  state.bodies[carried.body] =
+      carried_motion(carried, state.bodies[carried.carrier], carried.sign * driver.position,
                      carried.sign * driver.velocity, carried.sign * driver.acceleration);
-}
-
-void place_idle(const IdleBody& idle, const State& from, State& to) {
-  BodyMotion& body = body_in(to, idle.body);
-  body = {};
-  body.theta = body_in(from, idle.body).theta;
-  body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
-  body.X_WB.p_WB = place_of(to, idle.pin) - body.X_WB.R_WB * idle.p_B;
 }
 
 }  // namespace
@@ -54,7 +46,7 @@ void set_contact_rates(const Planned& model, int index, State& state) {
   ContactMotion& motion = state.contacts[index];
   const EquivalentLink link = link_of(model.mechanism, contact, motion.at);
   motion.rates =
-      contact_rates(link, motion.at, body_in(state, contact.first.body), body_in(state, contact.second.body));
+      contact_rates(link, motion.at, state.bodies[contact.first.body], state.bodies[contact.second.body]);
 }
 
 BodyMotion carried_motion(const CarriedBody& carried, const BodyMotion& carrier, double q, double q_dot,
@@ -77,8 +69,8 @@ StandingPair standing_pair(const Planned& model, const TouchingBody& touching, c
   const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
-  const BodyMotion& body1 = body_in(state, known.body);
-  const BodyMotion& carrier = body_in(state, touching.follower.carrier);
+  const BodyMotion& body1 = state.bodies[known.body];
+  const BodyMotion& carrier = state.bodies[touching.follower.carrier];
   StandingPair placed;
   placed.u = body1.theta;
   placed.pair.curve1 = curve_of(model.mechanism, known);
@@ -114,12 +106,12 @@ GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& fro
                },
                [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
                [&](const RrpDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-               [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, model.plan.size, to); },
                [&](const SlideDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
                [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to); },
                [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
                [&](const IdleBody& idle) {
-                 place_idle(idle, from, to);
+                 turn_on_pin(idle.pin, idle.body, idle.p_B, from.bodies[idle.body].theta, to);
                  return GroupStatus::kOk;
                },
                [&](const GearedBody& geared) {
@@ -149,7 +141,7 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
                       [&](const TrackedPair& tracked) { move_tracked(model, tracked, g, drivers, state); },
                       [&](const TouchingBody& touching) { move_touching(model, touching, g, state); },
                       [&](const IdleBody& idle) {
-                        move_link(body_in(state, idle.body), 0, 0, motion_of(state, idle.pin), idle.p_B);
+                        move_link(state.bodies[idle.body], 0, 0, motion_of(state, idle.pin), idle.p_B);
                       },
                       [&](const GearedBody& geared) { move_geared(model, geared, state); },
                       [&](const CoupledBodies&) { move_coupled(model, g, drivers, state); }},

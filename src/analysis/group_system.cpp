@@ -15,7 +15,7 @@ Eigen::VectorXd coordinates_of(const Planned& model, const Group& group, const S
   const auto bodies = static_cast<Eigen::Index>(group.bodies.size());
   Eigen::VectorXd x(3 * bodies + static_cast<Eigen::Index>(group.contacts.size()));
   for (Eigen::Index i = 0; i < bodies; ++i) {
-    const BodyMotion& body = body_in(state, group.bodies[i]);
+    const BodyMotion& body = state.bodies[group.bodies[i]];
     x.segment<2>(3 * i) = body.X_WB.p_WB;
     x(3 * i + 2) = size * body.theta;
   }
@@ -31,7 +31,7 @@ void set_coordinates(const Planned& model, const Group& group, const State& from
   const auto bodies = static_cast<Eigen::Index>(group.bodies.size());
   for (Eigen::Index i = 0; i < bodies; ++i) {
     const int index = group.bodies[i];
-    BodyMotion& body = body_in(state, index);
+    BodyMotion& body = state.bodies[index];
     body.theta = x(3 * i + 2) / size;
     body.X_WB = {Rotation<double>::from_angle(body.theta), x.segment<2>(3 * i)};
   }
@@ -57,8 +57,7 @@ bool set_local_curves(const Planned& model, const Contact& contact, const State&
     const Boundary& boundary = boundary_of(model.mechanism, ref);
     const bool face = is_flat(boundary, place);
     if (!face) {  // a face has only one normal, which is a condition of its own
-      const auto found =
-          place_with_normal(boundary, place, body_in(state, ref.body).X_WB.R_WB.inverse() * n_W);
+      const auto found = place_with_normal(boundary, place, state.bodies[ref.body].X_WB.R_WB.inverse() * n_W);
       if (!found) {
         return false;
       }

@@ -5,7 +5,6 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 namespace {

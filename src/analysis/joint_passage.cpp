@@ -1,7 +1,6 @@
 #include "joint_passage.hpp"
 
 #include "higherpair/geometry/boundary_places.hpp"
-#include "other_place.hpp"
 #include "step.hpp"
 
 #include <fmt/core.h>

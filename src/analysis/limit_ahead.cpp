@@ -58,11 +58,13 @@ double root_of_taylor(double slope, double bend) {
 // distance grows as the -p-th power of what is left of the path, p a multiple of 1/2, and their speed as the
 // -(p + 1)-th.
 Rest left_to_infinity(const Run& run, std::size_t g) {
+  const Vector2d ground = place_of_ground(run.mechanism());
   double farthest = kFarAway * run.plan().size;
   Rest rest;
   for (const int index : bodies_up_to(run.plan(), g)) {
-    const BodyMotion& body = body_in(run.at.state, index);
-    const double distance = body.X_WB.p_WB.norm();
+    const BodyMotion& body = run.at.state.bodies[index];
+    const Vector2d away = body.X_WB.p_WB - ground;
+    const double distance = away.norm();
     if (!(distance > farthest)) {
       continue;
     }
@@ -78,7 +80,7 @@ Rest left_to_infinity(const Run& run, std::size_t g) {
     // y^(-1/p), with y the distance in the direction of motion, is smooth: find the root of its Taylor
     // polynomial.
     const Vector2d direction = body.v_WB / speed;
-    const double y = body.X_WB.p_WB.dot(direction);
+    const double y = away.dot(direction);
     const double slope = speed / y / p;
     const double bend = (1 / p + 1) * p * slope * slope - body.a_WB.dot(direction) / y / p;
     rest = {root_of_taylor(slope, bend), kNearPole};
@@ -94,7 +96,7 @@ struct Asymptote {
 
 std::optional<Asymptote> asymptote_near(const Run& run, const State& state, const CurveRef& ref,
                                         const Vector2d& p_W) {
-  const BodyMotion& body = body_in(state, ref.body);
+  const BodyMotion& body = state.bodies[ref.body];
   std::optional<Asymptote> best;
   double least = kInf;
   for (const Opening& opening : openings_of(curve_of(run.mechanism(), ref))) {
@@ -117,7 +119,8 @@ std::optional<Asymptotes> asymptotes_of(const Run& run, const State& state, int 
   const Contact& contact = run.mechanism().contacts[contact_index];
   const ContactMotion& motion = state.contacts[contact_index];
   const Vector2d p_W = motion.at.p_W();
-  if (contact.by_boundary || !motion.touches || !(p_W.norm() > kFarAway * run.plan().size)) {
+  const double distance = (p_W - place_of_ground(run.mechanism())).norm();
+  if (contact.by_boundary || !motion.touches || !(distance > kFarAway * run.plan().size)) {
     return std::nullopt;
   }
   const auto one = asymptote_near(run, state, contact.first, p_W);
@@ -191,11 +194,12 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
 }
 
 void LimitAhead::look_how_far(double s) {
+  const Vector2d ground = place_of_ground(run_.mechanism());
   double farthest = 0;
   for (std::size_t i = 0; i < run_.mechanism().contacts.size(); ++i) {
     const ContactMotion& motion = run_.at.state.contacts[i];
     const bool counts = motion.touches && !run_.mechanism().contacts[i].by_boundary;
-    farthest = std::max(farthest, counts ? motion.at.p_W().norm() : 0.0);
+    farthest = std::max(farthest, counts ? (motion.at.p_W() - ground).norm() : 0.0);
   }
   farthest = std::max(farthest, farthest_coupled(model_of(run_), run_.at.state));
   if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {

@@ -2,7 +2,7 @@
 
 #include "higherpair/mechanism/group_traits.hpp"
 #include "joint_ends.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 #include "step.hpp"
 #include "straight_path.hpp"
 #include "tolerances.hpp"
@@ -23,11 +23,8 @@ bool is_same_item(const RunEvent& a, const RunEvent& b) {
 }  // namespace
 
 RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) {
-  RunEvent event;
-  event.type = EventType::kLimitPosition;
-  set_place(event, path, s);
+  RunEvent event = event_at(EventType::kLimitPosition, path, s, limit_cause(run.plan().groups[g]));
   name_item(run, g, event);
-  event.cause = limit_cause(run.plan().groups[g]);
   if (auto end = end_reached(run, g)) {
     event.type = EventType::kEnd;
     event.cause = *std::move(end);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -110,7 +109,7 @@ private:
 
   [[nodiscard]] Pairing pairing(const State& state, double x) const {
     const ContactMotion& motion = state.contacts[index_];
-    return {x, body_in(state, contact_.first.body), body_in(state, contact_.second.body),
+    return {x, state.bodies[contact_.first.body], state.bodies[contact_.second.body],
             motion.touches ? std::optional(motion.at) : std::nullopt};
   }
 

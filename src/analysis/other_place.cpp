@@ -1,7 +1,6 @@
 #include "other_place.hpp"
 
 #include "group_kinds.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 

@@ -8,14 +8,12 @@
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "other_place.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace higherpair {
 namespace {
@@ -34,8 +32,8 @@ bool may_overlap(const Curve& a, const Curve& b) {
 }
 
 Separation separation_in(const Run& run, const Contact& contact, const State& state) {
-  return separation(curve_of(run.mechanism(), contact.first), body_in(state, contact.first.body).X_WB,
-                    curve_of(run.mechanism(), contact.second), body_in(state, contact.second.body).X_WB,
+  return separation(curve_of(run.mechanism(), contact.first), state.bodies[contact.first.body].X_WB,
+                    curve_of(run.mechanism(), contact.second), state.bodies[contact.second.body].X_WB,
                     kOverlapPrecision * run.plan().size);
 }
 
@@ -45,9 +43,9 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
     return -separation_in(run, contact, state).gap;
   }
   return deepest_penetration(boundary_of(run.mechanism(), contact.first),
-                             body_in(state, contact.first.body).X_WB,
+                             state.bodies[contact.first.body].X_WB,
                              boundary_of(run.mechanism(), contact.second),
-                             body_in(state, contact.second.body).X_WB, kOverlapOfBoundaries * run.plan().size)
+                             state.bodies[contact.second.body].X_WB, kOverlapOfBoundaries * run.plan().size)
       .depth;
 }
 

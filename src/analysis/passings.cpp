@@ -2,6 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
@@ -10,12 +11,23 @@
 
 namespace higherpair {
 
+void append_passings(const Run& run, const CurveRef& own, const CurveRef& other, int span,
+                     bool (*counts)(SpanJoint), std::vector<Passing>& passings) {
+  const Boundary& boundary = boundary_of(run.mechanism(), own);
+  if (counts(boundary.joint_after(span))) {
+    passings.push_back({own, other, end_of(boundary, span, true), 1});
+  }
+  if (counts(boundary.joint_after(boundary.next_span(span, false)))) {
+    passings.push_back({own, other, end_of(boundary, span, false), -1});
+  }
+}
+
 std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, const State& state,
                                     const BoundaryPlace& near) {
   const Boundary& own = boundary_of(run.mechanism(), passing.own);
   const Boundary& other = boundary_of(run.mechanism(), passing.other);
-  const Pose<double>& X_WO = body_in(state, passing.own.body).X_WB;
-  const Pose<double>& X_WC = body_in(state, passing.other.body).X_WB;
+  const Pose<double>& X_WO = state.bodies[passing.own.body].X_WB;
+  const Pose<double>& X_WC = state.bodies[passing.other.body].X_WB;
   const SpanPoint end = own.at(passing.end);
   const Vector2d n_W = X_WO.R_WB * end.n_B;
   const auto place = place_with_normal(other, near, X_WC.R_WB.inverse() * Vector2d(-n_W));

@@ -16,6 +16,10 @@ struct Passing {
   double outwards = 1;  ///< +1: the span ends in the direction of growing t
 };
 
+/// Appends those ends of a span of the curve `own` at which the next span joins it in a way that counts.
+void append_passings(const Run& run, const CurveRef& own, const CurveRef& other, int span,
+                     bool (*counts)(SpanJoint), std::vector<Passing>& passings);
+
 /// Where the other curve faces that end: at its place with the opposite normal.
 struct PassingAt {
   double beyond = 0;  ///< distance beyond the end, along its tangent [m]

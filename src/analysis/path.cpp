@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -286,14 +287,11 @@ private:
 
   // Ends a path with too many events. Returns false, as follow() does where the motion is lost.
   bool give_up() {
-    RunEvent event;
-    event.type = EventType::kEnd;
-    set_place(event, path_, at_.s);
-    event.cause = fmt::format(
+    const std::string cause = fmt::format(
         "{} events lie between two rows, and this path is not followed further; let the drivers "
         "go less far, or take more rows",
         kMostEvents);
-    end(event, at_.s, at_.s);
+    end(event_at(EventType::kEnd, path_, at_.s, cause), at_.s, at_.s);
     run_.at.lost.for_good = true;
     return false;
   }

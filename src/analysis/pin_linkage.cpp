@@ -1,5 +1,6 @@
 #include "higherpair/analysis/pin_linkage.hpp"
 
+#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
@@ -22,18 +23,12 @@ std::vector<std::size_t> first_point_numbers(const Mechanism& mechanism) {
   return firsts;
 }
 
-const Joint& joint_at(const Mechanism& mechanism, int index) {
-  return mechanism.joints[index];
-}
-
 // The end of a joint on a body, and its other end; none if the joint is not on the body.
 std::optional<std::pair<PointRef, PointRef>> ends_at(const Joint& joint, int body) {
   if (joint.first.body == body) return std::pair{joint.first, joint.second};
   if (joint.second.body == body) return std::pair{joint.second, joint.first};
   return std::nullopt;
 }
-
-constexpr int kMostPinModes = 16;  // modes that a branch number encodes, as in branch_run.hpp
 
 }  // namespace
 
@@ -53,9 +48,7 @@ std::optional<PinLinkage> PinLinkage::of(const Mechanism& mechanism, const Plan&
   }
   linkage.poses_ = linkage.posed_;
   linkage.pose_slopes_.resize(linkage.poses_.size());
-  std::vector<double> numbers;
-  for_each_number(mechanism, [&](double number) { numbers.push_back(number); });
-  linkage.set_numbers(numbers);
+  linkage.set_numbers(numbers_of(mechanism));
   return linkage;
 }
 
@@ -89,8 +82,8 @@ bool PinLinkage::add_dyad(const Mechanism& mechanism, const Group& group, const 
   added.pin_C = dyad.pin_C;
   int found = 0;
   for (const int index : group.joints) {
-    const auto at_a = ends_at(joint_at(mechanism, index), dyad.link_a);
-    const auto at_b = ends_at(joint_at(mechanism, index), dyad.link_b);
+    const auto at_a = ends_at(mechanism.joints[index], dyad.link_a);
+    const auto at_b = ends_at(mechanism.joints[index], dyad.link_b);
     if (at_a && at_b) {
       added.a_C = end_of(at_a->first);
       added.b_C = end_of(at_b->first);
@@ -124,7 +117,7 @@ void PinLinkage::set_numbers(std::span<const double> numbers) {
 void PinLinkage::set_branch(int branch) {
   poses_ = posed_;
   for (std::size_t k = 0; k < dyads_.size(); ++k) {
-    const bool minus = k < kMostPinModes && ((branch >> k) & 1) != 0;
+    const bool minus = k < kMostBranchModes && ((branch >> k) & 1) != 0;
     dyads_[k].sigma = minus ? -1 : 1;
   }
 }

@@ -186,7 +186,7 @@ bool Reduction::stays_on_faces() const {
       if (!is_flat(boundary, place)) continue;
       const Vector2d& p_W = side == 0 ? motion.at.p1_W : motion.at.p2_W;
       const SpanPoint from = boundary.at(place);
-      const Vector2d p_B = body_in(run_.work.trial, ref_of(contact, side).body).X_WB.inverse_times(p_W);
+      const Vector2d p_B = run_.work.trial.bodies[ref_of(contact, side).body].X_WB.inverse_times(p_W);
       const double t = place.t + (p_B - from.p_B).dot(perp(from.n_B)) / from.speed;
       if (!range_of(boundary, place.span).contains(t)) return false;
     }

@@ -1,9 +1,7 @@
 #include "resume.hpp"
 
 #include "coupled_system.hpp"
-#include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "limit_events.hpp"
 #include "line_ahead.hpp"
@@ -36,9 +34,9 @@ constexpr int kMostPoles = 16;
 bool has_listed_contact(const Run& run) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-    const bool stands_on_conics =
+    const bool touches_on_conics =
         touching != nullptr && !run.mechanism().contacts[touching->contact].by_boundary;
-    if (stands_on_conics || std::holds_alternative<ContactTrack>(run.at.state.tracks[g])) {
+    if (touches_on_conics || std::holds_alternative<ContactTrack>(run.at.state.tracks[g])) {
       return true;
     }
   }
@@ -47,10 +45,11 @@ bool has_listed_contact(const Run& run) {
 
 // Whether a contact comes from infinity.
 bool has_contact_far_out(const Run& run) {
-  return std::any_of(run.at.state.contacts.begin(), run.at.state.contacts.end(),
-                     [&](const ContactMotion& contact) {
-                       return contact.touches && contact.at.p_W().norm() > kFarOut * run.plan().size;
-                     });
+  const Vector2d ground = place_of_ground(run.mechanism());
+  return std::any_of(
+      run.at.state.contacts.begin(), run.at.state.contacts.end(), [&](const ContactMotion& contact) {
+        return contact.touches && (contact.at.p_W() - ground).norm() > kFarOut * run.plan().size;
+      });
 }
 
 // Whether coupled bodies or their contacts have run off to infinity: no iteration leads across it.
@@ -266,7 +265,7 @@ bool StretchSearch::come_to_begin(double x) {
     inside->events = begin_events_;
   }
   const State lost = run_.at.state;
-  const State& begin = inside->at.beside ? *inside->at.beside : inside->at.state;
+  const State& begin = inside->at.shown();
   go_on_from(*inside, begin, x);
   run_.at.drivers = inside->at.drivers;
   take_short_way(run_, lost, begin);

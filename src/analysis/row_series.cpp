@@ -124,7 +124,7 @@ private:
 
   // Sets the first rates of a group as the row has them.
   void set_rates(const Group& group, Coordinates<Series>& at) const {
-    const State& path = run_.at.beside ? *run_.at.beside : run_.at.state;
+    const State& path = run_.at.shown();
     const auto& bodies = by_driver_ ? path.bodies : run_.row.bodies;
     const auto& contacts = by_driver_ ? path.contacts : run_.row.contacts;
     for (const int index : group.bodies) {

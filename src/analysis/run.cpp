@@ -13,7 +13,7 @@
 #include "residual.hpp"
 #include "resume.hpp"
 #include "singular_start.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 #include "start_failures.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
@@ -25,11 +25,6 @@
 
 namespace higherpair {
 namespace {
-
-// The state that the row shows.
-const State& shown(const Run& run) {
-  return run.at.beside ? *run.at.beside : run.at.state;
-}
 
 // With one driver, the rates of the row are those for a unit velocity, scaled.
 void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row) {
@@ -55,18 +50,10 @@ void scale_rates(const State& state, const DriverMotion& driver, MotionRow& row)
   }
 }
 
-bool hangs_on_unknown_rates(const Run& run, const Group& group, const MotionRow& row) {
-  const auto unknown = [&](int body) { return !row.has_rates[body]; };
-  return std::any_of(group.joints.begin(), group.joints.end(),
-                     [&](int index) {
-                       const Joint& joint = run.mechanism().joints[index];
-                       return unknown(joint.first.body) || unknown(joint.second.body) ||
-                              unknown(joint.carrier);
-                     }) ||
-         std::any_of(group.contacts.begin(), group.contacts.end(), [&](int index) {
-           const Contact& contact = run.mechanism().contacts[index];
-           return unknown(contact.first.body) || unknown(contact.second.body);
-         });
+bool depends_on_unknown_rates(const Run& run, const Group& group, const MotionRow& row) {
+  bool unknown = false;
+  for_each_joined_body(run.mechanism(), group, [&](int body) { unknown = unknown || !row.has_rates[body]; });
+  return unknown;
 }
 
 // Marks the bodies whose rates a singular group leaves undefined: its own, and all that depend on them.
@@ -77,9 +64,9 @@ void mark_rates(const Run& run, MotionRow& row) {
   bool singular = false;
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const Group& group = run.plan().groups[g];
-    const GroupState& state = shown(run).groups[g];
+    const GroupState& state = run.at.shown().groups[g];
     const bool here = !(std::abs(state.sine) > state.noise);
-    if (here || (singular && hangs_on_unknown_rates(run, group, row))) {
+    if (here || (singular && depends_on_unknown_rates(run, group, row))) {
       for (const int body : group.bodies) {
         row.has_rates[body] = false;
       }
@@ -93,9 +80,9 @@ void mark_rates(const Run& run, MotionRow& row) {
 void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   MotionRow& row = run.row;
   if (drivers.size() == 1) {
-    scale_rates(shown(run), drivers.front(), row);
+    scale_rates(run.at.shown(), drivers.front(), row);
   } else {
-    run.work.trial = shown(run);
+    run.work.trial = run.at.shown();
     set_rates(run, drivers, run.work.trial);
     row.bodies = run.work.trial.bodies;
     row.contacts = run.work.trial.contacts;
@@ -168,8 +155,9 @@ std::optional<int> set_out(Run& run) {
 
 // Whether the position at which a run starts meets its conditions and their rates.
 bool starts_right(Run run) {
-  set_unit_motions(std::vector(run.at.drivers), run.work.motions);
-  move_to(run, std::vector(run.work.motions));
+  std::vector<DriverMotion> start;
+  set_unit_motions(run.at.drivers, start);
+  move_to(run, start);
   return run.row.status != RowStatus::kNotConverged;
 }
 
@@ -177,6 +165,8 @@ bool starts_right(Run run) {
 // poses that are a little off lead there. Beside it they lead to the mechanism, from where it moves to its
 // start. None if it is not right then either.
 std::optional<Run> started_from_beside(const Run& run) {
+  std::vector<DriverMotion> start;
+  set_unit_motions(run.at.drivers, start);
   const double reach = kCrossingReach * driver_scale(run, 0);
   for (const double side : {reach, -reach}) {
     Run beside = planned_run(run.model, {run.at.drivers[0] + side});
@@ -184,8 +174,7 @@ std::optional<Run> started_from_beside(const Run& run) {
     if (assemble(beside) || set_out(beside)) {
       continue;
     }
-    set_unit_motions(std::vector(run.at.drivers), beside.work.motions);
-    move_to(beside, std::vector(beside.work.motions));
+    move_to(beside, start);
     if (beside.row.status == RowStatus::kOk) {
       beside.events.clear();
       beside.at.outputs = output_joints(run.mechanism());
@@ -223,11 +212,8 @@ RunModel make_run_model(Mechanism mechanism, Plan plan) {
 
 tl::expected<Run, StartFailure> start_run(const Mechanism& mechanism, const std::vector<double>& drivers,
                                           double tolerance) {
-  auto plan = make_plan(mechanism);
-  if (!plan) {
-    return tl::unexpected(StartFailure{std::move(plan.error()), std::nullopt});
-  }
-  return start_run(make_run_model(mechanism, *std::move(plan)), drivers, tolerance);
+  return planned_model(mechanism).and_then(
+      [&](RunModel model) { return start_run(std::move(model), drivers, tolerance); });
 }
 
 tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<double>& drivers,
@@ -257,10 +243,8 @@ tl::expected<Run, StartFailure> start_run(RunModel model, const std::vector<doub
   return run;
 }
 
-std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers, int branch,
-                                   double tolerance) {
+std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers, int branch) {
   Run run = planned_run(std::move(model), drivers);
-  run.tolerance = tolerance;
   if (!assemble_on(run, branch) || set_out(run)) {
     return std::nullopt;
   }

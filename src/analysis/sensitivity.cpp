@@ -6,7 +6,6 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
 #include "span_ends.hpp"
-#include "span_joints.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -144,10 +143,6 @@ Start start_of(const Run& run, const Mechanism& derivative, const std::vector<do
   return start;
 }
 
-bool all_known(const SeriesMotion<Parametric, 2>& motion) {
-  return std::all_of(motion.known.begin(), motion.known.end(), [](bool known) { return known; });
-}
-
 }  // namespace
 
 Curve Sensitivity::of_local_curve(const Run& run, std::size_t contact, std::size_t side) const {
@@ -242,7 +237,7 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
         std::abs(change) > kNoInfluenceSlip ? -without / change : held.by_pose;
   }
   const auto motion = solved();
-  if (!all_known(motion)) {
+  if (!motion.all_known()) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
@@ -275,17 +270,14 @@ tl::expected<RowSensitivity, NoSensitivity> Sensitivity::of_row(const Run& run,
   for (std::size_t i = 0; i < at.arcs.size(); ++i) {
     at.arcs[i].c[0].c[1] = arcs_[i];
   }
-  const auto& contacts = run.mechanism().contacts;
-  const bool fixed = std::none_of(contacts.begin(), contacts.end(),
-                                  [](const Contact& contact) { return contact.by_boundary; });
-  const std::optional<Mechanism> local = fixed ? std::nullopt : std::optional(derivative_at(run));
+  const std::optional<Mechanism> local = run.local ? std::optional(derivative_at(run)) : std::nullopt;
   const Mechanism& derivative = local ? *local : derivative_.numbers;
   set_held_angles(derivative, at);
   SeriesOptions options;
   options.last = rates == RatesAsked::kNone ? 0 : 2;
   const auto motion = row_series(run, run.plan(), dimensions_of(run.mechanism()),
                                  dimensions_of(run.mechanism(), derivative), std::move(at), options);
-  if (!all_known(motion)) {
+  if (!motion.all_known()) {
     return tl::unexpected(motion.diverges ? NoSensitivity::kDiverges : NoSensitivity::kNoRates);
   }
   RowSensitivity of_row;

@@ -16,7 +16,7 @@ bool is_regular(const Eigen::MatrixXd& J) {
 }
 
 ConditionSet condition_set(const Plan& plan, const Group& group) {
-  return {group.bodies, group.joints, group.contacts, group.drivers, idle_bodies_of(plan, group)};
+  return {group, idle_bodies_of(plan, group)};
 }
 
 Coordinates<double> coordinates_of(const Mechanism& mechanism, const std::vector<BodyMotion>& bodies,

@@ -6,6 +6,8 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "tolerances.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -24,6 +26,8 @@ struct SeriesMotion {
   /// How near the conditions of a group that can cross are to losing their rank (LeastNormSolver).
   double least_sine = 1;
   bool diverges = false;  ///< of partials: the parameter does away with a change point next to the row
+
+  [[nodiscard]] bool all_known() const { return std::find(known.begin(), known.end(), false) == known.end(); }
 };
 
 /// Options that limit solve_series().

@@ -8,7 +8,6 @@
 #include "other_place.hpp"
 #include "passings.hpp"
 #include "span_ends.hpp"
-#include "span_joints.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 #include "vertex_passage.hpp"
@@ -40,7 +39,7 @@ Bodies bodies_in(const Run& run, std::size_t i, const State& state) {
   const Contact& contact = run.mechanism().contacts[i];
   const ContactMotion& motion = state.contacts[i];
   return {boundary_of(run.mechanism(), contact.first), boundary_of(run.mechanism(), contact.second),
-          body_in(state, contact.first.body).X_WB, body_in(state, contact.second.body).X_WB,
+          state.bodies[contact.first.body].X_WB, state.bodies[contact.second.body].X_WB,
           motion.touches ? std::optional(motion.at) : std::nullopt};
 }
 
@@ -99,17 +98,9 @@ const NearPlace* same_among(const std::vector<NearPlace>& places, const Bodies& 
 // Those ends of the two spans of a place at which the boundary does not continue smoothly.
 std::vector<Passing> ends_around(const Run& run, const Contact& contact, const NearPlace& place) {
   std::vector<Passing> ends;
-  const auto add = [&](const CurveRef& own, const CurveRef& other, int span) {
-    const Boundary& boundary = boundary_of(run.mechanism(), own);
-    if (boundary.joint_after(span) != SpanJoint::kSmooth) {
-      ends.push_back({own, other, end_of(boundary, span, true), 1});
-    }
-    if (boundary.joint_after(boundary.next_span(span, false)) != SpanJoint::kSmooth) {
-      ends.push_back({own, other, end_of(boundary, span, false), -1});
-    }
-  };
-  add(contact.first, contact.second, place.place1.span);
-  add(contact.second, contact.first, place.place2.span);
+  const auto is_seam = [](SpanJoint joint) { return joint != SpanJoint::kSmooth; };
+  append_passings(run, contact.first, contact.second, place.place1.span, is_seam, ends);
+  append_passings(run, contact.second, contact.first, place.place2.span, is_seam, ends);
   return ends;
 }
 

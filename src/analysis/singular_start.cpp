@@ -68,8 +68,7 @@ void settle_coupled(Run& run, std::size_t g) {
   set_path(path, run.at.drivers, ahead);
   run.work.trial = run.at.state;
   Reduction reduction(run, path, g, 0);
-  const auto singular = reduction.singular_point(kNearSingularStart * unit_of(run, path));
-  if (singular && std::abs(singular->ahead) <= kNearSingularStart * unit_of(run, path)) {
+  if (const auto singular = reduction.singular_point(kNearSingularStart * unit_of(run, path))) {
     reduction.place(*singular);
     take_group(run.plan().groups[g], run.work.trial, run.at.state);
     run.at.state.groups[g].sine = 0;

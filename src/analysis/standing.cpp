@@ -1,6 +1,5 @@
 #include "higherpair/analysis/standing.hpp"
 
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"
 
@@ -54,7 +53,7 @@ bool at_same_place(const State& a, const State& b, double size) {
 
 // The positions of the last row; none where it could not be reached.
 const State* row_of(const Run& run) {
-  return !run.at.held ? nullptr : run.at.beside ? &*run.at.beside : &run.at.state;
+  return run.at.held ? &run.at.shown() : nullptr;
 }
 
 bool is_lost_alike(const Run& a, const Run& b) {
@@ -70,7 +69,7 @@ bool is_lost_alike(const Run& a, const Run& b) {
   return true;
 }
 
-bool tells_alike(const Run& a, const Run& b) {
+bool has_alike_past(const Run& a, const Run& b) {
   const auto same_sense = [](const OutputJoint& one, const OutputJoint& other) {
     return one.sense == other.sense;
   };
@@ -99,7 +98,7 @@ bool go_on_alike(const Run& a, const Run& b) {
   const bool same_row = row == nullptr
                             ? is_lost_alike(a, b)
                             : on_same_branch(*row, *other) && at_same_place(*row, *other, a.plan().size);
-  return same_row && on_same_branch(a.at.state, b.at.state) && tells_alike(a, b);
+  return same_row && on_same_branch(a.at.state, b.at.state) && has_alike_past(a, b);
 }
 
 }  // namespace higherpair

@@ -51,14 +51,14 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
     return fmt::format(
         "bodies {} cannot be put together at the first driver position: their outer pins are {:.6g} times as "
         "far apart as the two links {}; change driver.start or the lengths",
-        body_names(run.mechanism(), group.bodies), distance / limit,
+        names_of(run.mechanism().bodies, group.bodies), distance / limit,
         far ? "reach together" : "differ in length");
   }
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
       "there; give them the poses they have there (others may lead elsewhere), or change driver.start or the "
       "dimensions",
-      body_names(run.mechanism(), group.bodies));
+      names_of(run.mechanism().bodies, group.bodies));
 }
 
 }  // namespace higherpair

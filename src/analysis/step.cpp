@@ -120,15 +120,13 @@ bool is_smooth(const Run& run, const Group& group, double h) {
     const Contact& pair = run.mechanism().contacts[i];
     if (pair.by_boundary && a.touches && b.touches) {
       const int one = pair.first.body, two = pair.second.body;
-      smoothness.add_way(way_of(body_in(from, one), a.at, body_in(to, one), b.at, &CommonNormal::p1_W),
+      smoothness.add_way(way_of(from.bodies[one], a.at, to.bodies[one], b.at, &CommonNormal::p1_W),
                          a.rates.along1, b.rates.along1);
-      smoothness.add_way(way_of(body_in(from, two), a.at, body_in(to, two), b.at, &CommonNormal::p2_W),
+      smoothness.add_way(way_of(from.bodies[two], a.at, to.bodies[two], b.at, &CommonNormal::p2_W),
                          a.rates.along2, b.rates.along2);
     }
   }
-  const auto& contacts = run.mechanism().contacts;
-  return smoothness.holds(
-      std::any_of(contacts.begin(), contacts.end(), [](const Contact& one) { return one.by_boundary; }));
+  return smoothness.holds(run.local.has_value());
 }
 
 // Needed because a body that jumped to a neighbouring contact would hardly move.
@@ -266,6 +264,14 @@ void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMo
   for (std::size_t i = 0; i < positions.size(); ++i) {
     motions[i] = {positions[i], positions.size() == 1 ? 1.0 : 0.0, 0};
   }
+}
+
+double fastest_body(const Run& run, const State& state) {
+  double speed = 0;
+  for (const BodyMotion& body : state.bodies) {
+    speed = std::max({speed, std::abs(body.omega), body.v_WB.norm() / run.plan().size});
+  }
+  return speed;
 }
 
 double driver_scale(const Run& run, std::size_t driver) {

@@ -54,6 +54,9 @@ struct StepResult {
 /// smooth.
 [[nodiscard]] std::optional<std::size_t> broken_off(const Run& run, double h);
 
+/// How fast the fastest body moves, per unit of the path: turns, or ways relative to the size.
+[[nodiscard]] double fastest_body(const Run& run, const State& state);
+
 /// One unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
 

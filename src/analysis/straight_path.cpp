@@ -20,7 +20,8 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
 RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
   RunEvent event;
   event.type = type;
-  set_place(event, path, s);
+  event.driver = driver_at(path, s);
+  event.share = std::lerp(path.share_from, path.share_to, path.length == 0 ? 1 : s / path.length);
   event.cause = cause;
   return event;
 }
@@ -46,12 +47,6 @@ void set_jump(RunEvent& event, const Path& path, EventJump jump) {
     *rate = std::abs(*rate) <= none ? 0 : *rate / (jump.order == 1 ? pace : pace * pace);
   }
   event.jump = std::move(jump);
-}
-
-void set_place(RunEvent& event, const Path& path, double s) {
-  event.driver = driver_at(path, s);
-  const double share = path.length == 0 ? 1 : s / path.length;
-  event.share = std::lerp(path.share_from, path.share_to, share);
 }
 
 double driver_at(const Path& path, double s) {

@@ -27,9 +27,6 @@ RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, s
 /// other becomes 0.
 void set_jump(RunEvent& event, const Path& path, EventJump jump);
 
-/// Sets where on the path an event happens.
-void set_place(RunEvent& event, const Path& path, double s);
-
 /// Sets the joint or contact at which an event of a group happens.
 void name_item(const Run& run, std::size_t g, RunEvent& event);
 

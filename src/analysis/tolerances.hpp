@@ -249,9 +249,6 @@ inline constexpr double kOverlapDepth = 1e-9;
 /// The same for boundaries, which are sampled.
 inline constexpr double kOverlapOfBoundaries = 1e-7;
 inline constexpr double kOverlapPrecision = kOverlapDepth / 10;
-/// Precision, as a fraction of the size, of the common normal from which an iteration starts; the bodies need
-/// not touch.
-inline constexpr double kRoughSeparation = 1e-6;
 
 // Where a contact can either go onto a corner or go over to another place that gives the bodies the same
 // motion, it is on the corner until the overlap exceeds kOverlapDepth. Rates closer than kSameRates are those

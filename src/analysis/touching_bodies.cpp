@@ -44,16 +44,11 @@ struct Placement {
 
 // Predicted place of a contact on one boundary, from its speed along it; on a corner, from the normal's turn
 // relative to the body.
-BoundaryPlace predicted_place(const Boundary& boundary, const BoundaryPlace& place, double along,
-                              double turn) {
-  return boundary.advance(place, along, turn).place;
-}
-
 // Sets the body and its contact to a contact that has been found.
 void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                         const BoundaryPair& pair, const BoundaryContact& found, double phi, State& to) {
   move_contact(touching, found, phi, to.contacts[touching.contact]);
-  body_in(to, touching.follower.body) = motion_at(pair.motion2, found.q, 0, 0);
+  to.bodies[touching.follower.body] = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = to.groups[g];
   group.held = false;
   group.sine = found.gap_q;
@@ -67,7 +62,7 @@ void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPa
                     const ContactPosition& at, double phi, State& to) {
   to.contacts[touching.contact] =
       contact_motion(at, nearest_turn(angle_of(at.n_W), phi), touching.follower_is_second);
-  body_in(to, touching.follower.body) = motion_at(pair.motion2, at.q, 0, 0);
+  to.bodies[touching.follower.body] = motion_at(pair.motion2, at.q, 0, 0);
   set_sine(pair, at, to.groups[g]);
 }
 
@@ -78,13 +73,15 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   const ContactMotion& before = guess.from.contacts[touching.contact];
   const double h = guess.h;
   const auto turn = [&](const CurveRef& ref) {
-    return h * (before.rates.phi_dot - body_in(guess.from, ref.body).omega);
+    return h * (before.rates.phi_dot - guess.from.bodies[ref.body].omega);
   };
   std::array<BoundaryPlace, 2> place = {
-      predicted_place(boundary_of(model.mechanism, contact.first), before.place[0], h * before.rates.along1,
-                      turn(contact.first)),
-      predicted_place(boundary_of(model.mechanism, contact.second), before.place[1], -h * before.rates.along2,
-                      turn(contact.second))};
+      boundary_of(model.mechanism, contact.first)
+          .advance(before.place[0], h * before.rates.along1, turn(contact.first))
+          .place,
+      boundary_of(model.mechanism, contact.second)
+          .advance(before.place[1], -h * before.rates.along2, turn(contact.second))
+          .place};
   if (!touching.follower_is_second) {
     std::swap(place[0], place[1]);
   }
@@ -109,7 +106,7 @@ GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State&
   motion.touches = false;
   motion.phi = from.contacts[touching.contact].phi;
   const CarriedBody& follower = touching.follower;
-  body_in(to, follower.body) = carried_motion(follower, body_in(to, follower.carrier), group.held_at, 0, 0);
+  to.bodies[follower.body] = carried_motion(follower, to.bodies[follower.carrier], group.held_at, 0, 0);
   return GroupStatus::kOk;
 }
 
@@ -124,7 +121,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   const CarriedBody& follower = touching.follower;
   const ContactMotion& before = from.contacts[touching.contact];
   // Prediction of the follower's coordinate in ground, and of the normal.
-  const BodyMotion& body = body_in(from, follower.body);
+  const BodyMotion& body = from.bodies[follower.body];
   double q = predicted_angle(from, follower.body, h);
   if (!follower.freedom.turns) {
     const Vector2d p_W = body.X_WB * follower.freedom.p_BO + h * (body.v_WB + h / 2 * body.a_WB);
@@ -197,7 +194,7 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
   }
   const CarriedBody& follower = touching.follower;
   const double lost = carried_coordinate(follower, from.bodies) +
-                      (follower.freedom.turns ? body_in(to, follower.carrier).theta : 0);
+                      (follower.freedom.turns ? to.bodies[follower.carrier].theta : 0);
   return contact.by_boundary ? place_boundaries_anew(model, touching, g, from, lost, to)
                              : place_conics_anew(model, touching, g, from, lost, to);
 }
@@ -206,9 +203,9 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
 // carrier moving.
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state) {
   const CarriedBody& follower = touching.follower;
-  const BodyMotion& carrier = body_in(state, follower.carrier);
+  const BodyMotion& carrier = state.bodies[follower.carrier];
   if (const GroupState& group = state.groups[g]; group.held) {
-    body_in(state, follower.body) = carried_motion(follower, carrier, group.held_at, 0, 0);
+    state.bodies[follower.body] = carried_motion(follower, carrier, group.held_at, 0, 0);
     return;
   }
   const Contact& contact = model.mechanism.contacts[touching.contact];
@@ -217,8 +214,8 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const Vector2d n = sense * motion.at.n_W;
   const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
   const Vector2d p = motion.at.p_W();
-  const PointMotion known = motion_at_place(body_in(state, other), p);
-  BodyMotion& body = body_in(state, follower.body);
+  const PointMotion known = motion_at_place(state.bodies[other], p);
+  BodyMotion& body = state.bodies[follower.body];
   const double q = carried_coordinate(follower, state.bodies);
   const StandingPair placed = standing_pair(model, touching, state);
   const double per_q = velocity_per_q(placed.pair.motion2, p).dot(n);

@@ -84,7 +84,7 @@ void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t 
   const double u_ddot = tracked.driver_sign * driver.acceleration;
   const double q_ddot = at.d2q * u_dot * u_dot + at.dq * u_ddot;
   state.groups[g].sine_rate = at.dgap_q * u_dot;
-  set_rates_at(tracked.follower.freedom, at.dq * u_dot, q_ddot, body_in(state, tracked.follower.body));
+  set_rates_at(tracked.follower.freedom, at.dq * u_dot, q_ddot, state.bodies[tracked.follower.body]);
   set_contact_rates(model, tracked.contact, state);
 }
 

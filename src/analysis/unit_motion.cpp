@@ -1,11 +1,9 @@
 #include "higherpair/analysis/unit_motion.hpp"
 
-#include "step.hpp"
-
 namespace higherpair {
 
 const std::vector<BodyMotion>& unit_motion(const Run& run, std::size_t driver, State& scratch) {
-  const State& there = run.at.beside ? *run.at.beside : run.at.state;
+  const State& there = run.at.shown();
   if (run.at.targets.size() == 1) {
     return there.bodies;
   }

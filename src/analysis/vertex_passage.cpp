@@ -3,7 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "span_joints.hpp"
+#include "span_ends.hpp"
 #include "tolerances.hpp"
 
 namespace higherpair {
@@ -82,7 +82,7 @@ std::optional<VertexPassage> vertex_passage(const Run& run, std::size_t contact)
     return boundary_of(run.mechanism(), ref_of(touching, side));
   };
   const auto pose = [&](std::size_t side) -> const Pose<double>& {
-    return body_in(run.at.state, ref_of(touching, side).body).X_WB;
+    return run.at.state.bodies[ref_of(touching, side).body].X_WB;
   };
   for (std::size_t side = 0; side < 2; ++side) {
     const VertexSides sides{boundary(side), boundary(1 - side), pose(side),

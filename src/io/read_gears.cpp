@@ -61,7 +61,7 @@ std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, con
                           "body, the arm or ground"
                         : fmt::format("several bodies carry both wheels ({}): expected carrier = \"...\", "
                                       "the one that keeps them in mesh",
-                                      body_names(mechanism, common)));
+                                      names_of(mechanism.bodies, common)));
   return std::nullopt;
 }
 

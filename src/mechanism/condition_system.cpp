@@ -1,6 +1,5 @@
 #include "higherpair/mechanism/condition_system.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace higherpair {
@@ -110,34 +109,19 @@ ConditionSystem::ConditionSystem(Dimensions<double> dimensions, ConditionSet set
       dimensions_(std::move(dimensions)),
       size_(size),
       body_columns_(dimensions_.bodies, -1),
-      contact_columns_(dimensions_.contacts.size(), -1),
-      driver_rows_(dimensions_.drivers.size(), -1) {
+      contact_columns_(dimensions_.contacts.size(), -1) {
   for (const int body : set_.bodies) {
     body_columns_[body] = columns_;
     columns_ += 3;
   }
-  const auto label = [&](ConditionLabel::Of of, int index, int count) {
-    labels_.insert(labels_.end(), static_cast<std::size_t>(count), {of, index});
-  };
   for (const int joint : set_.joints) {
-    label(ConditionLabel::Of::kJoint, joint, condition_count(dimensions_.joints[joint].of.type));
+    rows_ += condition_count(dimensions_.joints[joint].of.type);
   }
   for (const int contact : set_.contacts) {
     contact_columns_[contact] = columns_++;
-    label(ConditionLabel::Of::kContact, contact, dimensions_.contacts[contact].rolling ? 3 : 2);
+    rows_ += dimensions_.contacts[contact].rolling ? 3 : 2;
   }
-  for (const int driver : set_.drivers) {
-    driver_rows_[driver] = row_count();
-    label(ConditionLabel::Of::kDriver, driver, 1);
-  }
-  for (const int body : set_.idle_bodies) {
-    label(ConditionLabel::Of::kIdleBody, body, 1);
-  }
-}
-
-double ConditionSystem::by_driver(int driver) const {
-  const int joint = dimensions_.drivers[driver];
-  return has_angle(dimensions_.joints[joint].of.type) ? -size_ : -1;
+  rows_ += static_cast<Eigen::Index>(set_.drivers.size() + set_.idle_bodies.size());
 }
 
 bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& values,
@@ -192,14 +176,6 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
     }
     ++row;
   }
-  return exist;
-}
-
-bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const {
-  std::vector<double> all;
-  all.reserve(labels_.size());
-  const bool exist = append_conditions(dimensions_, set_, at, size_, all);
-  values = Eigen::Map<const Eigen::VectorXd>(all.data(), row_count());
   return exist;
 }
 

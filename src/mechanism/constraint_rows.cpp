@@ -2,18 +2,17 @@
 
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 
 namespace higherpair {
 namespace {
 
-const BodyMotion& at(const std::vector<BodyMotion>& bodies, int index) {
-  return bodies[index];
-}
-
 template <int N>
 BodyAt<Partials<double, N>> variable(const std::vector<BodyMotion>& bodies, int index, std::size_t first) {
-  const BodyMotion& body = at(bodies, index);
+  const BodyMotion& body = bodies[index];
   return variable<N>(BodyAt<double>{body.X_WB, body.theta}, first);
 }
 
@@ -37,8 +36,8 @@ Eigen::Vector3d along(const Vector2d& direction_W, const BodyMotion& body, const
 // run with forces needs them.
 void append_pin_rows(const Mechanism& mechanism, const Joint& joint, const std::vector<BodyMotion>& bodies,
                      std::vector<ConstraintRow>& rows) {
-  const BodyMotion& first = at(bodies, joint.first.body);
-  const BodyMotion& second = at(bodies, joint.second.body);
+  const BodyMotion& first = bodies[joint.first.body];
+  const BodyMotion& second = bodies[joint.second.body];
   const Vector2d a = first.X_WB.R_WB * point_of(mechanism, joint.first);
   const Vector2d b = second.X_WB.R_WB * point_of(mechanism, joint.second);
   const Vector2d apart = second.X_WB.p_WB + b - (first.X_WB.p_WB + a);
@@ -62,10 +61,25 @@ EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact, const
                                                is_line(curve_of(mechanism, contact.second)), at.rho2);
 }
 
+ContactMotion facing_motion(const Mechanism& mechanism, const Contact& contact, const Pose<double>& X_W1,
+                            const Pose<double>& X_W2, double size) {
+  ContactMotion motion;
+  if (contact.by_boundary) {
+    motion.place = nearest_places(boundary_of(mechanism, contact.first), X_W1,
+                                  boundary_of(mechanism, contact.second), X_W2);
+    return motion;
+  }
+  motion.at.n_W = separation(curve_of(mechanism, contact.first), X_W1, curve_of(mechanism, contact.second),
+                             X_W2, kRoughNormal * size)
+                      .n_W;
+  motion.phi = angle_of(motion.at.n_W);
+  return motion;
+}
+
 bool place_contact(const Mechanism& mechanism, const Contact& contact, const std::vector<BodyMotion>& bodies,
                    ContactMotion& motion) {
-  const Pose<double>& X_W1 = at(bodies, contact.first.body).X_WB;
-  const Pose<double>& X_W2 = at(bodies, contact.second.body).X_WB;
+  const Pose<double>& X_W1 = bodies[contact.first.body].X_WB;
+  const Pose<double>& X_W2 = bodies[contact.second.body].X_WB;
   if (contact.by_boundary) {
     const auto found =
         find_boundary_normal(boundary_of(mechanism, contact.first), X_W1,
@@ -90,9 +104,9 @@ bool place_contact(const Mechanism& mechanism, const Contact& contact, const std
 double arc_difference(const Mechanism& mechanism, const Contact& contact, const ContactMotion& motion,
                       const std::vector<BodyMotion>& bodies) {
   const CommonNormal& touch = motion.at;
-  const double arc1 = contact_arc(curve_of(mechanism, contact.first), at(bodies, contact.first.body),
-                                  touch.p1_W, touch.n_W, motion.phi);
-  const double arc2 = contact_arc(curve_of(mechanism, contact.second), at(bodies, contact.second.body),
+  const double arc1 = contact_arc(curve_of(mechanism, contact.first), bodies[contact.first.body], touch.p1_W,
+                                  touch.n_W, motion.phi);
+  const double arc2 = contact_arc(curve_of(mechanism, contact.second), bodies[contact.second.body],
                                   touch.p2_W, -touch.n_W, motion.phi + kPi);
   return arc1 + arc2;
 }
@@ -134,8 +148,8 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
   const auto append_along = [&](const Vector2d& direction_W, double value) {
     ConstraintRow& row = rows.emplace_back();
     row.body = {contact.first.body, contact.second.body, 0};
-    row.coefficient[0] = -along(direction_W, at(bodies, contact.first.body), touch.p1_W);
-    row.coefficient[1] = along(direction_W, at(bodies, contact.second.body), touch.p2_W);
+    row.coefficient[0] = -along(direction_W, bodies[contact.first.body], touch.p1_W);
+    row.coefficient[1] = along(direction_W, bodies[contact.second.body], touch.p2_W);
     row.value = value;
   };
   append_along(touch.n_W, touch.gap());
@@ -152,26 +166,25 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
 
 void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position,
                        const std::vector<BodyMotion>& bodies, double size, std::vector<ConstraintRow>& rows) {
-  if (has_angle(joint.type)) {
-    const double off = at(bodies, joint.second.body).theta - at(bodies, joint.first.body).theta - position;
-    ConstraintRow& row = rows.emplace_back();
-    row.body = {joint.first.body, joint.second.body, 0};
-    row.coefficient[0].z() = -size;
-    row.coefficient[1].z() = size;
-    row.value = size * off;
-    return;
-  }
   rows.push_back(
       row_of(driver_condition(joint_dimensions(mechanism, joint), variable<6>(bodies, joint.first.body, 1),
                               variable<6>(bodies, joint.second.body, 4), Partials<double, 6>(position), size),
              {joint.first.body, joint.second.body, 0}));
 }
 
+Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    values(static_cast<Eigen::Index>(i)) = rows[i].value;
+  }
+  return values;
+}
+
 ConstraintRow angle_row(const std::vector<BodyMotion>& bodies, int body, double held, double size) {
   ConstraintRow row;
   row.body[1] = body;
   row.coefficient[1].z() = size;
-  row.value = size * (at(bodies, body).theta - held);
+  row.value = size * (bodies[body].theta - held);
   return row;
 }
 

@@ -3,11 +3,6 @@
 namespace higherpair {
 namespace {
 
-Rotation<double> direction_of(const Vector2d& v) {
-  const double length = v.norm();
-  return {v.x() / length, v.y() / length};
-}
-
 // Recognises a four-bar loop: |AB| depends on a single angle if a pin joins the bodies of A and B.
 void add_loop(const Mechanism& mechanism, RrrDyad& dyad) {
   if (dyad.A.body == dyad.B.body) {
@@ -84,7 +79,7 @@ std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, std::span<con
                                        int b) {
   OuterJoints sorted{-1, -1, -1};
   for (const int index : joints) {
-    const Joint& joint = joint_of(mechanism, index);
+    const Joint& joint = mechanism.joints[index];
     const bool on_a = touches(joint, a);
     const bool on_b = touches(joint, b);
     int& place = on_a && on_b ? sorted.inner : on_a ? sorted.on_a : sorted.on_b;
@@ -97,9 +92,9 @@ std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, std::span<con
 }
 
 std::optional<GroupKind> rrr_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
-  const Joint& inner = joint_of(mechanism, joints.inner);
-  const Joint& on_a = joint_of(mechanism, joints.on_a);
-  const Joint& on_b = joint_of(mechanism, joints.on_b);
+  const Joint& inner = mechanism.joints[joints.inner];
+  const Joint& on_a = mechanism.joints[joints.on_a];
+  const Joint& on_b = mechanism.joints[joints.on_b];
   RrrDyad dyad;
   dyad.A = known_end(mechanism, on_a, a);
   dyad.B = known_end(mechanism, on_b, b);
@@ -149,32 +144,32 @@ GroupKind slide_and_slot(const Mechanism& mechanism, const Joint& slide, const J
 }
 
 std::optional<GroupKind> rrp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
-  const Joint& inner = joint_of(mechanism, joints.inner);
+  const Joint& inner = mechanism.joints[joints.inner];
   RrpDyad dyad =
-      link_to_line(mechanism, joint_of(mechanism, joints.on_a), a, point_of(mechanism, end_on(inner, a)));
+      link_to_line(mechanism, mechanism.joints[joints.on_a], a, point_of(mechanism, end_on(inner, a)));
   const Guide guide =
-      guide_of(mechanism, joint_of(mechanism, joints.on_b), b, point_of(mechanism, end_on(inner, b)));
+      guide_of(mechanism, mechanism.joints[joints.on_b], b, point_of(mechanism, end_on(inner, b)));
   dyad.line = guide.line;
   dyad.slider = guide.rider;
   return dyad.length > 0 ? std::optional<GroupKind>(dyad) : std::nullopt;
 }
 
 GroupKind rpr_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
-  const Joint& on_b = joint_of(mechanism, joints.on_b);
+  const Joint& on_b = mechanism.joints[joints.on_b];
   const Guide guide =
-      guide_of(mechanism, joint_of(mechanism, joints.inner), b, point_of(mechanism, end_on(on_b, b)));
-  RprDyad dyad = link_with_line(mechanism, joint_of(mechanism, joints.on_a), a, known_end(mechanism, on_b, b),
-                                guide.line);
+      guide_of(mechanism, mechanism.joints[joints.inner], b, point_of(mechanism, end_on(on_b, b)));
+  RprDyad dyad =
+      link_with_line(mechanism, mechanism.joints[joints.on_a], a, known_end(mechanism, on_b, b), guide.line);
   dyad.slider = guide.rider;
   return dyad;
 }
 
 GroupKind prp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
-  const Joint& inner = joint_of(mechanism, joints.inner);
+  const Joint& inner = mechanism.joints[joints.inner];
   const Guide on_a =
-      guide_of(mechanism, joint_of(mechanism, joints.on_a), a, point_of(mechanism, end_on(inner, a)));
+      guide_of(mechanism, mechanism.joints[joints.on_a], a, point_of(mechanism, end_on(inner, a)));
   const Guide on_b =
-      guide_of(mechanism, joint_of(mechanism, joints.on_b), b, point_of(mechanism, end_on(inner, b)));
+      guide_of(mechanism, mechanism.joints[joints.on_b], b, point_of(mechanism, end_on(inner, b)));
   SlideDyad dyad;
   dyad.first = on_a.line;
   dyad.second = on_b.line;
@@ -183,11 +178,11 @@ GroupKind prp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int
 }
 
 GroupKind rpp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
-  const Joint& on_a = joint_of(mechanism, joints.on_a);
+  const Joint& on_a = mechanism.joints[joints.on_a];
   const Guide inner =
-      guide_of(mechanism, joint_of(mechanism, joints.inner), a, point_of(mechanism, end_on(on_a, a)));
+      guide_of(mechanism, mechanism.joints[joints.inner], a, point_of(mechanism, end_on(on_a, a)));
   // C is the point of b on the line along which A moves relative to b.
-  const Guide outer = guide_of(mechanism, joint_of(mechanism, joints.on_b), b, inner.line.p_B);
+  const Guide outer = guide_of(mechanism, mechanism.joints[joints.on_b], b, inner.line.p_B);
   SlideDyad dyad;
   dyad.first = outer.line;
   dyad.second = {outer.line.body, Vector2d::Zero(), outer.rider.relative * inner.line.u_B};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "joint_ends.hpp"
+#include "joint_sides.hpp"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,5 @@
 #include "free_assembly.hpp"
 
-#include "higherpair/contact/boundary_contact.hpp"
-#include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
@@ -20,16 +18,8 @@ namespace {
 
 constexpr int kNewtonTurns = 80;
 
-LinearConditions linear(const SizedMechanism& sized, const std::vector<ConstraintRow>& rows) {
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  LinearConditions conditions{Eigen::MatrixXd::Zero(n, sized.columns()), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const ConstraintRow& row = rows[i];
-    conditions.values(i) = row.value;
-    add_coefficients(
-        row, sized.size, [&](std::size_t k) { return column_of(row.body[k]); }, conditions.J.row(i));
-  }
-  return conditions;
+Eigen::MatrixXd jacobian_of(const SizedMechanism& sized, const std::vector<ConstraintRow>& rows) {
+  return jacobian_of(rows, sized.size, sized.columns(), column_of);
 }
 
 void append_driver_rows(const SizedMechanism& sized, const std::vector<double>& positions,
@@ -54,20 +44,8 @@ MechanismPosition posed(const SizedMechanism& sized) {
   const Mechanism& mechanism = sized.mechanism;
   MechanismPosition at{posed_bodies(mechanism), {}};
   for (const Contact& contact : mechanism.contacts) {
-    const auto pose = [&](const CurveRef& ref) { return at.bodies[ref.body].X_WB; };
-    ContactMotion motion;
-    if (contact.by_boundary) {
-      motion.place = nearest_places(boundary_of(mechanism, contact.first), pose(contact.first),
-                                    boundary_of(mechanism, contact.second), pose(contact.second));
-      at.contacts.push_back(motion);
-      continue;
-    }
-    const Separation here =
-        separation(curve_of(mechanism, contact.first), pose(contact.first),
-                   curve_of(mechanism, contact.second), pose(contact.second), kRoughNormal * sized.size);
-    motion.at.n_W = here.n_W;
-    motion.phi = angle_of(here.n_W);
-    at.contacts.push_back(motion);
+    at.contacts.push_back(facing_motion(mechanism, contact, at.bodies[contact.first.body].X_WB,
+                                        at.bodies[contact.second.body].X_WB, sized.size));
   }
   return at;
 }
@@ -139,13 +117,13 @@ LinearConditions conditions_at(const SizedMechanism& sized, const Held& held,
     }
   }
   append_driver_rows(sized, held.drivers, position, rows);
-  return linear(sized, rows);
+  return {jacobian_of(sized, rows), values_of(rows)};
 }
 
 Eigen::MatrixXd driver_rows(const SizedMechanism& sized, const MechanismPosition& position) {
   std::vector<ConstraintRow> rows;
   append_driver_rows(sized, std::vector<double>(sized.mechanism.drivers.size(), 0.0), position, rows);
-  return linear(sized, rows).J;
+  return jacobian_of(sized, rows);
 }
 
 std::optional<MechanismPosition> assemble_from(const SizedMechanism& sized, const Held& held,
@@ -172,7 +150,7 @@ std::optional<MechanismPosition> assemble_beside(const SizedMechanism& sized, Me
 void add_step(const SizedMechanism& sized, const Eigen::VectorXd& step, MechanismPosition& position) {
   for (std::size_t b = 1; b < position.bodies.size(); ++b) {
     BodyMotion& body = position.bodies[b];
-    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    const Eigen::Index column = column_of(static_cast<int>(b));
     body.X_WB.p_WB += step.segment<2>(column);
     body.theta += step(column + 2) / sized.size;
     body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
@@ -183,7 +161,7 @@ Eigen::VectorXd step_between(const SizedMechanism& sized, const MechanismPositio
                              const MechanismPosition& to) {
   Eigen::VectorXd step(sized.columns());
   for (std::size_t b = 1; b < from.bodies.size(); ++b) {
-    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    const Eigen::Index column = column_of(static_cast<int>(b));
     step.segment<2>(column) = to.bodies[b].X_WB.p_WB - from.bodies[b].X_WB.p_WB;
     step(column + 2) = sized.size * (to.bodies[b].theta - from.bodies[b].theta);
   }

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/analyse_mobility.hpp"
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -52,6 +53,13 @@ struct Held {
 /// step.
 [[nodiscard]] std::optional<MechanismPosition> assemble_beside(const SizedMechanism& sized,
                                                                MechanismPosition position);
+
+/// Assembles a mechanism near its poses, by least steps (Gauss-Newton on all conditions: of least norm where
+/// they leave freedom, in the least-squares sense where they repeat each other). None where that does not
+/// close to 1e-10 of the size.
+/// \param drivers  coordinates of Mechanism::drivers to hold [rad or m]; empty: the drivers are left free
+[[nodiscard]] std::optional<MechanismPosition> assemble_near_poses(const Mechanism& mechanism,
+                                                                   const std::vector<double>& drivers);
 
 /// Assembles a mechanism from a position that is assembled or nearly so; rolling contacts begin to roll
 /// there.

@@ -3,16 +3,17 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 
-// The two ends of a joint, given one of its bodies.
+// A joint as seen from one of its bodies.
 
 namespace higherpair {
 
-[[nodiscard]] inline const Joint& joint_of(const Mechanism& mechanism, int index) {
-  return mechanism.joints[index];
-}
-
 [[nodiscard]] inline bool touches(const Joint& joint, int body) {
   return joint.first.body == body || joint.second.body == body;
+}
+
+/// Whether a joint leaves a body one freedom relative to ground.
+[[nodiscard]] inline bool is_grounded(const Joint& joint) {
+  return touches(joint, 0) && can_be_driven(joint.type);
 }
 
 [[nodiscard]] inline const PointRef& end_on(const Joint& joint, int body) {

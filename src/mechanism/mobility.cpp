@@ -1,6 +1,5 @@
 #include "free_assembly.hpp"
 #include "free_directions.hpp"
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -153,7 +152,7 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
   }
   std::vector<BodyMotion> bodies = start.bodies;
   for (std::size_t b = 1; b < bodies.size(); ++b) {
-    const auto column = static_cast<Eigen::Index>(3 * (b - 1));
+    const Eigen::Index column = column_of(static_cast<int>(b));
     bodies[b].v_WB = solved.segment<2>(column);
     bodies[b].omega = solved(column + 2) / sized.size;
   }
@@ -184,8 +183,7 @@ void analyse_at(const SizedMechanism& sized, const MobilityQuestion& question, c
   }
 }
 
-}  // namespace
-
+// The counts of bodies, joints and contacts for the mobility formula.
 MobilityCount count_mobility(const Mechanism& mechanism) {
   MobilityCount count;
   count.bodies = static_cast<int>(mechanism.bodies.size());
@@ -213,6 +211,8 @@ MobilityCount count_mobility(const Mechanism& mechanism) {
   }
   return count;
 }
+
+}  // namespace
 
 Mobility analyse_mobility(const Mechanism& mechanism, const MobilityQuestion& question) {
   Mobility mobility;

@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan_text.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -25,16 +26,7 @@ std::string drivers(int n) {
   return number_of(n, "driver", "drivers");
 }
 
-template <class Item>
-std::string names_of(const std::vector<Item>& items, const std::vector<int>& indices) {
-  std::vector<std::string> names;
-  for (const int index : indices) {
-    names.push_back(items[index].name);
-  }
-  return joined_words(names);
-}
-
-std::string driver_name(const Mechanism& mechanism, int index) {
+std::string driver_text(const Mechanism& mechanism, int index) {
   const auto i = static_cast<std::size_t>(index);
   const std::string& name = mechanism.drivers[i].name;
   const std::string& joint = driven_joint(mechanism, i).name;
@@ -107,7 +99,7 @@ std::string missing_text(const Mechanism& mechanism, const Mobility& mobility) {
 std::string useless_text(const Mechanism& mechanism, const Mobility& mobility) {
   std::vector<std::string> names;
   for (const int driver : mobility.useless_drivers) {
-    names.push_back(driver_name(mechanism, driver));
+    names.push_back(driver_text(mechanism, driver));
   }
   if (mobility.freedom == 0) {
     return fmt::format("more drivers than freedom: {}; remove {}, or a joint, contact or member",

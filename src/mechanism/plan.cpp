@@ -1,53 +1,26 @@
 #include "higherpair/mechanism/plan.hpp"
 
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/redimension.hpp"
-#include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "idle_turning.hpp"
+#include "joint_sides.hpp"
 #include "recognise.hpp"
 #include "structural_conditions.hpp"
 #include "structure.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
 
-#include <boost/geometry/algorithms/append.hpp>
-#include <boost/geometry/algorithms/convex_hull.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
 #include <fmt/core.h>
 
 namespace higherpair {
 namespace {
-
-using HullPoint = boost::geometry::model::d2::point_xy<double>;
-
-// The two points that are farthest apart are on the convex hull.
-double largest_distance(const std::vector<Vector2d>& points) {
-  boost::geometry::model::multi_point<HullPoint> all;
-  for (const Vector2d& point : points) {
-    boost::geometry::append(all, HullPoint(point.x(), point.y()));
-  }
-  boost::geometry::model::polygon<HullPoint> hull;
-  boost::geometry::convex_hull(all, hull);
-  double square = 0;
-  for (const HullPoint& a : hull.outer()) {
-    for (const HullPoint& b : hull.outer()) {
-      square = std::max(square, Vector2d(a.x() - b.x(), a.y() - b.y()).squaredNorm());
-    }
-  }
-  return std::sqrt(square);
-}
 
 std::string names_of(const Mechanism& mechanism, const std::vector<LooseBody>& loose) {
   std::string names;
@@ -70,38 +43,6 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
          ", drivers " + std::to_string(drivers) + "; not placed: " + names_of(mechanism, loose) +
          "; add a driver, joint or contact that sets " + (loose.size() == 1 ? "it" : "them");
 }
-
-}  // namespace
-
-double size_of(const Mechanism& mechanism) {
-  std::vector<Vector2d> points;
-  double largest = 0;  // largest coordinate, to which rounding is relative
-  const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
-  const auto add = [&](int body, const Vector2d& p_B) {
-    points.push_back(bodies[body].X_WB * p_B);
-    largest = std::max({largest, p_B.norm(), points.back().norm()});
-  };
-  for (const Joint& joint : mechanism.joints) {
-    add(joint.first.body, point_of(mechanism, joint.first));
-    add(joint.second.body, point_of(mechanism, joint.second));
-  }
-  for (const Contact& contact : mechanism.contacts) {
-    for (const CurveRef& ref : {contact.first, contact.second}) {
-      const Curve& curve = curve_of(mechanism, ref);
-      add(ref.body, anchor(curve));
-      if (const auto middle = middle_of(curve)) {
-        add(ref.body, *middle);
-      }
-    }
-  }
-  const double size = largest_distance(points);
-  if (size > kCoincident * largest && size > kLeastSize) {
-    return size;
-  }
-  return largest > kLeastSize ? largest : 1;
-}
-
-namespace {
 
 std::vector<int> phase_bodies(const Mechanism& mechanism) {
   Mechanism slipping = mechanism;
@@ -130,9 +71,6 @@ void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>&
   plan.couples = std::any_of(plan.groups.begin(), plan.groups.end(),
                              [](const Group& group) { return traits_of(group).coupled; });
   for (Group& group : plan.groups) {
-    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
-      dyad->size = plan.size;
-    }
     std::copy_if(group.joints.begin(), group.joints.end(), std::back_inserter(group.ended_joints),
                  [&](int index) {
                    const Joint& joint = mechanism.joints[index];
@@ -183,6 +121,36 @@ tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   return plan;
 }
 
+CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int body) {
+  const bool carrier_first = joint.second.body == body;
+  CarriedBody carried;
+  carried.body = body;
+  carried.carrier = end_off(joint, body).body;
+  OneFreedom& freedom = carried.freedom;
+  freedom.turns = joint.type == JointType::kRevolute;
+  freedom.p_WO = point_of(mechanism, end_off(joint, body));
+  freedom.p_BO = point_of(mechanism, end_on(joint, body));
+  if (freedom.turns) {
+    carried.sign = carrier_first ? 1 : -1;
+    return carried;
+  }
+  freedom.theta = carrier_first ? joint.relative_angle : -joint.relative_angle;
+  freedom.R_WB = Rotation<double>::from_angle(freedom.theta);
+  // The line belongs to the joint's first body; if that one is carried, the carrier's point moves along it
+  // the opposite way.
+  freedom.direction_W = carrier_first ? joint.direction_A : Vector2d(-(freedom.R_WB * joint.direction_A));
+  return carried;
+}
+
+// If a body is on several joints to ground, like a valve in two guides, it moves alike on each.
+std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body) {
+  const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
+    return is_grounded(each) && touches(each, body);
+  });
+  return joint == mechanism.joints.end() ? std::nullopt
+                                         : std::optional(carried_body(mechanism, *joint, body).freedom);
+}
+
 std::vector<int> idle_bodies_of(const Plan& plan, const Group& group) {
   std::vector<int> idle;
   std::copy_if(plan.idle_bodies.begin(), plan.idle_bodies.end(), std::back_inserter(idle),
@@ -210,11 +178,7 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   other.phase_bodies = plan.phase_bodies;
   other.surplus = plan.surplus;
   other.coincidences = plan.coincidences;
-  std::vector<BodySet> sets;
-  for (const Group& group : plan.groups) {
-    sets.push_back({group.bodies, group.joints, group.contacts, group.drivers});
-  }
-  fill_in(other, mechanism, sets);
+  fill_in(other, mechanism, {plan.groups.begin(), plan.groups.end()});
   return other;
 }
 
@@ -225,11 +189,7 @@ tl::expected<Plan, std::string> plan_like(const Plan& plan, const Mechanism& mec
 void redimension_groups(Plan& plan, const Mechanism& mechanism) {
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
     Group& group = plan.groups[g];
-    group.kind = kind_of(mechanism, {group.bodies, group.joints, group.contacts, group.drivers},
-                         std::span(plan.groups).first(g));
-    if (auto* dyad = std::get_if<RprDyad>(&group.kind)) {
-      dyad->size = plan.size;
-    }
+    group.kind = kind_of(mechanism, group, std::span(plan.groups).first(g));
   }
 }
 

@@ -67,16 +67,8 @@ private:
 
 }  // namespace
 
-std::string body_names(const Mechanism& mechanism, std::span<const int> bodies) {
-  std::string names;
-  for (const int body : bodies) {
-    names += (names.empty() ? "" : ", ") + mechanism.bodies[body].name;
-  }
-  return names;
-}
-
 std::string describe(const Mechanism& mechanism, const Group& group) {
-  return body_names(mechanism, group.bodies) + ": " + std::visit(Words(mechanism, group), group.kind);
+  return names_of(mechanism.bodies, group.bodies) + ": " + std::visit(Words(mechanism, group), group.kind);
 }
 
 }  // namespace higherpair

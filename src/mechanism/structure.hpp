@@ -1,19 +1,10 @@
 #pragma once
 
-#include "higherpair/mechanism/description.hpp"
+#include "higherpair/mechanism/plan.hpp"
 
 #include <vector>
 
 namespace higherpair {
-
-/// Bodies that must be placed together, and the conditions that place them: all those whose last placed body
-/// is among them.
-struct BodySet {
-  std::vector<int> bodies;
-  std::vector<int> joints;
-  std::vector<int> contacts;
-  std::vector<int> drivers;
-};
 
 /// A body with coordinates that no condition determines.
 struct LooseBody {

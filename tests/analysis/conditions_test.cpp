@@ -69,6 +69,7 @@ Coordinates<double> displaced(const ConditionSystem& system, Coordinates<double>
 }
 
 struct Placed {
+  Dimensions<double> dimensions;
   ConditionSystem system;
   Coordinates<double> at;
 };
@@ -84,8 +85,9 @@ Placed placed(const std::string& name) {
     return drivers;
   };
   auto run = start_run(profile.mechanism, drivers_at(0)).value();
-  const ConditionSystem system(dimensions_of(run.mechanism()), all_conditions(run), run.plan().size);
-  const std::vector<double> arcs = arcs_at(system.dimensions(), coordinates_of(run.row, drivers_at(0)));
+  const Dimensions<double> dimensions = dimensions_of(run.mechanism());
+  const ConditionSystem system(dimensions, all_conditions(run), run.plan().size);
+  const std::vector<double> arcs = arcs_at(dimensions, coordinates_of(run.row, drivers_at(0)));
   const std::vector<double> drivers = drivers_at(schedule.size() / 7);
   std::vector<DriverMotion> motions;
   for (const double driver : drivers) motions.push_back({driver, 1, 0});
@@ -93,77 +95,110 @@ Placed placed(const std::string& name) {
   EXPECT_EQ(run.row.status, RowStatus::kOk) << name;
   Coordinates<double> at = coordinates_of(run.row, drivers);
   at.arcs = arcs;
-  return {system, at};
+  return {dimensions, system, at};
 }
 
-void expect_jacobian_of_differences(const ConditionSystem& system, const Coordinates<double>& at) {
-  Eigen::VectorXd values, alone, before, after;
+// The values of the conditions without their derivatives.
+Eigen::VectorXd values_at(const Placed& placed, const Coordinates<double>& at) {
+  std::vector<double> values;
+  EXPECT_TRUE(append_conditions(placed.dimensions, placed.system.set(), at, placed.system.size(), values));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+// The numbers of rows of joints, contacts, drivers and idle bodies, which follow each other in this order.
+struct RowCounts {
+  Eigen::Index joints = 0, contacts = 0, drivers = 0, idle_bodies = 0;
+};
+
+RowCounts row_counts(const Placed& placed) {
+  const ConditionSet& set = placed.system.set();
+  RowCounts counts{0, 0, std::ssize(set.drivers), std::ssize(set.idle_bodies)};
+  for (const int joint : set.joints) {
+    counts.joints += condition_count(placed.dimensions.joints[joint].of.type);
+  }
+  for (const int contact : set.contacts)
+    counts.contacts += placed.dimensions.contacts[contact].rolling ? 3 : 2;
+  return counts;
+}
+
+void expect_jacobian_of_differences(const Placed& placed, const Coordinates<double>& at) {
+  const ConditionSystem& system = placed.system;
+  Eigen::VectorXd values;
   Eigen::MatrixXd J;
   ASSERT_TRUE(system.evaluate(at, values, J));
-  ASSERT_TRUE(system.evaluate(at, alone));
+  ASSERT_EQ(values.size(), system.row_count());
+  const Eigen::VectorXd alone = values_at(placed, at);
+  ASSERT_EQ(values.size(), alone.size());
   EXPECT_LE((values - alone).lpNorm<Eigen::Infinity>(), 1e-15 * system.size());
   const double h = 1e-6 * system.size();
   for (Eigen::Index column = 0; column < system.column_count(); ++column) {
     const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(system.column_count(), column);
-    ASSERT_TRUE(system.evaluate(displaced(system, at, -step), before));
-    ASSERT_TRUE(system.evaluate(displaced(system, at, step), after));
-    const Eigen::VectorXd difference = (after - before) / (2 * h);
+    const Eigen::VectorXd difference =
+        (values_at(placed, displaced(system, at, step)) - values_at(placed, displaced(system, at, -step))) /
+        (2 * h);
     for (Eigen::Index row = 0; row < difference.size(); ++row) {
       EXPECT_NEAR(J(row, column), difference(row), 1e-8 * (1 + std::abs(J(row, column))))
           << "row " << row << ", column " << column;
     }
   }
+  // The row of a driver is the only one that depends on its position.
+  const RowCounts counts = row_counts(placed);
+  Eigen::Index row = counts.joints + counts.contacts;
   for (const int driver : system.set().drivers) {
     Coordinates<double> moved = at;
     moved.drivers[driver] += 1;
-    ASSERT_TRUE(system.evaluate(moved, after));
+    const bool turns = has_angle(placed.dimensions.joints[placed.dimensions.drivers[driver]].of.type);
     const Eigen::VectorXd expected =
-        system.by_driver(driver) * Eigen::VectorXd::Unit(values.size(), system.driver_row(driver));
-    EXPECT_LE((after - values - expected).lpNorm<Eigen::Infinity>(), 1e-14 * (1 + system.size()));
+        (turns ? -system.size() : -1) * Eigen::VectorXd::Unit(values.size(), row++);
+    EXPECT_LE((values_at(placed, moved) - values - expected).lpNorm<Eigen::Infinity>(),
+              1e-14 * (1 + system.size()));
   }
 }
 
 class Conditions : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Conditions, HoldWhereTheRowsWereSolvedAndHaveTheJacobianOfDifferences) {
-  const auto [system, at] = placed(GetParam());
-  Eigen::VectorXd values;
-  ASSERT_TRUE(system.evaluate(at, values));
-  EXPECT_LE(values.lpNorm<Eigen::Infinity>(), 1e-9 * system.size());
-  expect_jacobian_of_differences(system, at);
+  const Placed row = placed(GetParam());
+  EXPECT_LE(values_at(row, row.at).lpNorm<Eigen::Infinity>(), 1e-9 * row.system.size());
+  expect_jacobian_of_differences(row, row.at);
 }
 
 // Away from the solution no term of the Jacobian is hidden by a gap of 0.
 TEST_P(Conditions, HaveTheJacobianOfDifferencesBesideTheSolution) {
-  const auto [system, at] = placed(GetParam());
+  const Placed row = placed(GetParam());
+  const ConditionSystem& system = row.system;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(-0.02, 0.02);
   Eigen::VectorXd change(system.column_count());
   for (double& coordinate : change) coordinate = share(random) * system.size();
-  expect_jacobian_of_differences(system, displaced(system, at, change));
+  expect_jacobian_of_differences(row, displaced(system, row.at, change));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfShippedProfiles, Conditions,
                          ::testing::ValuesIn(testing::shipped_without_boundaries()),
                          [](const auto& name) { return name.param; });
 
-TEST(ConditionSystems, LabelTheirRowsInTheOrderOfJointsContactsDriversAndIdleBodies) {
-  using Of = ConditionLabel::Of;
-  const auto system = placed("roller_body").system;
-  std::size_t joints = 0;
-  std::vector<ConditionLabel> others;
-  for (const ConditionLabel& label : system.labels()) {
-    if (label.of == Of::kJoint) {
-      EXPECT_TRUE(others.empty());
-      ++joints;
-    } else {
-      others.push_back(label);
-    }
-  }
-  EXPECT_EQ(joints, 6U);  // three joints
-  const int roller = system.set().idle_bodies.at(0);
-  EXPECT_EQ(others, (std::vector<ConditionLabel>{
-                        {Of::kContact, 0}, {Of::kContact, 0}, {Of::kDriver, 0}, {Of::kIdleBody, roller}}));
+TEST(ConditionSystems, HaveTheRowsOfJointsContactsDriversAndIdleBodiesInThisOrder) {
+  const Placed row = placed("roller_body");
+  Eigen::VectorXd values, moved;
+  Eigen::MatrixXd J;
+  ASSERT_TRUE(row.system.evaluate(row.at, values, J));
+  const RowCounts counts = row_counts(row);
+  EXPECT_EQ(counts.joints, 6);  // three joints
+  EXPECT_EQ(counts.contacts, 2);
+  EXPECT_EQ(counts.drivers, 1);
+  EXPECT_EQ(counts.idle_bodies, 1);
+  ASSERT_EQ(values.size(), 10);
+  // Only the rows of the contact depend on the angle of its normal, and only the last on the angle that the
+  // roller keeps; that of the driver is the one before (see above).
+  const auto by_phi = J.col(row.system.contact_column(0));
+  EXPECT_EQ(by_phi.head(6).norm() + by_phi.tail(2).norm(), 0);
+  EXPECT_GT(by_phi.segment(6, 2).norm(), 0);
+  Coordinates<double> turned = row.at;
+  turned.held_angles.at(row.system.set().idle_bodies.at(0)) += 1;
+  ASSERT_TRUE(row.system.evaluate(turned, moved, J));
+  EXPECT_EQ((moved - values).head(9).norm(), 0);
+  EXPECT_NE(moved(9), values(9));
 }
 
 }  // namespace

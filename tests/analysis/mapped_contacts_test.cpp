@@ -30,7 +30,7 @@ struct Pair {
 
 TEST(MappedContacts, StandWhereTheMechanismStands) {
   const Pair pair;
-  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_TRUE(mapped);
   EXPECT_THAT(mapped->not_started, IsEmpty());
   const MappedContact& contact = mapped->contacts.at(0);
@@ -49,7 +49,7 @@ TEST(MappedContacts, StandWhereTheMechanismStands) {
 
 TEST(MappedContacts, TakeTheDriversSignFromItsJoint) {
   const Pair pair(false);
-  const auto mapped = mapped_contacts(pair.builder.mechanism, {-0.2});
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {-0.2}, kDefaultClosure);
   ASSERT_TRUE(mapped);
   EXPECT_EQ(mapped->contacts.at(0).known.sign, -1);
   EXPECT_NEAR(mapped->contacts.at(0).u, 0.2, 1e-15);
@@ -58,12 +58,13 @@ TEST(MappedContacts, TakeTheDriversSignFromItsJoint) {
 TEST(MappedContacts, OfRollingBodiesAreRefused) {
   Pair pair;
   pair.builder.mechanism.contacts.front().rolling = true;
-  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_TRUE(mapped);
   EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("rolls"));
 }
 
-// A cam on the planet of a planetary gear with a fixed ring: gears join it to ground, but it turns on the arm.
+// A cam on the planet of a planetary gear with a fixed ring: gears join it to ground, but it turns on the
+// arm.
 TEST(MappedContacts, OfABodyThatGearsAloneJoinToGroundAreRefused) {
   Builder builder;
   const int arm = builder.body("arm", {0, 0}, 0);
@@ -81,16 +82,17 @@ TEST(MappedContacts, OfABodyThatGearsAloneJoinToGroundAreRefused) {
   builder.mechanism.joints.push_back(ring);
   (void)builder.prismatic(0, follower, {0.043, 0}, {1, 0}, -0.05);
   builder.contact(builder.circle(planet, {0.029, 0}, 0.009), builder.circle(follower, {0.043, 0}, 0.005));
-  const auto mapped = mapped_contacts(builder.mechanism, {0});
+  const auto mapped = mapped_contacts(builder.mechanism, {0}, kDefaultClosure);
   ASSERT_TRUE(mapped) << mapped.error();
-  EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("planet has no revolute or prismatic joint to ground"));
+  EXPECT_THAT(mapped->contacts.at(0).refusal,
+              HasSubstr("planet has no revolute or prismatic joint to ground"));
 }
 
 TEST(MappedContacts, OfAMechanismThatLacksADriverSayWhatIsMissing) {
   Pair pair;
   const int loose = pair.builder.body("loose", {0.3, 0}, 0);
   (void)pair.builder.revolute(0, loose, {0.3, 0});
-  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2});
+  const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_FALSE(mapped);
   EXPECT_THAT(mapped.error(), HasSubstr("driver"));
 }

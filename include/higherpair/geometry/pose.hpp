@@ -94,6 +94,12 @@ struct Rotation {
   }
 };
 
+/// The direction of a vector that is not zero, as the rotation that turns the x axis into it.
+[[nodiscard]] inline Rotation<double> direction_of(const Vector2d& v) {
+  const double length = v.norm();
+  return {v.x() / length, v.y() / length};
+}
+
 /// The pose of the frame of body B in ground W: a point p_B of the body is at `R_WB * p_B + p_WB`.
 template <class T>
 struct Pose {

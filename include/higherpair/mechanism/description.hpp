@@ -27,8 +27,8 @@ struct NamedCurve {
   /// Set for a curve with ends or of several spans, whose `curve` is of kind kChain; null for a whole conic,
   /// line or point.
   std::shared_ptr<const Boundary> boundary = nullptr;
-  /// For a contact's own copy (see use_boundaries): index of the original curve, or of the first of several;
-  /// else -1.
+  /// Index of the original curve, or of the first of several, if this is a contact's own copy; else -1. Set
+  /// by Model: leave the default.
   int copy_of = -1;
   /// Indices of the curves of the body that a contact takes as one, which is of kind kChain; else empty.
   std::vector<int> parts = {};
@@ -118,7 +118,7 @@ struct Joint {
                               ///< between the wheels (gears and belts)
   int carrier = 0;            ///< gears and belts: the body on which both wheels turn
   double turning_ratio = 1;   ///< gears and belts: < 0 where the wheels turn against each other; not 0
-  std::optional<GearTeeth> teeth;  ///< gears: see tooth_row of dynamics/tooth_force.hpp
+  std::optional<GearTeeth> teeth;  ///< gears: decide in what direction the tooth force acts
   /// Ends of the line (prismatic, slot): the least and the largest coordinate [m]; none: unbounded.
   std::optional<double> from = {};
   std::optional<double> to = {};
@@ -146,8 +146,8 @@ struct Contact {
   Keep keep = Keep::kTouching;
   bool both_sides = false;  ///< walls on both sides, as in a slot: the contact is held and may pull
   bool jump = true;         ///< continue with a second contact of the same curves when one appears
-  bool by_boundary =
-      false;  ///< located by places along the boundaries, which both curves have: see use_boundaries
+  /// Located by places along the boundaries, which both curves have. Set by Model: leave the default.
+  bool by_boundary = false;
 };
 
 struct Driver {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
-#include "higherpair/mechanism/tolerances.hpp"
 
 #include <optional>
 #include <vector>
@@ -14,7 +13,10 @@ namespace higherpair {
 /// that of a contact, are made by closeness to the poses.
 /// @{
 
-/// 2 to the number of groups with two modes, at most 2¹⁶: further groups are in mode +1.
+/// Most modes that the number of a branch encodes: further groups are in mode +1.
+inline constexpr int kMostBranchModes = 16;
+
+/// 2 to the number of groups with two modes, at most 2 to kMostBranchModes.
 [[nodiscard]] int branch_count(const Plan& plan);
 
 /// The branch that a run is on.
@@ -23,7 +25,7 @@ namespace higherpair {
 /// Like start_run, on this branch. The dimensions of redundant mechanisms are not checked. None where it
 /// cannot be assembled there at the first positions of the drivers.
 [[nodiscard]] std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& drivers,
-                                                 int branch, double tolerance = kDefaultClosure);
+                                                 int branch);
 
 /// By how much a group of links is too short, or too long, to be assembled between the bodies that it depends
 /// on, at their present positions [m]; < 0: its reserve. None for groups that are not dyads.

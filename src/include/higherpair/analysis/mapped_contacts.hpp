@@ -43,6 +43,6 @@ struct MappedContacts {
 /// Fails where the mechanism has no plan.
 [[nodiscard]] tl::expected<MappedContacts, std::string> mapped_contacts(const Mechanism& mechanism,
                                                                         const std::vector<double>& drivers,
-                                                                        double tolerance = kDefaultClosure);
+                                                                        double tolerance);
 
 }  // namespace higherpair

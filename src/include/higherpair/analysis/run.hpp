@@ -110,6 +110,9 @@ struct Standing {
   std::vector<Crossing> reported;        ///< change points ahead that events have reported; s: the driver
   std::optional<RunEvent> limit_here;    ///< a limit at the last row itself
   std::optional<RunEvent> limit_before;  ///< the same for the previous row
+
+  /// The state that the last row shows, unless it was lost.
+  [[nodiscard]] const State& shown() const { return beside ? *beside : state; }
 };
 
 /// Scratch data for trial steps; nothing in it is kept from one row to the next.

@@ -19,7 +19,7 @@ struct StartRange {
 /// or up to twice the size of the mechanism to either side, and the ends of the ranges found are refined by
 /// bisection: a range narrower than the 72nd part may be missed. At most three ranges, the nearest first.
 /// Their ends are accurate to 1e-9 of the span and lie on the side where assembly is possible; for a turning
-/// driver the lower end is in [0, 2π). Empty where there are none; none where the failure has another cause
+/// driver the upper end is in (0, 2π]. Empty where there are none; none where the failure has another cause
 /// than the positions, or once stopped.
 /// \param tolerance  as for start_run
 /// \param stop       once true, the search is abandoned; may be null

@@ -9,21 +9,11 @@
 
 namespace higherpair {
 
-/// The counts of bodies, joints and contacts for the mobility formula.
-[[nodiscard]] MobilityCount count_mobility(const Mechanism& mechanism);
-
 /// The positions of all bodies and contacts at one instant.
 struct MechanismPosition {
   std::vector<BodyMotion> bodies;       ///< of Mechanism::bodies
   std::vector<ContactMotion> contacts;  ///< of Mechanism::contacts
 };
-
-/// Assembles a mechanism near its poses, by least steps (Gauss-Newton on all conditions: of least norm where
-/// they leave freedom, in the least-squares sense where they repeat each other). None where that does not
-/// close to 1e-10 of the size.
-/// \param drivers  coordinates of Mechanism::drivers to hold [rad or m]; empty: the drivers are left free
-[[nodiscard]] std::optional<MechanismPosition> assemble_near_poses(const Mechanism& mechanism,
-                                                                   const std::vector<double>& drivers);
 
 /// From where to analyse a mechanism.
 struct MobilityQuestion {

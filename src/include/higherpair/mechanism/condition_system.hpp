@@ -3,6 +3,7 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/mechanism/conditions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 
 #include <vector>
 
@@ -125,22 +126,9 @@ template <class T>
   return values;
 }
 
-/// Some bodies and the conditions that determine them: a Group of a plan, or all of a mechanism.
-struct ConditionSet {
-  std::vector<int> bodies;
-  std::vector<int> joints;
-  std::vector<int> contacts;
-  std::vector<int> drivers;
+/// Some bodies and the conditions that determine them: those of a Group of a plan, or all of a mechanism.
+struct ConditionSet : BodySet {
   std::vector<int> idle_bodies;  ///< whose rotation is not determined: they keep an angle
-};
-
-/// Where a condition comes from.
-struct ConditionLabel {
-  enum class Of { kJoint, kContact, kDriver, kIdleBody };
-  Of of = Of::kJoint;
-  int index = 0;  ///< into the member of Mechanism; for kIdleBody the body
-
-  friend bool operator==(const ConditionLabel&, const ConditionLabel&) = default;
 };
 
 /// The values [m] of all conditions of a set: joints, contacts (gap, φ, slip if they roll), drivers, idle
@@ -182,42 +170,32 @@ bool append_conditions(const Dimensions<D>& dimensions, const ConditionSet& set,
                                                     const BodyAt<double>& first, const BodyAt<double>& second,
                                                     double phi);
 
-/// Residual and Jacobian of the conditions of a set. Its unknowns are lengths: x, y and size·θ of each body
-/// of the set, then size·φ of each of its contacts.
+/// Residual and Jacobian of the conditions of a set, in the order of append_conditions(). Its unknowns are
+/// lengths: x, y and size·θ of each body of the set, then size·φ of each of its contacts.
 class ConditionSystem {
 public:
   /// \param size  [m], > 0, converts angles to lengths
   ConditionSystem(Dimensions<double> dimensions, ConditionSet set, double size);
 
   [[nodiscard]] const ConditionSet& set() const { return set_; }
-  [[nodiscard]] const Dimensions<double>& dimensions() const { return dimensions_; }
   [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] Eigen::Index row_count() const { return static_cast<Eigen::Index>(labels_.size()); }
+  [[nodiscard]] Eigen::Index row_count() const { return rows_; }
   [[nodiscard]] Eigen::Index column_count() const { return columns_; }
-  /// What each row belongs to.
-  [[nodiscard]] const std::vector<ConditionLabel>& labels() const { return labels_; }
   /// Column of x of a body; -1 if it is not in the set.
   [[nodiscard]] Eigen::Index body_column(int body) const { return body_columns_[body]; }
   /// Column of φ of a contact; -1 if it is not in the set.
   [[nodiscard]] Eigen::Index contact_column(int contact) const { return contact_columns_[contact]; }
-  /// The row of a driver, the only one that depends on its position; -1 if the driver is not in the set.
-  [[nodiscard]] Eigen::Index driver_row(int driver) const { return driver_rows_[driver]; }
-  /// The derivative of that row with respect to the driver's position: -size [m/rad] or -1.
-  [[nodiscard]] double by_driver(int driver) const;
 
   /// Residual [m] and Jacobian [1], resized if necessary. Returns whether each curve has a point with the
   /// normal φ (parabolas and hyperbolas have them for some normals only); if not, both are meaningless.
   bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values, Eigen::MatrixXd& J) const;
-  /// The residual alone.
-  bool evaluate(const Coordinates<double>& at, Eigen::VectorXd& values) const;
 
 private:
   ConditionSet set_;
   Dimensions<double> dimensions_;
   double size_;
-  Eigen::Index columns_ = 0;
-  std::vector<ConditionLabel> labels_;
-  std::vector<Eigen::Index> body_columns_, contact_columns_, driver_rows_;
+  Eigen::Index rows_ = 0, columns_ = 0;
+  std::vector<Eigen::Index> body_columns_, contact_columns_;
 };
 
 }  // namespace higherpair

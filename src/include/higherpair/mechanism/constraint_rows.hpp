@@ -26,6 +26,11 @@ struct ConstraintRow {
 [[nodiscard]] EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact,
                                      const CommonNormal& at);
 
+/// Where the search for a contact of bodies that need not touch yet begins: the places or the normal where
+/// they are closest. \param size  of the mechanism [m]
+[[nodiscard]] ContactMotion facing_motion(const Mechanism& mechanism, const Contact& contact,
+                                          const Pose<double>& X_W1, const Pose<double>& X_W2, double size);
+
 /// Moves a contact to the common normal near its present place, with the bodies held; false where there is
 /// none.
 [[nodiscard]] bool place_contact(const Mechanism& mechanism, const Contact& contact,
@@ -66,6 +71,23 @@ void add_coefficients(const ConstraintRow& row, double size, F column_of, Row&& 
     }
   }
 }
+
+/// The derivatives of rows by the coordinates (x, y, size·θ) of some bodies.
+/// \param column_of  column of x of a body; < 0: none
+template <class F>
+[[nodiscard]] Eigen::MatrixXd jacobian_of(const std::vector<ConstraintRow>& rows, double size,
+                                          Eigen::Index columns, F column_of) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    add_coefficients(
+        rows[i], size, [&](std::size_t k) { return column_of(rows[i].body[k]); },
+        J.row(static_cast<Eigen::Index>(i)));
+  }
+  return J;
+}
+
+/// The values of rows [m].
+[[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
 
 /// Arc of the contact point on the first curve less that on the second, both along t; constant where the
 /// bodies roll [m].

@@ -32,30 +32,26 @@ template <>
 inline constexpr GroupTraits kOf<DrivenBody>{.one_branch = true};
 template <>
 inline constexpr GroupTraits kOf<RrrDyad>{
-    true,
-    true,
-    false,
-    false,
-    kDyadNoise,
-    "the links are in line here: beyond this position of the driver they cannot reach each other"};
+    .two_modes = true,
+    .can_cross = true,
+    .sine_noise = kDyadNoise,
+    .limit = "the links are in line here: beyond this position of the driver they cannot reach each other"};
 template <>
-inline constexpr GroupTraits kOf<RrpDyad>{
-    true,
-    true,
-    false,
-    false,
-    kDyadNoise,
-    "the link stands at right angles to its slide here: beyond this position of the driver it cannot reach "
-    "it"};
+inline constexpr GroupTraits kOf<RrpDyad>{.two_modes = true,
+                                          .can_cross = true,
+                                          .sine_noise = kDyadNoise,
+                                          .limit =
+                                              "the link stands at right angles to its slide here: beyond "
+                                              "this position of the driver it cannot reach "
+                                              "it"};
 template <>
-inline constexpr GroupTraits kOf<RprDyad>{
-    true,
-    true,
-    false,
-    false,
-    kDyadNoise,
-    "the two pins are as near as the offset of the slide here: beyond this position of the driver it cannot "
-    "lead past both"};
+inline constexpr GroupTraits kOf<RprDyad>{.two_modes = true,
+                                          .can_cross = true,
+                                          .sine_noise = kDyadNoise,
+                                          .limit =
+                                              "the two pins are as near as the offset of the slide here: "
+                                              "beyond this position of the driver it cannot "
+                                              "lead past both"};
 template <>
 inline constexpr GroupTraits kOf<SlideDyad>{
     .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};

@@ -13,8 +13,9 @@ enum class NumberKind {
   kLoad,    ///< masses, forces, stiffnesses
 };
 
-/// Calls f(number, kind), or f(number), for every number of a mechanism that is a quantity, in an order that
-/// only depends on which bodies, points, curves, joints, loads and springs there are.
+/// Calls f(number, kind), or f(number), for the quantities of a mechanism in an order that only depends on
+/// which bodies, points, curves, joints, loads and springs there are. Left out are boundaries and laws, which
+/// are functions, and the ends of joints and the teeth of gears, which no position or rate depends on.
 template <class M, class F>
 void for_each_number(M& mechanism, F f) {
   const auto number = [&](auto& value, NumberKind kind) {

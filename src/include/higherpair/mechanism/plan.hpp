@@ -83,9 +83,13 @@ struct RprDyad {
   int link = 0;
   Vector2d pA = Vector2d::Zero();  ///< in the link's frame [m]
   BodyLine line;                   ///< on the link
-  double size = 1;                 ///< of the mechanism [m]
   std::optional<Rider> slider;
 };
+
+/// The offset of the line of an RPR dyad from its pin A, both on the link [m].
+[[nodiscard]] inline double slot_offset(const RprDyad& dyad) {
+  return cross(Vector2d(dyad.line.u_B.cos, dyad.line.u_B.sin), Vector2d(dyad.line.p_B - dyad.pA));
+}
 
 /// Two slides that place a point C. C runs on the first line; the second line either lies on another known
 /// body (two sliders joined by a pin C), or passes through a known pin A in a direction that turns with the
@@ -138,12 +142,34 @@ struct CoupledBodies {};
 using GroupKind = std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, SlideDyad, TrackedPair, TouchingBody,
                                IdleBody, GearedBody, CoupledBodies>;
 
-/// Some bodies, and the conditions that place them once the preceding groups are known.
-struct Group {
+/// Bodies that must be placed together, and the conditions that place them: all those whose last placed body
+/// is among them. Indices into the members of Mechanism.
+struct BodySet {
   std::vector<int> bodies;
   std::vector<int> joints;
   std::vector<int> contacts;
   std::vector<int> drivers;
+};
+
+/// Calls f(body) for the bodies of the conditions of a set: those that they place, and those that they depend
+/// on; some several times.
+template <class F>
+void for_each_joined_body(const Mechanism& mechanism, const BodySet& set, F f) {
+  for (const int index : set.joints) {
+    const Joint& joint = mechanism.joints[index];
+    f(joint.first.body);
+    f(joint.second.body);
+    f(joint.carrier);
+  }
+  for (const int index : set.contacts) {
+    const Contact& contact = mechanism.contacts[index];
+    f(contact.first.body);
+    f(contact.second.body);
+  }
+}
+
+/// A set that is placed once the groups before it are known, and how.
+struct Group : BodySet {
   GroupKind kind;
   std::vector<int> ended_joints = {};  ///< the `joints` whose line has an end
 };

@@ -18,8 +18,8 @@ namespace higherpair {
 [[nodiscard]] tl::expected<Plan, std::string> plan_like(const Plan& plan, const Mechanism& mechanism);
 
 /// Fills in the groups of a plan again, in place, for a mechanism with other dimensions; does not allocate
-/// for groups of joints alone. Like redimensioned(), except that Plan::size, and what depends on it, are
-/// kept. A dyad that degenerates with its new dimensions (a link of zero length) becomes CoupledBodies.
+/// for groups of joints alone. Like redimensioned(), except that Plan::size is kept. A dyad that degenerates
+/// with its new dimensions (a link of zero length) becomes CoupledBodies.
 void redimension_groups(Plan& plan, const Mechanism& mechanism);
 
 }  // namespace higherpair

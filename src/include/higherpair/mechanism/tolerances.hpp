@@ -32,7 +32,7 @@ inline constexpr double kDefaultClosure = 1e-9;
 inline constexpr double kClosedMechanism = 1e-10;
 /// Steps up to this count as zero.
 inline constexpr double kLeastFreeStep = 1e-14;
-/// Precision of the common normals, of bodies that need not touch yet, from which the iteration starts.
+/// Precision of the common normals, of bodies that need not touch yet, from which iterations start.
 inline constexpr double kRoughNormal = 1e-6;
 
 // Mobility.

@@ -1,0 +1,69 @@
+#include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <boost/geometry/algorithms/append.hpp>
+#include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
+namespace higherpair {
+namespace {
+
+using HullPoint = boost::geometry::model::d2::point_xy<double>;
+
+// The two points that are farthest apart are on the convex hull.
+double largest_distance(const std::vector<Vector2d>& points) {
+  boost::geometry::model::multi_point<HullPoint> all;
+  for (const Vector2d& point : points) {
+    boost::geometry::append(all, HullPoint(point.x(), point.y()));
+  }
+  boost::geometry::model::polygon<HullPoint> hull;
+  boost::geometry::convex_hull(all, hull);
+  double square = 0;
+  for (const HullPoint& a : hull.outer()) {
+    for (const HullPoint& b : hull.outer()) {
+      square = std::max(square, Vector2d(a.x() - b.x(), a.y() - b.y()).squaredNorm());
+    }
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+double size_of(const Mechanism& mechanism) {
+  std::vector<Vector2d> points;
+  double largest = 0;  // largest coordinate, to which rounding is relative
+  const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
+  const auto add = [&](int body, const Vector2d& p_B) {
+    points.push_back(bodies[body].X_WB * p_B);
+    largest = std::max({largest, p_B.norm(), points.back().norm()});
+  };
+  for (const Joint& joint : mechanism.joints) {
+    add(joint.first.body, point_of(mechanism, joint.first));
+    add(joint.second.body, point_of(mechanism, joint.second));
+  }
+  for (const Contact& contact : mechanism.contacts) {
+    for (const CurveRef& ref : {contact.first, contact.second}) {
+      const Curve& curve = curve_of(mechanism, ref);
+      add(ref.body, anchor(curve));
+      if (const auto middle = middle_of(curve)) {
+        add(ref.body, *middle);
+      }
+    }
+  }
+  const double size = largest_distance(points);
+  if (size > kCoincident * largest && size > kLeastSize) {
+    return size;
+  }
+  return largest > kLeastSize ? largest : 1;
+}
+
+}  // namespace higherpair
