@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace higherpair {
 namespace {
@@ -32,11 +33,48 @@ double turned_from_poses(const Group& group, const std::vector<BodyMotion>& bodi
   return turned;
 }
 
+std::vector<int> modes_of(const Group& group) {
+  return traits_of(group).two_modes ? std::vector<int>{1, -1} : std::vector<int>{1};
+}
+
+// A choice of groups of a plan.
+using Groups = std::vector<bool>;
+
+void add(const Groups& more, Groups& groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g] = groups[g] || more[g];
+  }
+}
+
+// For each group, those with two modes on whose modes its place depends, directly or through known bodies.
+std::vector<Groups> decisive_groups(const Mechanism& mechanism, const Plan& plan) {
+  std::vector<Groups> decisive;
+  std::vector<std::optional<std::size_t>> placed_by(mechanism.bodies.size());
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    const Group& group = plan.groups[g];
+    Groups own(plan.groups.size());
+    for_each_joined_body(mechanism, group, [&](int body) {
+      if (const auto other = placed_by[body]) {
+        add(decisive[*other], own);
+        own[*other] = own[*other] || traits_of(plan.groups[*other]).two_modes;
+      }
+    });
+    for (const int body : group.bodies) {
+      placed_by[body] = g;
+    }
+    decisive.push_back(std::move(own));
+  }
+  return decisive;
+}
+
 // Depth-first search for the assembly of least cost: nearer modes first, and no deeper where the cost exceeds
-// the best so far.
+// the best so far. Where a group cannot be placed, it goes back to the last group in whose other mode it
+// might be: the modes of those in between do not matter (conflict-directed backjumping; P. Prosser, Hybrid
+// algorithms for the constraint satisfaction problem, Computational Intelligence 9, 1993).
 class Assembler {
 public:
-  explicit Assembler(Run& run) : run_(run), position_(run) {}
+  explicit Assembler(Run& run)
+      : run_(run), position_(run), decisive_(decisive_groups(run.mechanism(), run.plan())) {}
 
   std::optional<StartFailure> run() {
     search(0, 0);
@@ -55,29 +93,62 @@ public:
   }
 
 private:
-  void search(std::size_t g, double cost) {
-    if (cost >= best_cost_ || (all_ && !all_->complete)) {
-      return;
-    }
-    if (g == run_.plan().groups.size() && all_) {
-      all_->states.push_back(position_.state());
-      all_->complete = all_->states.size() < kMaxAssemblies;
-      return;
+  struct Candidate {
+    int mode;
+    double cost;
+  };
+
+  // Searches on from the groups before g in their places. If these places allow no assembly: the groups on
+  // whose modes that depends. None where there is one, or where the search has been cut short.
+  std::optional<Groups> search(std::size_t g, double cost) {
+    if (cost >= best_cost_ || (all_ && !all_->complete) || is_stopped(run_)) {
+      return std::nullopt;
     }
     if (g == run_.plan().groups.size()) {
+      keep_assembly(cost);
+      return std::nullopt;
+    }
+    const std::vector<Candidate> candidates = candidates_of(g);
+    std::optional<Groups> blamed = decisive_[g];
+    for (const Candidate& candidate : candidates) {
+      if (++tries_ > kMaxTries && best_cost_ != kInf) {
+        return std::nullopt;
+      }
+      if (traits_of(run_.plan().groups[g]).two_modes) {
+        (void)position_.place(g, candidate.mode);
+      }
+      const std::optional<Groups> beyond = search(g + 1, cost + candidate.cost);
+      if (beyond && !(*beyond)[g]) {
+        return beyond;
+      }
+      if (beyond && blamed) {
+        add(*beyond, *blamed);
+      } else {
+        blamed.reset();
+      }
+    }
+    if (blamed) {
+      (*blamed)[g] = false;
+    }
+    return blamed;
+  }
+
+  void keep_assembly(double cost) {
+    if (all_) {
+      all_->states.push_back(position_.state());
+      all_->complete = all_->states.size() < kMaxAssemblies;
+    } else {
       best_cost_ = cost;
       best_ = position_.state();
-      return;
     }
-    const std::vector<int> modes = modes_of(g);
-    struct Candidate {
-      int mode;
-      double cost;
-    };
+  }
+
+  // The modes in which group g can be placed, the nearer to the poses first.
+  std::vector<Candidate> candidates_of(std::size_t g) {
+    const Group& group = run_.plan().groups[g];
     std::vector<Candidate> candidates;
-    for (const int mode : modes) {
+    for (const int mode : modes_of(group)) {
       if (position_.place(g, mode)) {
-        const Group& group = run_.plan().groups[g];
         const auto& bodies = position_.state().bodies;
         const auto& posed = position_.posed().bodies;
         const double turned =
@@ -87,23 +158,12 @@ private:
     }
     std::sort(candidates.begin(), candidates.end(),
               [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (++tries_ > kMaxTries && best_cost_ != kInf) {
-        return;
-      }
-      if (candidates.size() > 1 || modes.size() > 1) {
-        (void)position_.place(g, candidates[i].mode);
-      }
-      search(g + 1, cost + candidates[i].cost);
-    }
-  }
-
-  [[nodiscard]] std::vector<int> modes_of(std::size_t g) const {
-    return traits_of(run_.plan().groups[g]).two_modes ? std::vector<int>{1, -1} : std::vector<int>{1};
+    return candidates;
   }
 
   Run& run_;
   FirstPosition position_;
+  std::vector<Groups> decisive_;
   std::optional<Assemblies> all_;  // set if every assembly is wanted
   State best_;
   double best_cost_ = kInf;
