@@ -241,11 +241,11 @@ bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_
   }
   const auto found = first_boundary_contact(run_, pair, contact, placed.u, posed, touching.follower.sign);
   GroupState& group = touching_start_.groups[g];
-  group.held = contact.keep == Keep::kGap &&
+  group.open = contact.keep == Keep::kGap &&
                starts_open(pair, placed.u, posed, found ? std::optional(found->q) : std::nullopt,
                            guide_of(model_, touching, g), contact, size);
-  if (group.held) {
-    group.held_at = carried_coordinate(touching.follower, posed_.bodies);
+  if (group.open) {
+    group.open_at = carried_coordinate(touching.follower, posed_.bodies);
     return true;
   }
   if (!found) {

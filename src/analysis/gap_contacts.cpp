@@ -115,14 +115,14 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
     std::swap(place1, place2);
   }
   const BoundaryResult result =
-      solve_boundary_contact(pair, placed.u, state.groups[at.group].held_at + turned, place1, place2, 0);
+      solve_boundary_contact(pair, placed.u, state.groups[at.group].open_at + turned, place1, place2, 0);
   if (result.status != ContactStatus::kOk || result.contact.gap_q == 0) {
     return Closing::kNone;
   }
   const BoundaryContact& found = result.contact;
   const double lever =
       follower.freedom.turns ? pair.boundary2->size() + pair.boundary2->middle_B().norm() : 1;
-  const double shift = std::abs(found.q - state.groups[at.group].held_at - turned) * lever;
+  const double shift = std::abs(found.q - state.groups[at.group].open_at - turned) * lever;
   if (!(shift <= kFarthestShift * run.plan().size)) {
     return Closing::kFar;
   }
@@ -132,7 +132,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   move_contact(touching, found, phi, motion);
   state.bodies[follower.body] = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = state.groups[at.group];
-  group.held = false;
+  group.open = false;
   group.mode = found.gap_q < 0 ? -1 : 1;
   return Closing::kClosed;
 }
@@ -181,7 +181,7 @@ std::string edge_text(const Run& run, const TouchingBody& touching) {
 
 bool has_open_contact(const State& state) {
   return std::any_of(state.groups.begin(), state.groups.end(),
-                     [](const GroupState& group) { return group.held; });
+                     [](const GroupState& group) { return group.open; });
 }
 
 std::optional<Engagement> engagement_within(Run& run, const Path& path, double s, double h) {
@@ -192,7 +192,7 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
     }
   };
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    if (!run.at.state.groups[g].held) {
+    if (!run.at.state.groups[g].open) {
       continue;
     }
     const Contact& contact = contact_of(run, touching_of(run, g));
@@ -253,7 +253,7 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
 
 std::optional<std::string> why_parting(const Run& run, std::size_t g) {
   const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-  if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.at.state.groups[g].held) {
+  if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.at.state.groups[g].open) {
     return std::nullopt;
   }
   if (end_reached(run, g)) {
@@ -273,8 +273,8 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   const double before = follower_rate(run.at.state, touching);
   State open = run.at.state;
   GroupState& group = open.groups[g];
-  group.held = true;
-  group.held_at = rest_of(run, g);
+  group.open = true;
+  group.open_at = rest_of(run, g);
   if (!settle(run, path, s, open)) {
     return;
   }

@@ -304,7 +304,7 @@ private:
     run_.at.lost.looked_to.reset();
     run_.at.lost.nearest.reset();
     report_limit(run_, path_, event);
-    run_.at.held = false;
+    run_.at.on_branch = false;
     run_.at.drivers = path_.to;
   }
 

@@ -5,7 +5,7 @@
 
 namespace higherpair {
 
-/// Follows the path; false if the branch is lost on it (run.at.held is then false and an event describes
+/// Follows the path; false if the branch is lost on it (run.at.on_branch is then false and an event describes
 /// where). Sets run.at.drivers to where run.at.state is, and run.at.beside to the position at the end itself
 /// if that is near a crossing or a limit.
 /// \param first_step  the longest first step that may be tried, in the path's coordinate: where the path

@@ -93,7 +93,7 @@ void hold_again(Run& run) {
   for (OverlapWatch& watch : run.at.watches) {
     watch.interrupted = true;
   }
-  run.at.held = true;
+  run.at.on_branch = true;
 }
 
 // Follows the path from run.at.state, whose rates may be those of another path.
@@ -134,7 +134,7 @@ std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const 
   Run back = run;
   run.events = std::move(events);
   std::swap(back.at.state, back.work.trial);
-  back.at.held = true;
+  back.at.on_branch = true;
   back.at.beside.reset();
   back.at.drivers = at;
   (void)follow_part(back, part_of_way(run, at, from));
@@ -144,7 +144,7 @@ std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const 
 // Whether the branch followed back is another one: the motion cannot have come to it if there was no limit on
 // the way back. That can happen where a contact is found again from a list of all, or with coupled bodies.
 bool is_another_branch(const Run& back) {
-  return back.at.held && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
+  return back.at.on_branch && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
 }
 
 // The same, if the branch can be placed there.
@@ -247,7 +247,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
       report_limit(run_, path, event);
     }
   }
-  if (!back.at.held) {
+  if (!back.at.on_branch) {
     take_short_way(run_, lost, back.at.state);
   }
 }
@@ -258,7 +258,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 bool StretchSearch::come_to_begin(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
   auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
-  if (!inside || !inside->at.held || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
+  if (!inside || !inside->at.on_branch || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
     return false;
   }
   if (begins_ahead_) {
@@ -313,9 +313,9 @@ Taken StretchSearch::take_up(double x, int poles) {
   if (back && is_another_branch(*back)) {
     back.reset();
   }
-  const double begin = back && !back->at.held ? x_of(back->at.lost.from) : searched_to_;
+  const double begin = back && !back->at.on_branch ? x_of(back->at.lost.from) : searched_to_;
   const State found = run_.work.trial;
-  if (back && !back->at.held && poles > 0) {
+  if (back && !back->at.on_branch && poles > 0) {
     const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
@@ -332,8 +332,8 @@ Taken StretchSearch::take_up(double x, int poles) {
   const std::size_t events = run_.events.size();
   go_on_from(*back, back->at.state, begin);
   const double to_limit =
-      back->at.held ? kInf
-                    : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
+      back->at.on_branch ? kInf
+                         : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
   if (follow_from(begin, to_limit)) {
     return Taken::kArrived;
   }

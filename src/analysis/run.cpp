@@ -257,19 +257,19 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
     run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
   // The row before is asked for again, and run.at.state is short of it.
-  bool held = run.at.held && run.at.beside.has_value();
+  bool reached = run.at.on_branch && run.at.beside.has_value();
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    held = held && run.at.targets[i] == drivers[i].position;
+    reached = reached && run.at.targets[i] == drivers[i].position;
     run.work.row_before[i] = run.at.targets[i];
     run.at.targets[i] = drivers[i].position;
   }
-  if (held) {
+  if (reached) {
     // The row is in run.at.beside.
-  } else if (!run.at.held) {
-    held = resume(run, run.at.targets, run.at.drivers);
+  } else if (!run.at.on_branch) {
+    reached = resume(run, run.at.targets, run.at.drivers);
   } else if (run.at.targets == run.at.drivers) {
     run.at.beside.reset();
-    held = true;
+    reached = true;
   } else {
     set_path(run.work.path, run.at.drivers, run.at.targets);
     if (!run.work.path.is_single()) {
@@ -277,10 +277,10 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
       set_rates(run, run.work.motions, run.at.state);
     }
     // The branch may exist again at the end of a path on which it is lost.
-    held = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
+    reached = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
   }
   set_shares(run);
-  if (held) {
+  if (reached) {
     fill_row(run, drivers);
     if (const auto g = group_at_infinity(run)) {
       set_path(run.work.path, run.at.drivers, run.at.targets);

@@ -162,7 +162,7 @@ bool is_at_an_end(const Bodies& bodies, const NearPlace& place) {
 // null.
 const TouchingBody* free_to_go_on(const Run& run, std::size_t g) {
   const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
-  if (touching == nullptr || run.at.state.groups[g].held) {
+  if (touching == nullptr || run.at.state.groups[g].open) {
     return nullptr;
   }
   const Contact& contact = run.mechanism().contacts[touching->contact];

@@ -21,7 +21,7 @@ bool is_same_limit(const std::optional<RunEvent>& a, const std::optional<RunEven
 
 bool on_same_branch(const State& a, const State& b) {
   const auto same_mode = [](const GroupState& one, const GroupState& other) {
-    return one.mode == other.mode && one.held == other.held;
+    return one.mode == other.mode && one.open == other.open;
   };
   const auto same_kind = [](const PairTrack& one, const PairTrack& other) {
     return one.index() == other.index();
@@ -53,7 +53,7 @@ bool at_same_place(const State& a, const State& b, double size) {
 
 // The positions of the last row; none where it could not be reached.
 const State* row_of(const Run& run) {
-  return run.at.held ? &run.at.shown() : nullptr;
+  return run.at.on_branch ? &run.at.shown() : nullptr;
 }
 
 bool is_lost_alike(const Run& a, const Run& b) {

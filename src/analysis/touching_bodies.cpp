@@ -50,7 +50,7 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
   move_contact(touching, found, phi, to.contacts[touching.contact]);
   to.bodies[touching.follower.body] = motion_at(pair.motion2, found.q, 0, 0);
   GroupState& group = to.groups[g];
-  group.held = false;
+  group.open = false;
   group.sine = found.gap_q;
   group.lever = velocity_per_q(pair.motion2, found.at.p2_W).norm() +
                 (pair.motion2.turns ? kLeastLever * model.plan.size : 0);
@@ -106,7 +106,7 @@ GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State&
   motion.touches = false;
   motion.phi = from.contacts[touching.contact].phi;
   const CarriedBody& follower = touching.follower;
-  to.bodies[follower.body] = carried_motion(follower, to.bodies[follower.carrier], group.held_at, 0, 0);
+  to.bodies[follower.body] = carried_motion(follower, to.bodies[follower.carrier], group.open_at, 0, 0);
   return GroupStatus::kOk;
 }
 
@@ -114,7 +114,7 @@ GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State&
 
 GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                            const State& from, double h, State& to) {
-  if (from.groups[g].held) {
+  if (from.groups[g].open) {
     return place_held(touching, g, from, to);
   }
   const StandingPair placed = standing_pair(model, touching, to);
@@ -189,7 +189,7 @@ GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching
 GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                                 const State& from, State& to) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
-  if (contact.both_sides || from.groups[g].held) {
+  if (contact.both_sides || from.groups[g].open) {
     return place_touching(model, touching, g, from, 0, to);
   }
   const CarriedBody& follower = touching.follower;
@@ -204,8 +204,8 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state) {
   const CarriedBody& follower = touching.follower;
   const BodyMotion& carrier = state.bodies[follower.carrier];
-  if (const GroupState& group = state.groups[g]; group.held) {
-    state.bodies[follower.body] = carried_motion(follower, carrier, group.held_at, 0, 0);
+  if (const GroupState& group = state.groups[g]; group.open) {
+    state.bodies[follower.body] = carried_motion(follower, carrier, group.open_at, 0, 0);
     return;
   }
   const Contact& contact = model.mechanism.contacts[touching.contact];

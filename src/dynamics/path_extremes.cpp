@@ -30,7 +30,7 @@ bool is_singular(const RunEvent& event) {
 }
 
 bool is_lost(const Run& run) {
-  return !run.at.held || std::any_of(run.events.begin(), run.events.end(), [](const RunEvent& event) {
+  return !run.at.on_branch || std::any_of(run.events.begin(), run.events.end(), [](const RunEvent& event) {
     return event.type == EventType::kLimitPosition;
   });
 }
@@ -225,7 +225,7 @@ private:
       }
       // Start from the last mark before the first position that is asked for, then move back and forth:
       // between neighbouring samples the branch is not lost.
-      if (!mover || !mover->run().at.held || std::abs(at - mover->at()) > near_) {
+      if (!mover || !mover->run().at.on_branch || std::abs(at - mover->at()) > near_) {
         const auto after =
             std::upper_bound(marks_.begin(), marks_.end(), at,
                              [](double place, const Mover& mark) { return place < mark.at(); });

@@ -48,7 +48,7 @@ const ArcPoint* RowHistory::start_of(const Run& run, std::size_t contact) const 
 
 bool RowHistory::may_change_by(const Run& run) const {
   const bool open = std::any_of(arcs_.begin(), arcs_.end(), [](const Arcs& arcs) { return !arcs.broken; });
-  return open && (!run.at.held || std::any_of(run.events.begin(), run.events.end(), interrupts));
+  return open && (!run.at.on_branch || std::any_of(run.events.begin(), run.events.end(), interrupts));
 }
 
 bool RowHistory::is_like(const RowHistory& other, double size) const {

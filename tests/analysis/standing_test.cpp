@@ -84,8 +84,8 @@ TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
   const auto start = start_run(testing::shipped("lock_up").mechanism, {from}).value();
   const auto few = moved(start, from, beyond, 1);
   const auto many = moved(start, from, beyond, 400);
-  ASSERT_FALSE(few.at.held);
-  EXPECT_EQ(few.at.held, many.at.held);
+  ASSERT_FALSE(few.at.on_branch);
+  EXPECT_EQ(few.at.on_branch, many.at.on_branch);
   EXPECT_TRUE(go_on_alike(few, many));
   EXPECT_FALSE(go_on_alike(few, moved(many, beyond, from + 0.01, 1)));
 }

@@ -103,8 +103,8 @@ struct Standing {
   std::vector<double> targets;  ///< the drivers of the last row, which may not have been reached
   /// The last row, if it is next to a change point or at a limit, and `state` short of it.
   std::optional<State> beside;
-  bool held = true;  ///< false: the motion was lost at a limit; `state` is the last position before it
-  Loss lost;         ///< where, while not held
+  bool on_branch = true;  ///< false: the motion was lost at a limit; `state` is the last position before it
+  Loss lost;              ///< where, if so
   std::vector<OutputJoint> outputs;
   std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
   std::vector<Crossing> reported;        ///< change points ahead that events have reported; s: the driver

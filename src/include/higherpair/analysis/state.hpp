@@ -24,8 +24,8 @@ struct GroupState {
   double lever = 1;      ///< order of magnitude of `sine` away from change points
   double noise = 0;      ///< |sine| up to this counts as 0
   /// Contact that may separate (Keep::kGap): it is open, the body stays in place on its joint.
-  bool held = false;
-  double held_at = 0;  ///< then: the coordinate of its freedom [rad or m]
+  bool open = false;
+  double open_at = 0;  ///< then: the coordinate of its freedom [rad or m]
 };
 
 using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, StandingContact>;
