@@ -24,7 +24,7 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
 }
 
 ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
-  const StandingPair placed = standing_pair({run.mechanism(), run.plan()}, touching, run.at.state);
+  const FrozenPair placed = frozen_pair({run.mechanism(), run.plan()}, touching, run.at.state);
   ContactPlace place;
   place.contact = touching.contact;
   place.follower = touching.follower;

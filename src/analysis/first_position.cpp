@@ -204,7 +204,7 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   const Contact& contact = run_.mechanism().contacts[touching.contact];
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
-  const StandingPair placed = standing_pair(model_, touching, state_);
+  const FrozenPair placed = frozen_pair(model_, touching, state_);
   const double posed = carried_coordinate(follower, posed_.bodies);
   const double turned = follower.freedom.turns ? state_.bodies[follower.carrier].theta : 0;
   if (contact.by_boundary) {
@@ -228,10 +228,10 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   return true;
 }
 
-bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g,
-                                        const StandingPair& placed, double posed) {
+bool FirstPosition::start_on_boundaries(const TouchingBody& touching, std::size_t g, const FrozenPair& placed,
+                                        double posed) {
   const Contact& contact = run_.mechanism().contacts[touching.contact];
-  const BoundaryPair pair = standing_boundaries(model_, touching, placed);
+  const BoundaryPair pair = frozen_boundaries(model_, touching, placed);
   const double size = run_.plan().size;
   if (contact.approach != Approach::kNearest && !contact.both_sides &&
       bodies_overlap(*pair.boundary1, pose_at(pair.motion1, placed.u), *pair.boundary2,

@@ -31,7 +31,7 @@ private:
                                         const FindResult& found);
   [[nodiscard]] bool start_touching(const TouchingBody& touching, std::size_t g);
   [[nodiscard]] bool start_on_boundaries(const TouchingBody& touching, std::size_t g,
-                                         const StandingPair& placed, double posed);
+                                         const FrozenPair& placed, double posed);
   void start_coupled(const Group& group);
   void begin_arcs(const Group& group);
 

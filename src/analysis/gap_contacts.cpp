@@ -106,8 +106,8 @@ enum class Closing {
 Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const TouchingBody& touching = touching_of(run, at.group);
   const Planned model = model_of(run);
-  const StandingPair placed = standing_pair(model, touching, state);
-  const BoundaryPair pair = standing_boundaries(model, touching, placed);
+  const FrozenPair placed = frozen_pair(model, touching, state);
+  const BoundaryPair pair = frozen_boundaries(model, touching, placed);
   const CarriedBody& follower = touching.follower;
   const double turned = follower.freedom.turns ? state.bodies[follower.carrier].theta : 0;
   auto [place1, place2] = at.place;

@@ -65,13 +65,13 @@ double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMoti
   return (p_C - carried.freedom.p_WO).dot(carried.freedom.direction_W);
 }
 
-StandingPair standing_pair(const Planned& model, const TouchingBody& touching, const State& state) {
+FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
   const BodyMotion& body1 = state.bodies[known.body];
   const BodyMotion& carrier = state.bodies[touching.follower.carrier];
-  StandingPair placed;
+  FrozenPair placed;
   placed.u = body1.theta;
   placed.pair.curve1 = curve_of(model.mechanism, known);
   placed.pair.motion1.p_WO = body1.X_WB.p_WB;
@@ -85,13 +85,12 @@ StandingPair standing_pair(const Planned& model, const TouchingBody& touching, c
   return placed;
 }
 
-BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
-                                 const StandingPair& standing) {
+BoundaryPair frozen_boundaries(const Planned& model, const TouchingBody& touching, const FrozenPair& frozen) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
   const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
-  return {&boundary_of(model.mechanism, known), standing.pair.motion1, &boundary_of(model.mechanism, own),
-          standing.pair.motion2};
+  return {&boundary_of(model.mechanism, known), frozen.pair.motion1, &boundary_of(model.mechanism, own),
+          frozen.pair.motion2};
 }
 
 namespace {

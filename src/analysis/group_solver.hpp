@@ -54,17 +54,16 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 /// Sliding, rolling and normal rates of a contact from the velocities of its bodies.
 void set_contact_rates(const Planned& model, int contact, State& state);
 
-/// The contact of a touching body as a pair: body 1 the known one at its present position (coordinate u),
-/// body 2 the follower, on its carrier at the carrier's present position.
-struct StandingPair {
+/// The contact of a touching body as a pair with its known bodies frozen: body 1 at its present position
+/// (coordinate u), body 2 the follower, on its carrier at the carrier's present position.
+struct FrozenPair {
   ContactPair pair;
   double u = 0;
 };
-[[nodiscard]] StandingPair standing_pair(const Planned& model, const TouchingBody& touching,
-                                         const State& state);
+[[nodiscard]] FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const State& state);
 
 /// The same for a contact by_boundary.
-[[nodiscard]] BoundaryPair standing_boundaries(const Planned& model, const TouchingBody& touching,
-                                               const StandingPair& standing);
+[[nodiscard]] BoundaryPair frozen_boundaries(const Planned& model, const TouchingBody& touching,
+                                             const FrozenPair& frozen);
 
 }  // namespace higherpair

@@ -328,7 +328,7 @@ Taken StretchSearch::take_up(double x, int poles) {
     }
     return back ? Taken::kNotYet : Taken::kNot;
   }
-  const Standing before = run_.at;
+  const RunPosition before = run_.at;
   const std::size_t events = run_.events.size();
   go_on_from(*back, back->at.state, begin);
   const double to_limit =

@@ -252,7 +252,7 @@ std::optional<Departure> posed_among(const Run& run, const std::vector<Departure
   const auto nearest =
       std::min_element(before.begin(), before.end(),
                        [](const Departure& a, const Departure& b) { return a.at_start < b.at_start; });
-  const double known = kSameStanding * run.plan().size;
+  const double known = kSameRunPosition * run.plan().size;
   for (const Departure& other : before) {
     const bool same = &other != &*nearest &&
                       !(nearest->at_start <= kPosesTell * other.at_start && other.at_start > known * known);

@@ -16,7 +16,7 @@ namespace higherpair {
 /// Assemblies that differ by no more than this are the same [of the size, rad].
 inline constexpr double kSameAssembly = 1e-12;
 /// Positions that differ by less than this are the same [of the size, rad].
-inline constexpr double kSameStanding = 1e-9;
+inline constexpr double kSameRunPosition = 1e-9;
 /// Fraction of the size by which a sliding driver is tried to either side of its start, if it cannot start
 /// there.
 inline constexpr double kReachOfSlide = 2;

@@ -38,7 +38,7 @@ ContactResult contact_near(const ContactPair& pair, double u, double q, const Ve
 struct Placement {
   const State& from;
   double h;
-  const StandingPair& placed;
+  const FrozenPair& placed;
   double q;
 };
 
@@ -68,7 +68,7 @@ void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPa
 
 GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                                 const Placement& guess, State& to) {
-  const BoundaryPair pair = standing_boundaries(model, touching, guess.placed);
+  const BoundaryPair pair = frozen_boundaries(model, touching, guess.placed);
   const Contact& contact = model.mechanism.contacts[touching.contact];
   const ContactMotion& before = guess.from.contacts[touching.contact];
   const double h = guess.h;
@@ -117,7 +117,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   if (from.groups[g].open) {
     return place_held(touching, g, from, to);
   }
-  const StandingPair placed = standing_pair(model, touching, to);
+  const FrozenPair placed = frozen_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
   const ContactMotion& before = from.contacts[touching.contact];
   // Prediction of the follower's coordinate in ground, and of the normal.
@@ -149,8 +149,8 @@ namespace {
 // alone in its mode has no overlap.
 GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                                   const State& from, double lost, State& to) {
-  const StandingPair placed = standing_pair(model, touching, to);
-  const BoundaryPair pair = standing_boundaries(model, touching, placed);
+  const FrozenPair placed = frozen_pair(model, touching, to);
+  const BoundaryPair pair = frozen_boundaries(model, touching, placed);
   std::vector<BoundaryContact> all = find_boundary_contacts(pair, placed.u, {-kInf, kInf});
   std::erase_if(all, [&](const BoundaryContact& found) { return to.groups[g].mode * found.gap_q <= 0; });
   const bool alone = all.size() == 1 && pair.boundary1->is_closed() && pair.boundary2->is_closed();
@@ -174,7 +174,7 @@ GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touc
 // The same for conics.
 GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching, std::size_t g,
                               const State& from, double lost, State& to) {
-  const StandingPair placed = standing_pair(model, touching, to);
+  const FrozenPair placed = frozen_pair(model, touching, to);
   const FindResult found = find_nearest_contact(placed.pair, placed.u, lost, to.groups[g].mode);
   if (found.status != FindStatus::kFound) {
     return place_touching(model, touching, g, from, 0, to);
@@ -217,7 +217,7 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const PointMotion known = motion_at_place(state.bodies[other], p);
   BodyMotion& body = state.bodies[follower.body];
   const double q = carried_coordinate(follower, state.bodies);
-  const StandingPair placed = standing_pair(model, touching, state);
+  const FrozenPair placed = frozen_pair(model, touching, state);
   const double per_q = velocity_per_q(placed.pair.motion2, p).dot(n);
   const double inverse = per_q == 0 ? 0 : 1 / per_q;
 
@@ -249,7 +249,7 @@ double touching_sine(const Planned& model, const TouchingBody& touching, const S
 
 double gap_per_q(const Planned& model, const TouchingBody& touching, const State& state,
                  const CommonNormal& at) {
-  const StandingPair placed = standing_pair(model, touching, state);
+  const FrozenPair placed = frozen_pair(model, touching, state);
   const Vector2d n = (touching.follower_is_second ? 1 : -1) * at.n_W;
   return n.dot(velocity_per_q(placed.pair.motion2, at.p_W()));
 }

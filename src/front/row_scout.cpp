@@ -1,6 +1,6 @@
 #include "row_scout.hpp"
 
-#include "higherpair/analysis/standing.hpp"
+#include "higherpair/analysis/go_on_alike.hpp"
 
 #include <numeric>
 

@@ -97,7 +97,7 @@ struct RunModel {
 };
 
 /// The position of a run. Assigning it to another run of the same model puts that run there.
-struct Standing {
+struct RunPosition {
   State state;                  ///< the last position; rates per unit of the path
   std::vector<double> drivers;  ///< the drivers' coordinates there
   std::vector<double> targets;  ///< the drivers of the last row, which may not have been reached
@@ -132,7 +132,7 @@ struct Run {
   RunModel model;
   /// Relative to the plan's size: rows with larger residuals are not `ok`
   double tolerance = kDefaultClosure;
-  Standing at;
+  RunPosition at;
   StepWorkspace work;
   MotionRow row;                 ///< result of the last move_to
   std::vector<RunEvent> events;  ///< events of the last move_to

@@ -1,4 +1,4 @@
-#include "higherpair/analysis/standing.hpp"
+#include "higherpair/analysis/go_on_alike.hpp"
 
 #include "step.hpp"
 #include "tolerances.hpp"
@@ -40,13 +40,13 @@ bool on_same_branch(const State& a, const State& b) {
 }
 
 bool at_same_place(const State& a, const State& b, double size) {
-  const double near = kSameStanding * size;
+  const double near = kSameRunPosition * size;
   const auto same_pose = [&](const BodyMotion& one, const BodyMotion& other) {
     return (one.X_WB.p_WB - other.X_WB.p_WB).norm() <= near &&
-           std::abs(one.theta - other.theta) <= kSameStanding;
+           std::abs(one.theta - other.theta) <= kSameRunPosition;
   };
   const auto same_normal = [&](const ContactMotion& one, const ContactMotion& other) {
-    return !one.touches || std::abs(one.phi - other.phi) <= kSameStanding;
+    return !one.touches || std::abs(one.phi - other.phi) <= kSameRunPosition;
   };
   return all_alike(a.bodies, b.bodies, same_pose) && all_alike(a.contacts, b.contacts, same_normal);
 }
@@ -62,7 +62,7 @@ bool is_lost_alike(const Run& a, const Run& b) {
   }
   for (std::size_t i = 0; i < a.at.lost.at.size(); ++i) {
     const double one = a.at.lost.at[i];
-    if (std::abs(one - b.at.lost.at[i]) > kSameStanding * (driver_scale(a, i) + std::abs(one))) {
+    if (std::abs(one - b.at.lost.at[i]) > kSameRunPosition * (driver_scale(a, i) + std::abs(one))) {
       return false;
     }
   }
@@ -78,7 +78,7 @@ bool has_alike_past(const Run& a, const Run& b) {
   };
   const auto same_crossing = [&](const Crossing& one, const Crossing& other) {
     return one.group == other.group &&
-           std::abs(one.s - other.s) <= kSameStanding * (driver_scale(a, 0) + std::abs(one.s));
+           std::abs(one.s - other.s) <= kSameRunPosition * (driver_scale(a, 0) + std::abs(one.s));
   };
   return all_alike(a.at.outputs, b.at.outputs, same_sense) &&
          all_alike(a.at.watches, b.at.watches, same_watch) &&

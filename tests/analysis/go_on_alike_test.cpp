@@ -1,6 +1,6 @@
 // Runs that have come to the same row over few rows and over many continue alike; those with a different past
 // or another branch ahead do not.
-#include "higherpair/analysis/standing.hpp"
+#include "higherpair/analysis/go_on_alike.hpp"
 
 #include "analysis/run_testing.hpp"
 #include "geometry/geometry_testing.hpp"
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, GoingOn,
                          ::testing::Values("four_bar", "watt_sixbar", "ellipse_cam_roller", "spline_cam",
                                            "scotch_yoke", "knife_edge", "planetary_gear"));
 
-TEST(StandingElsewhere, IsNotTheSame) {
+TEST(GoingOnElsewhere, IsNotTheSame) {
   const Mechanism mechanism = testing::shipped("four_bar").mechanism;
   const auto start = start_run(mechanism, {0}).value();
   const auto run = moved(start, 0, 1, 3);
@@ -54,7 +54,7 @@ TEST(StandingElsewhere, IsNotTheSame) {
   EXPECT_FALSE(go_on_alike(run, moved(*other, 0, 1, 3)));
 }
 
-TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
+TEST(GoingOnElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
   const auto start = start_run(testing::shipped("four_bar").mechanism, {0}).value();
   const auto run = moved(start, 0, 1, 3);
   auto other = run;
@@ -63,7 +63,7 @@ TEST(StandingElsewhere, IsWhereAnOutputHasMovedTheOtherWay) {
 }
 
 // A slide of 20 nm: change points that differ by half a hundredth of that are not the same.
-TEST(StandingElsewhere, IsJudgedRelativeToTheSize) {
+TEST(GoingOnElsewhere, IsJudgedRelativeToTheSize) {
   constexpr double size = 2e-8;
   Mechanism m;
   const int slider = add_body(m, "slider", Vector2d(-size, 0));
@@ -78,7 +78,7 @@ TEST(StandingElsewhere, IsJudgedRelativeToTheSize) {
 }
 
 // Beyond its limit a mechanism is in the same state wherever it was lost; back from there it no longer is.
-TEST(StandingBeyondALimit, IsTheSameWhereverItWasLost) {
+TEST(GoingOnBeyondALimit, IsTheSameWhereverItWasLost) {
   const double from = 0;
   const double beyond = 150 * kDegree;
   const auto start = start_run(testing::shipped("lock_up").mechanism, {from}).value();
