@@ -30,7 +30,7 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
     const bool turning = column.quantity == Quantity::kAngle || column.quantity == Quantity::kOmega ||
                          column.quantity == Quantity::kAlpha;
     if (!turning && column.quantity != Quantity::kPressure) {
-      place(column.body);
+      place(column.item);
     }
   }
   for (const ChainGroup& group : groups) {

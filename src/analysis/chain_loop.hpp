@@ -57,13 +57,13 @@ template <class T>
                                      const T* presses, const ChainEffort<T>& effort) {
   switch (column.quantity) {
     case Quantity::kForceX:
-      return reactions[column.body].force.x() + T(0);
+      return reactions[column.item].force.x() + T(0);
     case Quantity::kForceY:
-      return reactions[column.body].force.y() + T(0);
+      return reactions[column.item].force.y() + T(0);
     case Quantity::kMoment:
-      return reactions[column.body].moment + T(0);
+      return reactions[column.item].moment + T(0);
     case Quantity::kContactForce:
-      return presses[column.body] + T(0);
+      return presses[column.item] + T(0);
     case Quantity::kEffort:
       return effort.effort + T(0);
     default:
@@ -79,7 +79,7 @@ template <ChainRates kRates, class T>
   if (quantity == Quantity::kPressure) {
     return pressure_of_rows(task.touch, bodies);
   }
-  const ChainBody<T>& body = bodies[task.column.body];
+  const ChainBody<T>& body = bodies[task.column.item];
   if (quantity == Quantity::kAngle) {
     return angle_of_rows(task.angle, turnings, position, bodies);
   }

@@ -158,7 +158,7 @@ void DyadChain::Impl::ask(std::vector<ChainColumn> columns, const Mechanism& mec
     task.column = column;
     task.values.resize(schedule.position.size());
     if (column.quantity == Quantity::kAngle) {
-      task.angle = angles[column.body];
+      task.angle = angles[column.item];
     }
   }
   placed = placed_bodies(groups, columns, angles.size());
@@ -205,7 +205,7 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
     return std::nullopt;
   }
   for (const ChainColumn& column : columns) {
-    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column.body)) {
+    if (column.quantity == Quantity::kPressure && !has_pressure(mechanism, impl->groups, column.item)) {
       return std::nullopt;
     }
   }
@@ -244,9 +244,9 @@ bool DyadChain::solve(const Mechanism& mechanism) {
   }
   for (ChainTask& task : own.tasks) {
     if (task.column.quantity == Quantity::kPressure) {
-      task.touch = *touch_in(own.groups, task.column.body);
+      task.touch = *touch_in(own.groups, task.column.item);
     } else if (task.column.point) {
-      const Body& body = mechanism.bodies[task.column.body];
+      const Body& body = mechanism.bodies[task.column.item];
       task.p_B = body.points[*task.column.point].p_B;
     }
   }

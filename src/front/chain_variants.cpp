@@ -106,7 +106,7 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
   const auto add = [&](ChainColumn column, const Dimension& dimension) {
     for (std::size_t i = 0; i < recipe.columns.size(); ++i) {
       const ChainColumn& other = recipe.columns[i];
-      if (other.body == column.body && other.point == column.point && other.quantity == column.quantity) {
+      if (other.item == column.item && other.point == column.point && other.quantity == column.quantity) {
         return i;
       }
     }

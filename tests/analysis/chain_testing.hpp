@@ -44,7 +44,7 @@ inline std::vector<ChainColumn> all_columns(const Mechanism& mechanism) {
 }
 
 inline double number_of(const ChainColumn& column, const Mechanism& mechanism, const MotionRow& row) {
-  const auto body = static_cast<std::size_t>(column.body);
+  const auto body = static_cast<std::size_t>(column.item);
   const Vector2d p_B = column.point ? mechanism.bodies[body].points[*column.point].p_B : Vector2d(0, 0);
   const PointMotion point = point_motion(row.bodies[body], p_B);
   switch (column.quantity) {
@@ -112,7 +112,7 @@ inline Outcome compare(const Mechanism& mechanism, const std::vector<DriverMotio
       const double expected = number_of(columns[i], mechanism, run->row);
       EXPECT_LE(std::abs(chain->values(i)[k] - expected),
                 precision_of(columns[i].quantity, run->row, plan->size))
-          << "row " << k << " of column " << i << ", body " << columns[i].body;
+          << "row " << k << " of column " << i << ", body " << columns[i].item;
     }
     if (::testing::Test::HasFailure()) {
       return Outcome::kProven;

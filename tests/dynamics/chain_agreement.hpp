@@ -54,9 +54,9 @@ inline std::vector<ChainColumn> force_columns(const Mechanism& mechanism) {
 inline double force_of(const ChainColumn& column, const Reactions& reactions) {
   using Q = ChainColumn::Quantity;
   if (column.quantity == Q::kContactForce) {
-    return reactions.contacts[column.body].force.value_or(NAN);
+    return reactions.contacts[column.item].force.value_or(NAN);
   }
-  const JointReaction& joint = reactions.joints[column.body];
+  const JointReaction& joint = reactions.joints[column.item];
   const DriverEffort& driver = reactions.drivers.front();
   switch (column.quantity) {
     case Q::kForceX:

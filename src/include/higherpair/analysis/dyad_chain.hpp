@@ -34,9 +34,9 @@ struct ChainColumn {
     kEffort,
     kEffortByPower
   };
-  /// For kPressure and kContactForce: index of Mechanism::contacts; for a joint's quantity: of
-  /// Mechanism::joints.
-  int body = 0;
+  /// What it is of. For kPressure and kContactForce: index of Mechanism::contacts; for a joint's quantity: of
+  /// Mechanism::joints; else of Mechanism::bodies.
+  int item = 0;
   std::optional<int> point;  ///< of Body::points; none: the frame's origin
   Quantity quantity = Quantity::kX;
 };
