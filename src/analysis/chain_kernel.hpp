@@ -90,7 +90,7 @@ template <ChainRates kRates, class T>
 
 // Positions a body, whose rotation is known, so that its point p_B moves as `point`.
 template <ChainRates kRates, class T>
-inline void hang(ChainBody<T>& body, const ChainPoint<T>& point, const Vector2d& p_B) {
+inline void attach(ChainBody<T>& body, const ChainPoint<T>& point, const Vector2d& p_B) {
   if (!body.placed) {
     return;
   }
@@ -125,7 +125,7 @@ inline void solve_group(const DrivenBody& driven, const ChainDriver<T>& driver, 
     body.omega = T(0);
   }
   body.alpha = T(0);
-  hang<kRates>(body, joint, freedom.p_BO);
+  attach<kRates>(body, joint, freedom.p_BO);
 }
 
 template <ChainRates kRates, class T>
@@ -135,7 +135,7 @@ inline void ride(const Rider& rider, const ChainPoint<T>& point, ChainBody<T>* b
   body.R_WB = carrier.R_WB * all_lanes<T>(rider.relative);
   body.omega = carrier.omega;
   body.alpha = carrier.alpha;
-  hang<kRates>(body, point, rider.p_B);
+  attach<kRates>(body, point, rider.p_B);
 }
 
 template <class T>
@@ -178,8 +178,8 @@ inline void solve_group(const RrrDyad& dyad, double mode, ChainBody<T>* bodies, 
       b.alpha = rates.alpha_b;
     }
   }
-  hang<kRates>(a, A, dyad.a_pA);
-  hang<kRates>(b, B, dyad.b_pB);
+  attach<kRates>(a, A, dyad.a_pA);
+  attach<kRates>(b, B, dyad.b_pB);
 }
 
 // The motion of A relative to the line: see seen_from.
@@ -227,7 +227,7 @@ inline void solve_group(const RrpDyad& dyad, double mode, ChainBody<T>* bodies, 
       link.alpha = carrier.alpha + rates.alpha_leg;
     }
   }
-  hang<kRates>(link, A, dyad.pA);
+  attach<kRates>(link, A, dyad.pA);
   if (dyad.slider) {
     ride<kRates>(*dyad.slider, chain_point<kRates>(link, dyad.pC), bodies);
   }
@@ -258,7 +258,7 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
       link.alpha = rates.alpha;
     }
   }
-  hang<kRates>(link, A, dyad.pA);
+  attach<kRates>(link, A, dyad.pA);
   if (dyad.slider) {
     ride<kRates>(*dyad.slider, B, bodies);
   }

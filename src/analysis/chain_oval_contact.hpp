@@ -27,7 +27,7 @@ template <class T>
 }
 
 template <class T>
-struct Boundary {
+struct OvalPoint {
   Vector2<T> from_center;
   T rho;
 };
@@ -35,7 +35,7 @@ struct Boundary {
 // The point of an oval with the outward normal n, from its centre: (a² N_x, b² N_y)/h with h = √(a² N_x² + b²
 // N_y²), where N is n in the oval's axes; its radius of curvature is ρ = a² b²/h³. A point has size 0.
 template <class T>
-[[nodiscard]] inline Boundary<T> boundary_at(const Oval& oval, const Rotation<T>& axis, const Vector2<T>& n) {
+[[nodiscard]] inline OvalPoint<T> oval_point(const Oval& oval, const Rotation<T>& axis, const Vector2<T>& n) {
   if (oval.along == 0) {
     return {Vector2<T>(T(0), T(0)), T(0)};
   }
@@ -78,9 +78,9 @@ template <class T>
   const OneFreedom& freedom = contact.touch.freedom;
   const Vector2<T> n = guess.normal();
   const Rotation<T> R = freedom.turns ? guess.turn : all_lanes<T>(freedom.R_WB);
-  const Boundary<T> first = boundary_at(contact.on_known, frame.axis, n);
-  const Boundary<T> second =
-      boundary_at(contact.on_body, R * all_lanes<T>(contact.on_body.axis_B), Vector2<T>(-n.x(), -n.y()));
+  const OvalPoint<T> first = oval_point(contact.on_known, frame.axis, n);
+  const OvalPoint<T> second =
+      oval_point(contact.on_body, R * all_lanes<T>(contact.on_body.axis_B), Vector2<T>(-n.x(), -n.y()));
   Touch<T> touch;
   touch.p1 = sum(frame.center, first.from_center);
   touch.p2 = sum(R * all_lanes<T>(Vector2d(contact.on_body.center_B - freedom.p_BO)), second.from_center);
@@ -183,15 +183,15 @@ inline void place_bodies(const OvalContact& contact, const Guess<T>& guess, cons
     body.R_WB = guess.turn;
     body.omega = rates.rate;
     body.alpha = rates.second_rate;
-    hang<kAll>(body, joint, freedom.p_BO);
+    attach<kAll>(body, joint, freedom.p_BO);
   } else {
     const Vector2<T> along = all_lanes<T>(freedom.direction_W);
     body.R_WB = all_lanes<T>(freedom.R_WB);
     body.omega = body.alpha = T(0);
-    hang<kAll>(body,
-               {sum(joint.p_W, times(guess.slide, along)), times(rates.rate, along),
-                times(rates.second_rate, along)},
-               freedom.p_BO);
+    attach<kAll>(body,
+                 {sum(joint.p_W, times(guess.slide, along)), times(rates.rate, along),
+                  times(rates.second_rate, along)},
+                 freedom.p_BO);
   }
   ChainBody<T>& link = bodies[contact.touch.link];
   link.R_WB = guess.n;

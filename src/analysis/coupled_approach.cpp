@@ -217,45 +217,47 @@ Eigen::MatrixXd jacobian_at(const Planned& model, const Group& group, const Stat
 }
 
 // J bordered by singular vectors.
-LuSolver bordered(const Eigen::MatrixXd& J, const LeastViolation& way) {
+LuSolver bordered(const Eigen::MatrixXd& J, const LeastViolation& continuation) {
   const Eigen::Index n = J.rows();
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + 1, n + 1);
   M.topLeftCorner(n, n) = J;
-  M.topRightCorner(n, 1) = way.left;
-  M.bottomLeftCorner(1, n) = way.right.transpose();
+  M.topRightCorner(n, 1) = continuation.left;
+  M.bottomLeftCorner(1, n) = continuation.right.transpose();
   return LuSolver(M);
 }
 
 // The singular vectors at the last position before a limit, where J is all but singular.
-LeastViolation way_from(const Eigen::MatrixXd& J) {
-  LeastViolation way;
+LeastViolation begun_at(const Eigen::MatrixXd& J) {
+  LeastViolation continuation;
   if (J.rows() == J.cols()) {
     const SingularValues svd = singular_values(J);
-    way.left = svd.U.col(J.cols() - 1);
-    way.right = svd.V.col(J.cols() - 1);
-    way.sign = bordered(J, way).sign();
+    continuation.left = svd.U.col(J.cols() - 1);
+    continuation.right = svd.V.col(J.cols() - 1);
+    continuation.sign = bordered(J, continuation).sign();
   }
-  return way;
+  return continuation;
 }
 
 // The singular vectors farther on, from those of the position before: the next c is the x of J x + e b = 0, c
 // x = 1; the next b follows likewise from Jᵀ. Where J is singular, the bordered determinant has the same sign
 // with the new vectors as with the old.
-LeastViolation led_to(const Eigen::MatrixXd& J, LeastViolation way) {
-  if (way.sign == 0) {
-    return way;
+LeastViolation continued(const Eigen::MatrixXd& J, LeastViolation continuation) {
+  if (continuation.sign == 0) {
+    return continuation;
   }
   const Eigen::Index n = J.rows();
-  const LeastViolation mirrored{way.right, way.left, 0};
+  const LeastViolation mirrored{continuation.right, continuation.left, 0};
   const Eigen::VectorXd one = Eigen::VectorXd::Unit(n + 1, n);
-  const Eigen::VectorXd right = bordered(J, way).solve(one).col(0).head(n).normalized();
+  const Eigen::VectorXd right = bordered(J, continuation).solve(one).col(0).head(n).normalized();
   const Eigen::VectorXd left = bordered(J.transpose(), mirrored).solve(one).col(0).head(n).normalized();
-  return left.allFinite() && right.allFinite() ? LeastViolation{left, right, way.sign} : LeastViolation{};
+  return left.allFinite() && right.allFinite() ? LeastViolation{left, right, continuation.sign}
+                                               : LeastViolation{};
 }
 
-// Whether solutions that begin at J have the other parts of the group in the assembly in which `way` began.
-bool is_same_assembly(const Eigen::MatrixXd& J, const LeastViolation& way) {
-  return way.sign != 0 && bordered(J, way).sign() == way.sign;
+// Whether solutions that begin at J have the other parts of the group in the assembly in which `continuation`
+// began.
+bool is_same_assembly(const Eigen::MatrixXd& J, const LeastViolation& continuation) {
+  return continuation.sign != 0 && bordered(J, continuation).sign() == continuation.sign;
 }
 
 // det b / det a, factor by factor.
@@ -290,7 +292,7 @@ std::array<Eigen::VectorXd, 2> ways_across(const Planned& model, const Group& gr
 
 GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
                                const std::vector<double>& drivers, State& to,
-                               std::optional<LeastViolation>& way) {
+                               std::optional<LeastViolation>& continuation) {
   const Group& group = model.plan.groups[g];
   const int mode = to.groups[g].mode;
   const Violation violation(model, group, from, drivers, to);
@@ -299,12 +301,13 @@ GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State&
   const auto place_from = [&](const State& state) { return place_coupled(model, g, state, 0, drivers, to); };
   if (!is_near || place_from(near) != GroupStatus::kOk) {
     take_group(group, near, to);
-    way = led_to(jacobian_at(model, group, to), way ? *way : way_from(jacobian_at(model, group, from)));
+    continuation = continued(jacobian_at(model, group, to),
+                             continuation ? *continuation : begun_at(jacobian_at(model, group, from)));
     return GroupStatus::kOutOfReach;
   }
   const auto is_found = [&] {
     return to.groups[g].mode == mode && violation.farthest() <= kFarthestApproach &&
-           (!way || is_same_assembly(jacobian_at(model, group, to), *way));
+           (!continuation || is_same_assembly(jacobian_at(model, group, to), *continuation));
   };
   bool found = is_found();
   if (!found && to.groups[g].mode != mode) {
@@ -319,7 +322,7 @@ GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State&
     take_group(group, from, to);
     return GroupStatus::kNotConverged;
   }
-  way.reset();
+  continuation.reset();
   return joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : GroupStatus::kOk;
 }
 

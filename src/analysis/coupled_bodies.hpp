@@ -14,15 +14,15 @@ namespace higherpair {
 
 /// Places the bodies however far the drivers have moved from `from`: at the solution in mode
 /// to.groups[g].mode that begins where the conditions are violated least near `from`. If none begins there
-/// they are left at that place, and `way` records how they came there; continued from one position to the
-/// next, this finds a solution where it begins. The bodies stay where they are in `from` if that place is far
-/// away, or if the solution that begins is another one: one in which other parts of the group have turned
-/// over on the way, or, with surplus conditions, one that cannot be identified. Golubitsky and Schaeffer,
-/// Singularities and Groups 1, I.3 (reduction); Griewank and Reddien, SIAM J. Numer. Anal. 21, 1984 (bordered
-/// matrices).
+/// they are left at that place, and `continuation` records how they came there; continued from one position
+/// to the next, this finds a solution where it begins. The bodies stay where they are in `from` if that place
+/// is far away, or if the solution that begins is another one: one in which other parts of the group have
+/// turned over on the way, or, with surplus conditions, one that cannot be identified. Golubitsky and
+/// Schaeffer, Singularities and Groups 1, I.3 (reduction); Griewank and Reddien, SIAM J. Numer. Anal. 21,
+/// 1984 (bordered matrices).
 [[nodiscard]] GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
                                              const std::vector<double>& drivers, State& to,
-                                             std::optional<LeastViolation>& way);
+                                             std::optional<LeastViolation>& continuation);
 
 /// Sets the group's sine and mode: whether its conditions have lost their rank, and on which branch it is.
 void judge_coupled(const Planned& model, std::size_t g, State& state);

@@ -386,7 +386,7 @@ Taken StretchSearch::take_up_first(double from) {
     // A stretch of coupled bodies that begins at this position itself is followed back from the next one.
     const bool at_begin = couples_ && here.placing.complete && is_beside_limit(run_.work.trial);
     if (couples_) {
-      run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.ways};
+      run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.continuations};
     }
     const std::optional<double> x = placed_up_to(k, before, here);
     const Taken taken = x ? take_up(*x) : Taken::kNot;

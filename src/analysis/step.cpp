@@ -352,16 +352,16 @@ Placeable place_anew(Run& run, const std::vector<double>& drivers) {
   const State& nearest = run.at.lost.nearest ? run.at.lost.nearest->state : run.at.state;
   if (run.plan().couples) {
     to = nearest;
-    run.work.ways.assign(run.plan().groups.size(), std::nullopt);
+    run.work.continuations.assign(run.plan().groups.size(), std::nullopt);
     if (run.at.lost.nearest) {
-      run.work.ways = run.at.lost.nearest->ways;
+      run.work.continuations = run.at.lost.nearest->continuations;
     }
   }
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     to.groups[g].mode = run.at.state.groups[g].mode;
     const bool coupled = traits_of(run.plan().groups[g]).coupled;
     const GroupStatus status =
-        coupled ? place_coupled_anew(model_of(run), g, nearest, drivers, to, run.work.ways[g])
+        coupled ? place_coupled_anew(model_of(run), g, nearest, drivers, to, run.work.continuations[g])
                 : place_group_anew(model_of(run), g, run.at.state, drivers, to);
     if (status != GroupStatus::kOk) {
       const double reach = reach_of(model_of(run), g, to);

@@ -17,6 +17,12 @@ struct PinOnBody {
   Vector2d p_B = Vector2d::Zero();
 };
 
+// A pin that joins two bodies, and where it is on each of them.
+struct SharedPin {
+  std::size_t pin = 0;
+  Vector2d on_one = Vector2d::Zero(), on_two = Vector2d::Zero();
+};
+
 class PinGraph {
 public:
   explicit PinGraph(const Mechanism& mechanism) : pins_(find_pins(mechanism)), on_(mechanism.bodies.size()) {
@@ -30,6 +36,19 @@ public:
   [[nodiscard]] const std::vector<PinOnBody>& on(int body) const { return on_[body]; }
 
   [[nodiscard]] const std::vector<BodyPoint>& bodies_at(std::size_t pin) const { return pins_[pin].ends; }
+
+  // The pins that join two bodies.
+  [[nodiscard]] std::vector<SharedPin> joining(int one, int two) const {
+    std::vector<SharedPin> shared;
+    for (const PinOnBody& a : on(one)) {
+      for (const PinOnBody& b : on(two)) {
+        if (a.pin == b.pin) {
+          shared.push_back({a.pin, a.p_B, b.p_B});
+        }
+      }
+    }
+    return shared;
+  }
 
 private:
   std::vector<Pin> pins_;
@@ -76,47 +95,47 @@ struct Side {
   PinOnBody out;
 };
 
-Ring ring_of(const std::vector<Side>& way) {
+Ring ring_of(const std::vector<Side>& chain) {
   Ring ring;
   for (std::size_t i = 0; i < 4; ++i) {
-    ring.body[i] = way[i].body;
-    ring.length[i] = (way[i].out.p_B - way[i].in.p_B).norm();
+    ring.body[i] = chain[i].body;
+    ring.length[i] = (chain[i].out.p_B - chain[i].in.p_B).norm();
   }
   return ring;
 }
 
 // Extends a chain of bodies across each other pin of its last body. Rings begin at their lowest body, in the
 // sense in which the lower of its two neighbours comes first.
-void go_round(const PinGraph& graph, int body, const PinOnBody& in, std::vector<Side>& way,
+void go_round(const PinGraph& graph, int body, const PinOnBody& in, std::vector<Side>& chain,
               std::vector<Ring>& rings) {
-  const bool last = way.size() == 3;
+  const bool last = chain.size() == 3;
   for (const PinOnBody& out : graph.on(body)) {
-    const bool closes = !way.empty() && out.pin == way.front().in.pin;
+    const bool closes = !chain.empty() && out.pin == chain.front().in.pin;
     const bool used =
-        std::any_of(way.begin(), way.end(), [&](const Side& side) { return side.out.pin == out.pin; });
+        std::any_of(chain.begin(), chain.end(), [&](const Side& side) { return side.out.pin == out.pin; });
     if (out.pin == in.pin || used || closes != last) {
       continue;
     }
-    way.push_back({body, in, out});
-    if (last && way[1].body < body) {
-      rings.push_back(ring_of(way));
+    chain.push_back({body, in, out});
+    if (last && chain[1].body < body) {
+      rings.push_back(ring_of(chain));
     }
     for (const BodyPoint& next : graph.bodies_at(out.pin)) {
       const bool visited =
-          std::any_of(way.begin(), way.end(), [&](const Side& side) { return side.body == next.body; });
-      if (!last && !visited && next.body > way.front().body) {
-        go_round(graph, next.body, {out.pin, next.p_B}, way, rings);
+          std::any_of(chain.begin(), chain.end(), [&](const Side& side) { return side.body == next.body; });
+      if (!last && !visited && next.body > chain.front().body) {
+        go_round(graph, next.body, {out.pin, next.p_B}, chain, rings);
       }
     }
-    way.pop_back();
+    chain.pop_back();
   }
 }
 
 std::vector<Ring> rings_from(const PinGraph& graph, int lowest) {
   std::vector<Ring> rings;
-  std::vector<Side> way;
+  std::vector<Side> chain;
   for (const PinOnBody& in : graph.on(lowest)) {
-    go_round(graph, lowest, in, way, rings);
+    go_round(graph, lowest, in, chain, rings);
   }
   return rings;
 }
@@ -165,21 +184,19 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
       if (A.pin == pin_C || crank == known.coupler || crank == known.guide || crank == known.slider) {
         continue;
       }
-      for (const PinOnBody& O : graph.on(known.guide)) {
-        for (const PinOnBody& on_crank : graph.on(crank)) {
-          const double r2 = (end.p_B - on_crank.p_B).norm();
-          const double r3 = (p_C - A.p_B).norm();
-          if (on_crank.pin != O.pin || O.pin == A.pin || O.pin == pin_C || r2 == 0 || r3 == 0) {
-            continue;
-          }
-          SliderCrankInMechanism loop = known;
-          loop.crank = crank;
-          loop.linkage = {r2, r3, cross(line.along_G, Vector2d(line.p_G - O.p_B)), 0};
-          loop.inversion = inversion_of(loop);
-          loop.along_G = line.along_G;
-          loop.coupler_AC = p_C - A.p_B;
-          found.push_back(loop);
+      for (const SharedPin& O : graph.joining(known.guide, crank)) {
+        const double r2 = (end.p_B - O.on_two).norm();
+        const double r3 = (p_C - A.p_B).norm();
+        if (O.pin == A.pin || O.pin == pin_C || r2 == 0 || r3 == 0) {
+          continue;
         }
+        SliderCrankInMechanism loop = known;
+        loop.crank = crank;
+        loop.linkage = {r2, r3, cross(line.along_G, Vector2d(line.p_G - O.on_one)), 0};
+        loop.inversion = inversion_of(loop);
+        loop.along_G = line.along_G;
+        loop.coupler_AC = p_C - A.p_B;
+        found.push_back(loop);
       }
     }
   }

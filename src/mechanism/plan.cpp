@@ -86,7 +86,7 @@ std::optional<std::string> cannot_part(const Mechanism& mechanism, const Plan& p
       const Contact& contact = mechanism.contacts[index];
       if (contact.keep == Keep::kGap && !std::holds_alternative<TouchingBody>(group.kind)) {
         return fmt::format(
-            "contacts.{}: with keep = \"gap\" one of the two bodies must hang on a revolute or prismatic "
+            "contacts.{}: with keep = \"gap\" one of the two bodies must be on a revolute or prismatic "
             "joint, which holds it while they are apart, and be moved by this contact alone",
             contact.name);
       }

@@ -75,7 +75,7 @@ struct Crossing {
 /// The closest that coupled bodies come to assembly beyond a limit.
 struct Nearest {
   State state;
-  std::vector<std::optional<LeastViolation>> ways;  ///< of Plan::groups: how they were led there
+  std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups: how they were led there
 };
 
 /// A limit at which the motion was lost.
@@ -120,11 +120,11 @@ struct StepWorkspace {
   State trial;
   std::vector<double> drivers;  ///< in `trial`
   std::vector<DriverMotion> motions;
-  std::vector<Crossing> crossings;                  ///< those of the present step
-  std::vector<StepOverlap> overlaps;                ///< of Mechanism::contacts, in `trial`
-  std::vector<std::optional<LeastViolation>> ways;  ///< of Plan::groups, in `trial` beyond a limit
-  Path path;                                        ///< to the next row
-  std::vector<double> row_before;                   ///< drivers at that row
+  std::vector<Crossing> crossings;                           ///< those of the present step
+  std::vector<StepOverlap> overlaps;                         ///< of Mechanism::contacts, in `trial`
+  std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups, in `trial` beyond a limit
+  Path path;                                                 ///< to the next row
+  std::vector<double> row_before;                            ///< drivers at that row
 };
 
 /// A running analysis. A copy continues from its position independently, in any thread.
