@@ -123,6 +123,19 @@ inline void finish(const ChainRowsJob& job, const ChainWatch<T>* watches, const 
   }
 }
 
+// Reads the drivers of the rows from k on.
+template <class T, std::size_t kPacks>
+inline void load_drivers(const ChainSchedule& schedule, std::size_t k,
+                         std::array<ChainDriver<T>, kPacks>& driver,
+                         std::array<DriverRates<T>, kPacks>& rates) {
+  for (std::size_t i = 0; i < kPacks; ++i) {
+    const std::size_t at = k + i * T::kLanes;
+    driver[i] = {T::load(&schedule.position[at]),
+                 {T::load(&schedule.cosine[at]), T::load(&schedule.sine[at])}};
+    rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
+  }
+}
+
 template <ChainRates kRates, class T>
 inline void fill(const ChainRowsJob& job) {
   constexpr std::size_t kPacks = kChainRows / T::kLanes;
@@ -147,12 +160,7 @@ inline void fill(const ChainRowsJob& job) {
   for (std::size_t k = 0; k < schedule.position.size(); k += kChainRows) {
     std::array<ChainDriver<T>, kPacks> driver;
     std::array<DriverRates<T>, kPacks> rates;
-    for (std::size_t i = 0; i < kPacks; ++i) {
-      const std::size_t at = k + i * T::kLanes;
-      driver[i] = {T::load(&schedule.position[at]),
-                   {T::load(&schedule.cosine[at]), T::load(&schedule.sine[at])}};
-      rates[i] = {T::load(&schedule.velocity[at]), T::load(&schedule.acceleration[at])};
-    }
+    load_drivers(schedule, k, driver, rates);
     for (std::size_t g = 0; g < groups; ++g) {
       if (const auto* ovals = std::get_if<OvalContact>(&job.groups[g].kind)) {
         solve_ovals(*ovals, driver, job.size, job.ovals[g], room.data(), bodies, watches[g]);

@@ -215,14 +215,13 @@ struct Leaving {
   JointAt joint;
 };
 
-// The joint by which the contact leaves its span on one side up to run.work.trial, which is `length` beyond
-// run.at.state. Leaves run.work.trial anywhere between.
+// Where the contact leaves its span by a joint up to run.work.trial, which is `length` beyond run.at.state.
+// Leaves run.work.trial anywhere between.
 std::optional<Leaving> leaving(Run& run, const Path& path, const std::vector<Turn>& turned, double s,
-                               double h, double length, const SideOfContact& at) {
-  const Exit exit = exit_of(run, at, h);
+                               double length, const Exit& exit) {
   // If it turns back on its span, it leaves the span after that turn, though it may have begun at the joint.
   const auto turn = std::find_if(turned.begin(), turned.end(), [&](const Turn& candidate) {
-    return candidate.at.contact == at.contact && candidate.at.side == at.side &&
+    return candidate.at.contact == exit.at.contact && candidate.at.side == exit.at.side &&
            std::abs(candidate.x) < std::abs(length);
   });
   const auto joint = joint_between(run, path, exit, s, turn == turned.end() ? 0 : turn->x, length);
@@ -242,10 +241,10 @@ std::optional<JointPassage> first_passage(Run& run, const Path& path, const std:
     const bool may_jump = is_on_other_span(run, opposite) &&
                           boundary_of_side(run, opposite).is_corner(place_in(run.at.state, opposite));
     const auto tried = may_jump ? std::optional(run.work.trial) : std::nullopt;
-    auto found = leaving(run, path, turned, s, h, length, *changed);
+    auto found = leaving(run, path, turned, s, length, exit_of(run, *changed, h));
     if (!found && tried) {
       run.work.trial = *tried;
-      found = leaving(run, path, turned, s, h, length, opposite);
+      found = leaving(run, path, turned, s, length, exit_of(run, opposite, h));
     }
     if (!found || (first && std::abs(found->joint.x) >= std::abs(first->x))) {
       return first;

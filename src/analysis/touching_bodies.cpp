@@ -42,8 +42,6 @@ struct Placement {
   double q;
 };
 
-// Predicted place of a contact on one boundary, from its speed along it; on a corner, from the normal's turn
-// relative to the body.
 // Sets the body and its contact to a contact that has been found.
 void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std::size_t g,
                         const BoundaryPair& pair, const BoundaryContact& found, double phi, State& to) {
@@ -75,6 +73,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
   const auto turn = [&](const CurveRef& ref) {
     return h * (before.rates.phi_dot - guess.from.bodies[ref.body].omega);
   };
+  // Predicted from the speed along each boundary; on a corner, from the normal's turn relative to the body.
   std::array<BoundaryPlace, 2> place = {
       boundary_of(model.mechanism, contact.first)
           .advance(before.place[0], h * before.rates.along1, turn(contact.first))
@@ -96,7 +95,7 @@ GroupStatus place_on_boundaries(const Planned& model, const TouchingBody& touchi
 }
 
 // Places the body of an open contact, which stays where it is on its joint.
-GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State& from, State& to) {
+GroupStatus place_open(const TouchingBody& touching, std::size_t g, const State& from, State& to) {
   GroupState& group = to.groups[g];
   group = from.groups[g];
   group.sine = group.lever = 1;
@@ -115,7 +114,7 @@ GroupStatus place_held(const TouchingBody& touching, std::size_t g, const State&
 GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,
                            const State& from, double h, State& to) {
   if (from.groups[g].open) {
-    return place_held(touching, g, from, to);
+    return place_open(touching, g, from, to);
   }
   const FrozenPair placed = frozen_pair(model, touching, to);
   const CarriedBody& follower = touching.follower;
