@@ -4,6 +4,7 @@
 #include "flat_contacts.hpp"
 #include "gap_contacts.hpp"
 #include "higherpair/contact/step_length.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "overlap.hpp"
 #include "shared_places.hpp"
 #include "span_joints.hpp"
@@ -107,12 +108,17 @@ bool close_open_contact(OnPath& at, double h) {
 }
 
 bool part_contact(OnPath& at, std::size_t g) {
-  const auto reason = at.s == at.parted_at ? std::nullopt : why_parting(at.run, g);
+  if (at.s != at.parted_at) {
+    at.parted.clear();
+  }
+  const auto group = static_cast<int>(g);
+  const auto reason = contains(at.parted, group) ? std::nullopt : why_parting(at.run, g);
   if (!reason) {
     return false;
   }
   release(at.run, at.path, at.s, g, *reason);
   at.parted_at = at.s;
+  at.parted.push_back(group);
   at.open = true;
   return true;
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 // Changes of contacts on a path, apart from their smooth motion: an open contact closes, one that may part
 // does so, one reaches a joint of spans, the bodies meet elsewhere, or another place takes over. Each
@@ -24,7 +25,8 @@ struct OnPath {
   double scale;                     ///< one unit of the path's coordinate
   double s = 0;                     ///< position of run.at.state on the path
   bool open;                        ///< whether a contact is open
-  double parted_at = kNoValue;      ///< s of the last contact that parted
+  double parted_at = kNoValue;      ///< s where contacts parted last
+  std::vector<int> parted;          ///< the groups whose contacts did
   double taken_over_at = kNoValue;  ///< s of the last place that took over
   double met_at = kNoValue;         ///< s of the last meeting elsewhere
   JointPassage passed;              ///< the last one, at s = passed.x

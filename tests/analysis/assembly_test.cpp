@@ -18,7 +18,7 @@ namespace {
 using testing::Builder;
 using ::testing::HasSubstr;
 
-constexpr double kCrank = 0.03;
+constexpr double kRadiusOfCrank = 0.03;
 
 // A driven crank of length 30 mm about the origin.
 struct CrankMechanism {
@@ -29,11 +29,11 @@ struct CrankMechanism {
 
   // A slider on the x axis, on a rod from the pin of the crank.
   void add_slider(const std::string& name, double length) {
-    const int rod = builder.body(name + "_rod", {kCrank, 0}, 0);
-    const int slider = builder.body(name + "_slider", {kCrank + length, 0}, 0);
-    (void)builder.revolute(crank, rod, {kCrank, 0});
-    (void)builder.revolute(rod, slider, {kCrank + length, 0});
-    (void)builder.prismatic(0, slider, {kCrank + length, 0}, {1, 0}, kCrank + length);
+    const int rod = builder.body(name + "_rod", {kRadiusOfCrank, 0}, 0);
+    const int slider = builder.body(name + "_slider", {kRadiusOfCrank + length, 0}, 0);
+    (void)builder.revolute(crank, rod, {kRadiusOfCrank, 0});
+    (void)builder.revolute(rod, slider, {kRadiusOfCrank + length, 0});
+    (void)builder.prismatic(0, slider, {kRadiusOfCrank + length, 0}, {1, 0}, kRadiusOfCrank + length);
   }
 
   // Two links from P, a point of a body, to a pin of ground at Q, that meet at C. \returns the second link
@@ -74,7 +74,7 @@ struct RockerWithDyad : CrankMechanism {
   int rocker = 0;
 
   explicit RockerWithDyad(int sliders) {
-    rocker = add_dyad("a", crank, {kCrank, 0}, C, {0.1, 0});
+    rocker = add_dyad("a", crank, {kRadiusOfCrank, 0}, C, {0.1, 0});
     for (int k = 0; k < sliders; ++k) {
       add_slider(numbered("k", k), 0.1);
     }
@@ -116,7 +116,7 @@ TEST(Assembly, IsFoundInEveryCombinationOfModes) {
 TEST(Assembly, SearchCanBeStopped) {
   CrankMechanism chain;
   int body = chain.crank;
-  Vector2d P(kCrank, 0);
+  Vector2d P(kRadiusOfCrank, 0);
   for (int k = 0; k < 40; ++k) {
     const Vector2d Q = 0.1 * unit_vector(k);
     const Vector2d middle = (P + Q) / 2;
