@@ -44,11 +44,10 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
   if (!contact.by_boundary) {
     return -separation_in(run, contact, state).gap;
   }
-  return deepest_penetration(boundary_of(run.mechanism(), contact.first),
-                             body_in(state, contact.first.body).X_WB,
-                             boundary_of(run.mechanism(), contact.second),
-                             body_in(state, contact.second.body).X_WB, kOverlapOfBoundaries * run.plan().size)
-      .depth;
+  return deepest_penetration(
+      boundary_of(run.mechanism(), contact.first), body_in(state, contact.first.body).X_WB,
+      boundary_of(run.mechanism(), contact.second), body_in(state, contact.second.body).X_WB,
+      kOverlapOfBoundaries * run.plan().size);
 }
 
 // Where the gap at the common normal `n_W` closes, between run.at.state and run.work.trial, which is `h`
