@@ -5,7 +5,7 @@
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "other_place.hpp"
 #include "span_joints.hpp"

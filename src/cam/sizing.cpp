@@ -2,7 +2,7 @@
 
 #include "follower_shape.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 

@@ -3,7 +3,7 @@
 #include "boundary_cuts.hpp"
 #include "boundary_trace.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "map_layout.hpp"
 

@@ -1,7 +1,7 @@
 #include "boundary_trace.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #include "higherpair/contact/common_normal.hpp"
 
 #include "contact_points.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "higherpair/contact/critical_positions.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 
 #include <algorithm>
 #include <array>

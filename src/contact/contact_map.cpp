@@ -2,7 +2,7 @@
 
 #include "boundary_map.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"

@@ -1,6 +1,6 @@
 #include "force_watch.hpp"
 
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"

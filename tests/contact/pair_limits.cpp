@@ -3,7 +3,7 @@
 #include "contact/contact_points.hpp"
 #include "contact/gap_derivatives.hpp"
 #include "contact/place_points.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
