@@ -2,8 +2,8 @@
 
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/local_conic.hpp"
-#include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/stencil.hpp"
 #include "span_ends.hpp"
 
 #include <algorithm>

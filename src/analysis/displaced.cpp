@@ -1,10 +1,10 @@
 #include "higherpair/analysis/displaced.hpp"
 
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/stencil.hpp"
 #include "span_ends.hpp"
 #include "tolerances.hpp"
 

@@ -1,7 +1,7 @@
 #include "events.hpp"
 
-#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 

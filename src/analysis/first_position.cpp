@@ -38,7 +38,7 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
   const double sense = contact.approach == Approach::kNearest    ? 0
                        : contact.approach == Approach::kPositive ? sign
                                                                  : -sign;
-  std::vector<BoundaryContact> contacts = find_boundary_contacts(pair, u, {-kInf, kInf});
+  std::vector<BoundaryContact> contacts = find_boundary_contacts(pair, u);
   for (BoundaryContact& found : contacts) {
     if (pair.motion2.turns) {
       found.q = nearest_turn(found.q, q);
@@ -158,9 +158,8 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
     if (!start_rolling_pair(tracked, g, u, q, found)) {
       return false;
     }
-  } else if (const auto standing =
-                 standing_contact(tracked.pair, u, touching, run_.tolerance * run_.plan().size)) {
-    state_.tracks[g] = *standing;
+  } else if (const auto dwell = dwell_contact(tracked.pair, u, touching, run_.tolerance * run_.plan().size)) {
+    state_.tracks[g] = *dwell;
   } else if (found.status != FindStatus::kFound) {
     fail(g, why_no_contact(found.status, contact));
     return false;

@@ -14,7 +14,7 @@ namespace {
 std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
                                     double way) {
   const auto end = end_ahead(other, place, forward);
-  return end && end->way < way && !is_flat(other, end->behind) ? end : std::nullopt;
+  return end && end->distance < way && !is_flat(other, end->behind) ? end : std::nullopt;
 }
 
 }  // namespace
@@ -40,11 +40,11 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   const BoundaryPlace from = motion.place[1 - passage.side];
   JointPassage rests = passage;
   rests.before = passage.after;
-  const double way = end_of_own->way;  // t of the two curves runs in opposite senses
+  const double way = end_of_own->distance;  // t of the two curves runs in opposite senses
   BoundaryPlace place = end_of_own->behind;
   BoundaryPlace opposite = other.advance(from, forward ? -way : way, 0).place;
   if (const auto end = end_of_other(other, from, !forward, way)) {
-    place = own.advance(passage.after, forward ? end->way : -end->way, 0).place;
+    place = own.advance(passage.after, forward ? end->distance : -end->distance, 0).place;
     opposite = end->behind;
     rests.side = 1 - passage.side;
     rests.before = from;

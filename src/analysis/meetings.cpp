@@ -2,7 +2,7 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"

@@ -5,7 +5,7 @@
 #include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "other_place.hpp"
 #include "span_ends.hpp"
@@ -45,8 +45,7 @@ double overlap_in(const Run& run, const Contact& contact, const State& state) {
   return deepest_penetration(boundary_of(run.mechanism(), contact.first),
                              state.bodies[contact.first.body].X_WB,
                              boundary_of(run.mechanism(), contact.second),
-                             state.bodies[contact.second.body].X_WB, kOverlapOfBoundaries * run.plan().size)
-      .depth;
+                             state.bodies[contact.second.body].X_WB, kOverlapOfBoundaries * run.plan().size);
 }
 
 // Where the gap at the common normal `n_W` closes, between run.at.state and run.work.trial, which is `h`

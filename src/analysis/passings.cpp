@@ -3,7 +3,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 

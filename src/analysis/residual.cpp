@@ -113,12 +113,8 @@ void add_contact(const Run& run, const Contact& contact, const ContactMotion& mo
   const auto body_a = static_cast<std::size_t>(contact.first.body);
   const auto body_b = static_cast<std::size_t>(contact.second.body);
   const Vector2d p_W = motion.at.p_W();
-  const auto velocity = [&](std::size_t index) {
-    const BodyMotion& body = row.bodies[index];
-    return Vector2d(body.v_WB + body.omega * perp(Vector2d(p_W - body.X_WB.p_WB)));
-  };
-  const Vector2d v1 = velocity(body_a);
-  const Vector2d v = velocity(body_b) - v1;
+  const Vector2d v1 = velocity_at(row.bodies[body_a], p_W);
+  const Vector2d v = velocity_at(row.bodies[body_b], p_W) - v1;
   errors.compare(v1.squaredNorm());
   errors.compare((v + v1).squaredNorm());
   const bool rates = row.has_rates[body_a] && row.has_rates[body_b];

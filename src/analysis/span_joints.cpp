@@ -1,9 +1,9 @@
 #include "span_joints.hpp"
 
 #include "higherpair/geometry/boundary_places.hpp"
-#include "higherpair/geometry/newton_root.hpp"
-#include "higherpair/geometry/roots.hpp"
 #include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/newton_root.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "step.hpp"
 #include "tolerances.hpp"

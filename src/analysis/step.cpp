@@ -30,7 +30,7 @@ void mark_places(Run& run) {
 bool keeps_branch(const Run& run, std::size_t g) {
   return traits_of(run.plan().groups[g]).one_branch ||
          std::holds_alternative<RollingTrack>(run.at.state.tracks[g]) ||
-         std::holds_alternative<StandingContact>(run.at.state.tracks[g]);
+         std::holds_alternative<DwellContact>(run.at.state.tracks[g]);
 }
 
 // How far a group has moved in a step, and how far that is from what the velocities and accelerations at both

@@ -1,7 +1,6 @@
 #include "contact_states.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
 #include "higherpair/contact/finder.hpp"
-#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -150,7 +149,7 @@ GroupStatus place_boundaries_anew(const Planned& model, const TouchingBody& touc
                                   const State& from, double lost, State& to) {
   const FrozenPair placed = frozen_pair(model, touching, to);
   const BoundaryPair pair = frozen_boundaries(model, touching, placed);
-  std::vector<BoundaryContact> all = find_boundary_contacts(pair, placed.u, {-kInf, kInf});
+  std::vector<BoundaryContact> all = find_boundary_contacts(pair, placed.u);
   std::erase_if(all, [&](const BoundaryContact& found) { return to.groups[g].mode * found.gap_q <= 0; });
   const bool alone = all.size() == 1 && pair.boundary1->is_closed() && pair.boundary2->is_closed();
   for (BoundaryContact& found : all) {

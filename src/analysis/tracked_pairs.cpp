@@ -8,8 +8,8 @@ const ContactPosition& position_of(const PairTrack& track) {
   if (const auto* rolling = std::get_if<RollingTrack>(&track)) {
     return rolling->at;
   }
-  if (const auto* standing = std::get_if<StandingContact>(&track)) {
-    return standing->at;
+  if (const auto* dwell = std::get_if<DwellContact>(&track)) {
+    return dwell->at;
   }
   return std::get<ContactTrack>(track).at;
 }
@@ -40,9 +40,9 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
     place_follower(tracked, rolling->at, rolling->phi, from, to);
     return GroupStatus::kOk;
   }
-  if (const auto* standing = std::get_if<StandingContact>(&to.tracks[g])) {
-    set_sine(tracked.pair, standing->at, group);
-    place_follower(tracked, standing->at, angle_of(standing->at.n_W), from, to);
+  if (const auto* dwell = std::get_if<DwellContact>(&to.tracks[g])) {
+    set_sine(tracked.pair, dwell->at, group);
+    place_follower(tracked, dwell->at, angle_of(dwell->at.n_W), from, to);
     return GroupStatus::kOk;
   }
   auto& track = std::get<ContactTrack>(to.tracks[g]);

@@ -4,15 +4,13 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace higherpair {
 namespace {
 
 // By bisection where dκ/ds changes sign from - to +; otherwise one of the ends.
-SpanPoint least_curvature(const Span& span, double from, double to, double& at) {
+SpanPoint least_curvature(const Span& span, double from, double to) {
   double low = from;
   double high = to;
   if (span.at(from).slope < 0 && span.at(to).slope > 0) {
@@ -23,8 +21,26 @@ SpanPoint least_curvature(const Span& span, double from, double to, double& at) 
   } else if (span.at(to).kappa < span.at(from).kappa) {
     low = to;
   }
-  at = low;
   return span.at(low);
+}
+
+// The point of least signed curvature on the spans of a boundary except its corners, to within rounding: a
+// zero of dκ/ds between samples, four times as many as show the shape. Curvature +∞ if there are only
+// corners.
+SpanPoint hollowest_point(const Boundary& boundary) {
+  SpanPoint least;
+  least.kappa = kInf;
+  for (const SpanPtr& span : boundary.spans()) {
+    const Bounds range = span->range();
+    const int probes = span->is_corner() ? 0 : 4 * span->parts();
+    for (int k = 0; k < probes; ++k) {
+      const double from = range.low + range.width() * k / probes;
+      const double to = k + 1 == probes ? range.high : range.low + range.width() * (k + 1) / probes;
+      const SpanPoint point = least_curvature(*span, from, to);
+      least = point.kappa < least.kappa ? point : least;
+    }
+  }
+  return least;
 }
 
 tl::expected<Boundary, OffsetFault> offset_of(const Boundary& flank, double radius) {
@@ -56,38 +72,18 @@ double largest_cutter(const Boundary& flank, double too_large) {
 
 }  // namespace
 
-HollowestPlace hollowest_place(const Boundary& boundary) {
-  HollowestPlace least;
-  least.point.kappa = kInf;
-  for (std::size_t i = 0; i < boundary.spans().size(); ++i) {
-    const Span& span = *boundary.spans()[i];
-    const Bounds range = span.range();
-    const int probes = span.is_corner() ? 0 : 4 * span.parts();
-    for (int k = 0; k < probes; ++k) {
-      const double from = range.low + range.width() * k / probes;
-      const double to = k + 1 == probes ? range.high : range.low + range.width() * (k + 1) / probes;
-      double at = from;
-      const SpanPoint point = least_curvature(span, from, to, at);
-      if (point.kappa < least.point.kappa) {
-        least = {{static_cast<int>(i), at}, point};
-      }
-    }
-  }
-  return least;
-}
-
 tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double radius) {
   using Kind = CutterFault::Kind;
   auto path = offset_of(flank, radius);
   if (!path && path.error().kind == OffsetFault::Kind::kCorner) {
     return tl::unexpected(CutterFault{Kind::kNotch, path.error().at_B, 0});
   }
-  const HollowestPlace hollow = hollowest_place(flank);
-  const double limit = hollow.point.kappa < 0 ? -1 / hollow.point.kappa : kInf;
+  const SpanPoint hollow = hollowest_point(flank);
+  const double limit = hollow.kappa < 0 ? -1 / hollow.kappa : kInf;
   if (!path || radius > limit * (1 + kSameCutterRadius)) {
     const double below = limit * (1 - kJustBelowCutter);
-    return tl::unexpected(CutterFault{Kind::kHollow, hollow.point.p_B,
-                                      can_cut(flank, below) ? limit : largest_cutter(flank, below)});
+    return tl::unexpected(
+        CutterFault{Kind::kHollow, hollow.p_B, can_cut(flank, below) ? limit : largest_cutter(flank, below)});
   }
   if (const auto crossing = find_self_crossing(*path)) {
     return tl::unexpected(CutterFault{Kind::kCrossing, crossing->p_B, largest_cutter(flank, radius)});

@@ -1,9 +1,11 @@
 #include "envelope.hpp"
 
 #include "follower_shape.hpp"
+#include "higherpair/cam/law_series.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support.hpp"
+#include "higherpair/geometry/tolerances.hpp"
 #include "relative_motion.hpp"
 #include "tolerances.hpp"
 
@@ -24,9 +26,7 @@ template <int N>
 RelativeMotion<double, N> relative_at(const CamMotion& motion, double x, LawSide side) {
   PowerSeries<double, N + 1> joint(x);
   joint.c[1] = 1;
-  PowerSeries<double, N + 1> s;
-  motion.law.expand(x, side, s.c);
-  return relative_motion<double, N>(motion, joint, s);
+  return relative_motion<double, N>(motion, joint, series_at<N + 1>(motion.law, x, side));
 }
 
 // Finds where the follower's curve touches the cam, up to the N-th power of the cam's coordinate: the point
@@ -49,8 +49,8 @@ public:
     if (is_line(curve_)) {
       return touch_of_line(relative);
     }
-    if (const auto centre = round_center(curve_)) {
-      return touch_of_circle(relative, *centre);
+    if (const auto center = round_center(curve_)) {
+      return touch_of_circle(relative, *center);
     }
     return touch_of_conic(relative);
   }
@@ -68,16 +68,16 @@ private:
   }
 
   // The normal is perpendicular to the velocity of the centre: see side_of().
-  [[nodiscard]] std::optional<Touch> touch_of_circle(const Relative& relative, const Vector2d& centre) const {
-    const Vector W(relative.w.x() - centre.y() * relative.omega,
-                   relative.w.y() + centre.x() * relative.omega);
+  [[nodiscard]] std::optional<Touch> touch_of_circle(const Relative& relative, const Vector2d& center) const {
+    const Vector W(relative.w.x() - center.y() * relative.omega,
+                   relative.w.y() + center.x() * relative.omega);
     const Series length = sqrt(W.x() * W.x() + W.y() * W.y());
     if (!(value_of(length) > 0)) {
       return std::nullopt;
     }
     const Vector n(slip_ * W.y() / length, -slip_ * W.x() / length);
     const double r = curve_.semi_latus * (curve_.side == Side::kInside ? 1 : -1);
-    return Touch{{centre.x() + r * n.x(), centre.y() + r * n.y()}, n};
+    return Touch{{center.x() + r * n.x(), center.y() + r * n.y()}, n};
   }
 
   // Newton's method for the normal's angle, first in numbers and then in series. The derivative of the
@@ -98,7 +98,7 @@ private:
       for (int i = 0; i < kMaxNewton; ++i) {
         const auto [f, df] = equation(phi);
         const double step = -f / df;
-        phi += std::clamp(step, -0.3, 0.3);
+        phi += std::clamp(step, -kNewtonTurn, kNewtonTurn);
         if (!(std::abs(step) > kEnvelopeSettled)) {
           break;
         }
@@ -198,17 +198,17 @@ Envelope::Envelope(FlankOrigin origin) : origin_(std::move(origin)) {
   slip_ = origin_.motion.cam_sign * side_of(origin_);
 }
 
-std::optional<SpanPoint> Envelope::at(double x, LawSide side) const {
+std::optional<SpanPoint> Envelope::at(double x, LawSide side, double sense) const {
   const auto place = place_at<3>(*this, x, side);
-  return place ? std::optional(point_of(place->p, place->n, sense_)) : std::nullopt;
+  return place ? std::optional(point_of(place->p, place->n, sense)) : std::nullopt;
 }
 
-std::optional<CurvatureRates> Envelope::curvature_rates(double x, LawSide side) const {
+std::optional<CurvatureRates> Envelope::curvature_rates(double x, LawSide side, double sense) const {
   auto place = place_at<CurveSeries::kLast>(*this, x, side);
   if (!place) {
     return std::nullopt;
   }
-  for (std::size_t k = 1; sense_ < 0 && k <= CurveSeries::kLast; k += 2) {
+  for (std::size_t k = 1; sense < 0 && k <= CurveSeries::kLast; k += 2) {
     place->p.x().c[k] = -place->p.x().c[k];
     place->p.y().c[k] = -place->p.y().c[k];
   }

@@ -6,7 +6,8 @@
 
 namespace higherpair {
 
-/// The envelope of a follower's curve in its motion relative to a cam: see cam_flank().
+/// The envelope of a follower's curve in its motion relative to a cam: see cam_flank(). The parameter of
+/// tangents, curvature rates and bounds is `sense` times the cam's coordinate: +1 or -1.
 class Envelope {
 public:
   explicit Envelope(FlankOrigin origin);
@@ -17,24 +18,20 @@ public:
   /// its t, for a unit rate of the cam's joint: see side_of().
   [[nodiscard]] double slip() const { return slip_; }
 
-  /// The parameter of tangents and curvature rates is `sense` times the cam's coordinate: +1 or -1.
-  void set_sense(double sense) { sense_ = sense; }
-
   /// The point of the cam that touches at the coordinate x of the cam's joint, with the derivatives of the
   /// law on one side of it. None where no point of the follower can touch.
-  [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side) const;
+  [[nodiscard]] std::optional<SpanPoint> at(double x, LawSide side, double sense) const;
 
   /// Rates of the cam's curvature there, along its tangent.
-  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double x, LawSide side) const;
+  [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double x, LawSide side, double sense) const;
 
   /// Bounds of the span over a range of the cam's coordinate within one piece of the law. None where they
   /// cannot be determined.
-  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& x) const;
+  [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& x, double sense) const;
 
 private:
   FlankOrigin origin_;
   double slip_ = 1;
-  double sense_ = 1;
 };
 
 }  // namespace higherpair

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -36,12 +35,12 @@ IntervalVector term(const Vector2<MotionOver::Series>& v, std::size_t k) {
 
 // Speed of the contact point along the follower's t, relative to the cam, and rate of rotation of its normal
 // relative to the follower.
-struct ContactRates {
+struct FlankRates {
   Interval along;
   Interval turn;
 };
 
-ContactRates rates_of_line(const MotionOver& motion, const Curve& line) {
+FlankRates rates_of_line(const MotionOver& motion, const Curve& line) {
   const Vector2d n = -line.axis_B;
   const auto h_slope = (motion.w.x() * n.x() + motion.w.y() * n.y()) / motion.omega;
   const Interval& omega = motion.omega.c[0];
@@ -65,7 +64,7 @@ struct Arc {
 };
 
 // With f(φ, x) = w·n - ω h′ = 0 of cam_flank():  dφ/dx = -f_x/f_φ,  f_φ = w·t - ω (ρ - h).
-ContactRates rates_of_arc(const MotionOver& motion, const Arc& arc, const Interval& phi) {
+FlankRates rates_of_arc(const MotionOver& motion, const Arc& arc, const Interval& phi) {
   const IntervalVector n = unit_interval(phi);
   const IntervalVector t = n.turned();
   const Interval rho = arc.radius(phi);
@@ -79,17 +78,17 @@ ContactRates rates_of_arc(const MotionOver& motion, const Arc& arc, const Interv
   return {along + omega * h + rho * rate, rate};
 }
 
-bool is_finite(const ContactRates& rates) {
+bool is_finite(const FlankRates& rates) {
   return std::isfinite(boost::numeric::norm(rates.along)) && std::isfinite(boost::numeric::norm(rates.turn));
 }
 
 // The normal's angle solves dφ/dx = rate: it stays within bounds that it cannot leave at the rates found over
 // them.
-std::optional<ContactRates> rates_of_arc_over(const MotionOver& motion, const Arc& arc,
-                                              const Interval& from_middle) {
+std::optional<FlankRates> rates_of_arc_over(const MotionOver& motion, const Arc& arc,
+                                            const Interval& from_middle) {
   Interval phi = around(arc.middle, kEnvelopeRounding);
   for (int i = 0; i < kMostWidenings; ++i) {
-    const ContactRates rates = rates_of_arc(motion, arc, phi);
+    const FlankRates rates = rates_of_arc(motion, arc, phi);
     const Interval next = around(arc.middle, kEnvelopeRounding) + rates.turn * from_middle;
     if (!is_finite(rates) || !(boost::numeric::width(next) < kPi / 2)) {
       return std::nullopt;
@@ -102,10 +101,10 @@ std::optional<ContactRates> rates_of_arc_over(const MotionOver& motion, const Ar
   return std::nullopt;
 }
 
-std::optional<ContactRates> rates_over(const FlankOrigin& origin, const MotionOver& motion, const Bounds& x,
-                                       const SpanPoint& middle, double at) {
+std::optional<FlankRates> rates_over(const FlankOrigin& origin, const MotionOver& motion, const Bounds& x,
+                                     const SpanPoint& middle, double at) {
   if (is_line(origin.curve)) {
-    const ContactRates rates = rates_of_line(motion, origin.curve);
+    const FlankRates rates = rates_of_line(motion, origin.curve);
     return is_finite(rates) ? std::optional(rates) : std::nullopt;
   }
   const MotionOver there = motion_over(origin.motion, {at, at});
@@ -120,7 +119,7 @@ std::optional<SpanBounds> bounds_by_halves(const Envelope& envelope, const Bound
                                            int halvings) {
   const double at = (x.low + x.high) / 2;
   const MotionOver motion = motion_over(envelope.origin().motion, x);
-  const auto middle = envelope.at(at, LawSide::kAfter);
+  const auto middle = envelope.at(at, LawSide::kAfter, sense);
   const auto rates = middle ? rates_over(envelope.origin(), motion, x, *middle, at) : std::nullopt;
   if (rates) {
     // The cam's normal is opposite to the follower's, and so is its t.
@@ -140,8 +139,8 @@ std::optional<SpanBounds> bounds_by_halves(const Envelope& envelope, const Bound
 
 }  // namespace
 
-std::optional<SpanBounds> Envelope::bounds(const Bounds& x) const {
-  return bounds_by_halves(*this, x, sense_, kMostHalvings);
+std::optional<SpanBounds> Envelope::bounds(const Bounds& x, double sense) const {
+  return bounds_by_halves(*this, x, sense, kMostHalvings);
 }
 
 }  // namespace higherpair

@@ -2,6 +2,7 @@
 
 #include "envelope.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 #include "worst_place.hpp"
 
@@ -39,8 +40,8 @@ public:
       : envelope_(std::move(envelope)),
         sense_(sense),
         joint_{places.front(), places.back()},
-        low_(*envelope_->at(joint_.low, LawSide::kAfter)),
-        high_(*envelope_->at(joint_.high, LawSide::kBefore)),
+        low_(*envelope_->at(joint_.low, LawSide::kAfter, sense)),
+        high_(*envelope_->at(joint_.high, LawSide::kBefore, sense)),
         breaks_(breaks_at(places, sense)) {
     const CamMotion& motion = envelope_->origin().motion;
     parts_ = parts_for(motion.law.breaks(joint_.low, joint_.high).size(), places.size() - 1);
@@ -57,18 +58,18 @@ public:
     return x <= joint_.low    ? low_
            : x >= joint_.high ? high_
            : dwell_           ? on_dwell(x)
-                              : *envelope_->at(x, LawSide::kAfter);
+                              : *envelope_->at(x, LawSide::kAfter, sense_);
   }
   [[nodiscard]] std::optional<CurvatureRates> curvature_rates(double t) const override {
     if (dwell_) {
       return CurvatureRates{};
     }
     const double x = std::clamp(sense_ * t, joint_.low, joint_.high);
-    return envelope_->curvature_rates(x, x < joint_.high ? LawSide::kAfter : LawSide::kBefore);
+    return envelope_->curvature_rates(x, x < joint_.high ? LawSide::kAfter : LawSide::kBefore, sense_);
   }
   [[nodiscard]] Bounds range() const override { return sense_ > 0 ? joint_ : -joint_; }
   [[nodiscard]] std::optional<SpanBounds> bounds(const Bounds& t) const override {
-    return envelope_->bounds(sense_ > 0 ? t : -t);
+    return envelope_->bounds(sense_ > 0 ? t : -t, sense_);
   }
   [[nodiscard]] int parts() const override { return parts_; }
   [[nodiscard]] std::vector<double> breaks() const override { return breaks_; }
@@ -103,8 +104,8 @@ private:
 // face along its guide.
 bool moves_along_itself(const OneFreedom& follower, const Curve& curve, double size) {
   if (follower.turns) {
-    const auto centre = round_center(curve);
-    return centre && (*centre - follower.p_BO).norm() <= kNoMotionOnCam * size;
+    const auto center = round_center(curve);
+    return center && (*center - follower.p_BO).norm() <= kNoMotionOnCam * size;
   }
   return is_line(curve) && std::abs(follower.direction_W.dot(follower.R_WB * curve.axis_B)) <= kNoMotionOnCam;
 }
@@ -128,18 +129,19 @@ double sense_of(const Envelope& envelope, double x, const SpanPoint& first) {
 }
 
 // The first place in a stretch at which the flank runs backwards, stands still, or does not exist.
-std::optional<FlankFault> fault_within(const Envelope& envelope, const LawSearch& search, double slowest) {
+std::optional<FlankFault> fault_within(const Envelope& envelope, double sense, const LawSearch& search,
+                                       double slowest) {
   const auto backwards = [&](double x, LawSide side) {
-    const auto point = envelope.at(x, side);
-    return point && point->p_B.allFinite() ? -point->speed : std::nan("");
+    const auto point = envelope.at(x, side, sense);
+    return point && point->p_B.allFinite() ? -point->speed : kNoValue;
   };
   const auto x = search.first_above(-slowest, backwards);
   if (!x) {
     return std::nullopt;
   }
-  return FlankFault{!envelope.at(*x, LawSide::kAfter)   ? FlankFault::Kind::kNoNormal
-                    : is_point(envelope.origin().curve) ? FlankFault::Kind::kStandstill
-                                                        : FlankFault::Kind::kUndercut,
+  return FlankFault{!envelope.at(*x, LawSide::kAfter, sense) ? FlankFault::Kind::kNoNormal
+                    : is_point(envelope.origin().curve)      ? FlankFault::Kind::kStandstill
+                                                             : FlankFault::Kind::kUndercut,
                     *x};
 }
 
@@ -154,9 +156,9 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
   for (const LawJoin& join : motion.law.joins()) {
     ends.push_back(join.x);
   }
-  auto envelope = std::make_shared<Envelope>(FlankOrigin{motion, curve, outer});
+  const auto envelope = std::make_shared<const Envelope>(FlankOrigin{motion, curve, outer});
   const double middle = (ends[0] + ends[1]) / 2;
-  const auto first = envelope->at(middle, LawSide::kAfter);
+  const auto first = envelope->at(middle, LawSide::kAfter, 1);
   if (!first) {
     return tl::unexpected(FlankFault{FlankFault::Kind::kNoNormal, middle});
   }
@@ -167,12 +169,11 @@ tl::expected<std::vector<SpanPtr>, FlankFault> cam_flank(const CamMotion& motion
     return tl::unexpected(FlankFault{FlankFault::Kind::kNoEffect, middle});
   }
   const double sense = sense_of(*envelope, middle, *first);
-  envelope->set_sense(sense);
   const double slowest = kNoMotionOnCam * first->p_B.norm();
   std::vector<SpanPtr> spans;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const LawSearch search(motion.law, ends[i], ends[i + 1]);
-    if (const auto fault = fault_within(*envelope, search, slowest)) {
+    if (const auto fault = fault_within(*envelope, sense, search, slowest)) {
       return tl::unexpected(*fault);
     }
     spans.push_back(std::make_shared<FlankSpan>(envelope, sense, search.places()));

@@ -7,29 +7,29 @@
 namespace higherpair {
 
 std::optional<Round> round_of(const FlankOrigin& cam) {
-  const auto centre = round_center(cam.curve);
-  if (!centre) {
+  const auto center = round_center(cam.curve);
+  if (!center) {
     return std::nullopt;
   }
-  return Round{*centre, cam.curve.semi_latus * (cam.curve.side == Side::kInside ? 1 : -1)};
+  return Round{*center, cam.curve.semi_latus * (cam.curve.side == Side::kInside ? 1 : -1)};
 }
 
-Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest) {
+Center center_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest) {
   const CamMotion& motion = cam.motion;
   const double q = motion.follower_sign * (rest + lift.s);
-  Centre centre;
-  const Vector2d c = pose_at(motion.follower, q) * round.centre_B;
+  Center center;
+  const Vector2d c = pose_at(motion.follower, q) * round.center_B;
   const double q1 = motion.follower_sign * motion.cam_sign * lift.v;
-  centre.u = velocity_per_q(motion.follower, c);
-  centre.v = velocity_per_q(motion.cam, c);
-  centre.w = q1 * centre.u - centre.v;
-  centre.a = motion.follower_sign * lift.a * centre.u + q1 * q1 * acceleration_per_q(motion.follower, c);
-  centre.from_cam = c;
+  center.u = velocity_per_q(motion.follower, c);
+  center.v = velocity_per_q(motion.cam, c);
+  center.w = q1 * center.u - center.v;
+  center.a = motion.follower_sign * lift.a * center.u + q1 * q1 * acceleration_per_q(motion.follower, c);
+  center.from_cam = c;
   if (motion.cam.turns) {
-    centre.from_cam -= motion.cam.p_WO;
-    centre.a += centre.from_cam - 2 * perp(centre.w);
+    center.from_cam -= motion.cam.p_WO;
+    center.a += center.from_cam - 2 * perp(center.w);
   }
-  return centre;
+  return center;
 }
 
 // On a dwell w is against the motion of the cam's material. The normal then points to the pivot of a cam that
@@ -46,20 +46,20 @@ double side_of(const FlankOrigin& cam) {
   return perp(motion.cam.direction_W).dot(to_cam) < 0 ? -inner : inner;
 }
 
-Inclination inclination_of(const Centre& centre) {
-  const double speed = centre.u.norm();
-  return {centre.w.dot(centre.u) / speed, cross(centre.v, centre.u) / speed};
+Inclination inclination_of(const Center& center) {
+  const double speed = center.u.norm();
+  return {center.w.dot(center.u) / speed, cross(center.v, center.u) / speed};
 }
 
-double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre) {
-  const double speed2 = centre.w.squaredNorm();
-  return -side_of(cam) * perp(centre.w).dot(centre.a) / (speed2 * std::sqrt(speed2));
+double pitch_curvature_at(const FlankOrigin& cam, const Center& center) {
+  const double speed2 = center.w.squaredNorm();
+  return -side_of(cam) * perp(center.w).dot(center.a) / (speed2 * std::sqrt(speed2));
 }
 
 SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round) {
   const CamMotion& motion = cam.motion;
   const double rest = motion.follower_rest;
-  const Vector2d from_cam = centre_at(cam, round, {}, rest).from_cam;
+  const Vector2d from_cam = center_at(cam, round, {}, rest).from_cam;
   if (!motion.follower.turns) {
     const double height = from_cam.dot(motion.follower.direction_W);
     const double sense = height < 0 ? -motion.follower_sign : motion.follower_sign;
@@ -67,7 +67,7 @@ SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round) {
   }
   const Vector2d to_cam = motion.cam.p_WO - motion.follower.p_WO;
   const Vector2d arm = from_cam + to_cam;
-  const double angle = std::atan2(cross(to_cam, arm), to_cam.dot(arm));
+  const double angle = angle_from_to(to_cam, arm);
   return {rest - motion.follower_sign * angle, (angle < 0 ? -1 : 1) * motion.follower_sign, kPi, kPi / 64};
 }
 
@@ -99,9 +99,19 @@ SizeRange sizes_of_flat(const FlankOrigin& cam) {
   }
   const Vector2d n = pose_at(motion.follower, motion.follower_sign * rest).R_WB * cam.curve.axis_B;
   const Vector2d pivots = motion.follower.p_WO - motion.cam.p_WO;
-  const double angle = std::atan2(cross(pivots, n), pivots.dot(n));
+  const double angle = angle_from_to(pivots, n);
   const double sense = (angle > 0 ? -1 : 1) * motion.follower_sign;
   return {rest - sense * (kPi / 2 - std::abs(angle)), sense, kPi / 2, kPi / 128};
+}
+
+CamSize size_at(const FlankOrigin& cam, double rest, double at) {
+  if (is_line(cam.curve)) {
+    const double height = std::abs(face_at(cam, {}, rest).height);
+    return {rest, height, height, at};
+  }
+  const Round round = *round_of(cam);
+  const double radius = center_at(cam, round, {}, rest).from_cam.norm();
+  return {rest, radius, cam.outer ? radius + round.radius : radius - round.radius, at};
 }
 
 }  // namespace higherpair

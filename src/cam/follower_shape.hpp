@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/cam/flank.hpp"
+#include "higherpair/cam/sizing.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "worst_place.hpp"
 
@@ -21,20 +22,20 @@ struct SizeRange {
 
 /// A round follower: its centre and its radius, < 0 for a ring.
 struct Round {
-  Vector2d centre_B;
+  Vector2d center_B;
   double radius = 0;
 };
 [[nodiscard]] std::optional<Round> round_of(const FlankOrigin& cam);
 
 /// Motion of the centre of a round follower in ground, for a unit rate of the cam.
-struct Centre {
+struct Center {
   Vector2d from_cam;  ///< position relative to the cam's pivot (for a sliding cam: to the origin of ground)
   Vector2d u;         ///< velocity for a unit rate of the follower
   Vector2d v;         ///< velocity of the cam's material there
   Vector2d w;         ///< velocity relative to the cam
   Vector2d a;         ///< acceleration relative to the cam, in its frame
 };
-[[nodiscard]] Centre centre_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest);
+[[nodiscard]] Center center_at(const FlankOrigin& cam, const Round& round, const Lift& lift, double rest);
 
 /// Which of a follower's points shape the flank: with w the velocity of its centre of curvature there
 /// relative to the cam, for a unit rate of the cam, its outward normal is -side · perp(w)/|w|. The sign is
@@ -47,11 +48,11 @@ struct Inclination {
   double along = 0;
   double across = 0;
 };
-[[nodiscard]] Inclination inclination_of(const Centre& centre);
+[[nodiscard]] Inclination inclination_of(const Center& center);
 
 /// Curvature of the centre's path relative to the cam, > 0 where its centre of curvature is on the cam's
 /// side: κ = -n·a/|w|².
-[[nodiscard]] double pitch_curvature_at(const FlankOrigin& cam, const Centre& centre);
+[[nodiscard]] double pitch_curvature_at(const FlankOrigin& cam, const Center& center);
 
 /// y is the height above the cam's pivot along a guide, or the angle of the arm from the line of the pivots.
 [[nodiscard]] SizeRange sizes_of_round(const FlankOrigin& cam, const Round& round);
@@ -62,6 +63,15 @@ struct Face {
   double radius = 0;  ///< radius of curvature of the flank: height + d²height/dφ²
 };
 [[nodiscard]] Face face_at(const FlankOrigin& cam, const Lift& lift, double rest);
+
+/// The size of a turning cam under a round or flat follower at `rest`; `at` is copied into it.
+[[nodiscard]] CamSize size_at(const FlankOrigin& cam, double rest, double at);
+
+/// Whether the follower moves back towards the cam's pivot; `away`: the sign of a lift that leads away from
+/// it, `sense`: that in which the cam turns.
+[[nodiscard]] inline bool returns(const Lift& lift, double away, double sense) {
+  return away * lift.v * sense < 0;
+}
 
 /// y is the height of the face, or the angle by which it is turned outwards from the line of the pivots.
 [[nodiscard]] SizeRange sizes_of_flat(const FlankOrigin& cam);

@@ -1,5 +1,5 @@
 // Queries on a law as a whole: bounds, extremes, zeros, breaks.
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "law_data.hpp"
 #include "law_pieces.hpp"

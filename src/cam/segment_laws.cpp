@@ -3,9 +3,6 @@
 #include "law_pieces.hpp"
 
 #include <array>
-#include <cmath>
-#include <functional>
-#include <numeric>
 
 namespace higherpair {
 namespace {

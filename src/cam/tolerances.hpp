@@ -47,8 +47,13 @@ inline constexpr double kBesideJoin = 64 * std::numeric_limits<double>::epsilon(
 
 // Sizes and cutters.
 
+/// Most places that a search for the smallest size takes up one by one.
+inline constexpr int kMostSizeExchanges = 60;
 /// Trials of sizes: the largest cam is about 2⁷ times the first, the smallest follower 2⁻¹² times.
 inline constexpr int kMostSizeTrials = 12;
+/// Longest step of the search for the size at which a condition holds, relative to the first: beyond it none
+/// is expected.
+inline constexpr double kLargestSizeStep = 1e12;
 /// Distance beyond the limit of a size, relative to it, at which a flank certainly has no cusp.
 inline constexpr double kJustBeyondSize = 1e-6;
 /// Precision of a size that is found by trial, relative to it.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace higherpair {
 namespace {
@@ -29,7 +28,7 @@ std::optional<Kink> kink_between(const Boundary& boundary, int before, int after
   }
   const BoundaryPlace end = end_of(boundary, before, true), begin = end_of(boundary, after, false);
   const Vector2d n0 = boundary.at(end).n_B, n1 = boundary.at(begin).n_B;
-  const double turn = std::atan2(cross(n0, n1), n0.dot(n1));
+  const double turn = angle_from_to(n0, n1);
   if (boundary.is_corner(end) || boundary.is_corner(begin) ||
       !(turn > 4 * kEps && turn <= kSameJointDirection)) {
     return std::nullopt;
@@ -161,7 +160,7 @@ std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const Boundar
   std::optional<SpanEnd> best;
   for (const bool forward : {false, true}) {
     const auto end = end_ahead(boundary, place, forward);
-    if (end && !is_flat(boundary, end->behind) && (!best || end->way < best->way)) {
+    if (end && !is_flat(boundary, end->behind) && (!best || end->distance < best->distance)) {
       best = end;
     }
   }
@@ -177,14 +176,14 @@ bool leave_flats(PairSide& one, PairSide& two, double turn, double slip) {
   const double sense = forward ? 1 : -1;
   const auto end1 = end_ahead(one.boundary, one.place, forward);
   const auto end2 = end_ahead(two.boundary, two.place, !forward);
-  if (end1 && !(end2 && end2->way < end1->way)) {
+  if (end1 && !(end2 && end2->distance < end1->distance)) {
     one.place = end1->behind;
-    two.advance(slip - sense * end1->way, 0, one);
+    two.advance(slip - sense * end1->distance, 0, one);
     return true;
   }
   if (end2) {
     two.place = end2->behind;
-    one.advance(slip + sense * end2->way, 0, two);
+    one.advance(slip + sense * end2->distance, 0, two);
     return true;
   }
   return false;
@@ -319,7 +318,7 @@ std::optional<BoundaryPlace> place_with_normal(const Boundary& boundary, const B
   int came_from = -1;
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
-    const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
+    const double turn = angle_from_to(point.n_B, n_B);
     if (std::abs(turn) <= kAtNormal) {
       return place;
     }

@@ -1,7 +1,7 @@
 #include "boundary_cuts.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -17,13 +17,14 @@ int sign_of(double x) {
 }
 
 // A part of a step between changes of sign, in the direction of its curve.
-struct Bit {
+struct MonotonicPart {
   SheetStep step;
   double from = 0, to = 1;  // fractions of the step
   SheetPoint at_from, at_to;
-  int gap_q = 0, bend = 0;  // signs between the ends; bend 0: u does not change
+  // Signs between the ends; curvature_sum 0: u does not change.
+  int gap_q = 0, curvature_sum = 0;
 
-  [[nodiscard]] int sense() const { return gap_q * bend; }
+  [[nodiscard]] int sense() const { return gap_q * curvature_sum; }
 };
 
 class CurveCutter {
@@ -52,8 +53,8 @@ public:
   }
 
 private:
-  // Cuts a step into bits at the zeros of ∂gap/∂q and of κ1 + κ2.
-  void add_bits(const TangencySheet& sheet, const SheetStep& step, std::vector<Bit>& bits) {
+  // Cuts a step into parts at the zeros of ∂gap/∂q and of κ1 + κ2.
+  void add_parts(const TangencySheet& sheet, const SheetStep& step, std::vector<MonotonicPart>& parts) {
     const auto first = place_on(sheet, step, 0);
     const auto last = place_on(sheet, step, 1);
     if (!first || !last) {
@@ -64,7 +65,7 @@ private:
       return;
     }
     std::vector<double> shares{0};
-    for (double SheetPoint::*of : {&SheetPoint::gap_q, &SheetPoint::bend}) {
+    for (double SheetPoint::*of : {&SheetPoint::gap_q, &SheetPoint::curvature_sum}) {
       const auto value = [&](double share) {
         const auto place = place_on(sheet, step, share);
         return place ? place->at.*of : kNoValue;
@@ -86,37 +87,38 @@ private:
         cuts_.complete = false;
         continue;
       }
-      bits.push_back({step, shares[i], shares[i + 1], from->at, to->at, sign_of(middle->at.gap_q),
-                      sign_of(middle->at.bend)});
+      parts.push_back({step, shares[i], shares[i + 1], from->at, to->at, sign_of(middle->at.gap_q),
+                       sign_of(middle->at.curvature_sum)});
     }
   }
 
   void cut(const SheetCurve& curve, bool opposed) {
     const TangencySheet& sheet = trace_.sheet(opposed);
-    std::vector<Bit> bits;
+    std::vector<MonotonicPart> parts;
     for (const SheetStep& step : curve.steps) {
       if (is_stopped(range_)) {
         return;
       }
-      add_bits(sheet, step, bits);
+      add_parts(sheet, step, parts);
     }
-    // Where two faces or two corners meet, u does not change: such bits belong to no branch.
-    std::vector<Bit> moving;
-    std::copy_if(bits.begin(), bits.end(), std::back_inserter(moving),
-                 [](const Bit& bit) { return bit.sense() != 0; });
+    // Where two faces or two corners meet, u does not change: such parts belong to no branch.
+    std::vector<MonotonicPart> moving;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(moving),
+                 [](const MonotonicPart& part) { return part.sense() != 0; });
     if (moving.empty()) {
       return;
     }
-    if (std::all_of(moving.begin(), moving.end(), [&](const Bit& bit) {
-          return std::max(std::abs(bit.at_from.gap_q), std::abs(bit.at_to.gap_q)) <=
+    if (std::all_of(moving.begin(), moving.end(), [&](const MonotonicPart& part) {
+          return std::max(std::abs(part.at_from.gap_q), std::abs(part.at_to.gap_q)) <=
                  kSlowestOnBoundaries * unit2_;
         })) {
       cuts_.idle = true;
       return;
     }
     if (curve.closed) {
-      const auto turn = std::adjacent_find(moving.begin(), moving.end(),
-                                           [](const Bit& a, const Bit& b) { return a.sense() != b.sense(); });
+      const auto turn = std::adjacent_find(
+          moving.begin(), moving.end(),
+          [](const MonotonicPart& a, const MonotonicPart& b) { return a.sense() != b.sense(); });
       if (turn != moving.end()) {
         std::rotate(moving.begin(), turn + 1, moving.end());
       }
@@ -130,10 +132,10 @@ private:
   }
 
   // Makes angles continuous along the curve.
-  void unwrap(std::vector<Bit>& bits) const {
-    SheetPoint last = bits.front().at_from;
-    for (Bit& bit : bits) {
-      for (SheetPoint* at : {&bit.at_from, &bit.at_to}) {
+  void unwrap(std::vector<MonotonicPart>& parts) const {
+    SheetPoint last = parts.front().at_from;
+    for (MonotonicPart& part : parts) {
+      for (SheetPoint* at : {&part.at_from, &part.at_to}) {
         at->u = cyclic_ ? nearest_turn(at->u, last.u) : at->u;
         at->q = motions_.motion2.turns ? nearest_turn(at->q, last.q) : at->q;
         last = *at;
@@ -141,19 +143,19 @@ private:
     }
   }
 
-  // One draft for each run of bits of the same sense, in order.
-  [[nodiscard]] std::vector<BranchDraft> parts_of(const std::vector<Bit>& bits, bool opposed) {
+  // One draft for each run of parts of the same sense, in order.
+  [[nodiscard]] std::vector<BranchDraft> parts_of(const std::vector<MonotonicPart>& parts, bool opposed) {
     std::vector<BranchDraft> drafts;
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      const Bit& bit = bits[i];
-      if (i == 0 || bit.sense() != bits[i - 1].sense()) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const MonotonicPart& part = parts[i];
+      if (i == 0 || part.sense() != parts[i - 1].sense()) {
         drafts.emplace_back();
         drafts.back().branch.opposed = opposed;
         drafts.back().path.opposed = opposed;
       }
-      const bool rises = bit.at_to.u >= bit.at_from.u;
+      const bool rises = part.at_to.u >= part.at_from.u;
       drafts.back().path.legs.push_back(
-          {bit.step, bit.from, bit.to, bit.at_from.u, bit.at_to.u, bit.at_from.q, bit.at_to.q});
+          {part.step, part.from, part.to, part.at_from.u, part.at_to.u, part.at_from.q, part.at_to.q});
       if (!rises) {
         TraceLeg& leg = drafts.back().path.legs.back();
         std::swap(leg.share_a, leg.share_b);
@@ -165,21 +167,24 @@ private:
   }
 
   // Orders the legs of the drafts of a curve, and sets where and why they begin and end.
-  void set_ends(const SheetCurve& curve, const std::vector<Bit>& bits, std::vector<BranchDraft>& drafts) {
+  void set_ends(const SheetCurve& curve, const std::vector<MonotonicPart>& parts,
+                std::vector<BranchDraft>& drafts) {
     const std::size_t count = drafts.size();
+    const bool opposed = drafts.front().branch.opposed;
     const bool closed = curve.closed && count == 1;
     std::size_t first = 0;
-    const int event_at_begin = curve.closed && count > 1 ? add_event(bits.back(), bits.front(), drafts) : -1;
+    const int event_at_begin =
+        curve.closed && count > 1 ? add_event(parts.back(), parts.front(), opposed) : -1;
     int before = event_at_begin;
     for (std::size_t k = 0; k < count; ++k) {
       BranchDraft& draft = drafts[k];
       const std::size_t last = first + draft.path.legs.size() - 1;
       const bool at_last = k + 1 == count;
-      const int behind = !at_last ? add_event(bits[last], bits[last + 1], drafts) : event_at_begin;
-      MapEnd begin = end_of(before, bits[first].at_from, curve.ends_at_begin);
-      MapEnd end = end_of(behind, bits[last].at_to, curve.ends_at_end);
+      const int behind = !at_last ? add_event(parts[last], parts[last + 1], opposed) : event_at_begin;
+      MapEnd begin = end_of(before, parts[first].at_from, curve.ends_at_begin);
+      MapEnd end = end_of(behind, parts[last].at_to, curve.ends_at_end);
       if (closed) {
-        close(draft, bits);
+        close(draft, parts);
         begin.type = end.type = MapEndType::kClosed;
       }
       if (begin.u > end.u) {
@@ -208,18 +213,18 @@ private:
     return end;
   }
 
-  int add_event(const Bit& before, const Bit& behind, const std::vector<BranchDraft>& drafts) {
+  int add_event(const MonotonicPart& before, const MonotonicPart& behind, bool opposed) {
     MapEvent event;
     static_cast<TangentPosition&>(event.at) = before.at_to;
     event.at.type = before.gap_q != behind.gap_q ? CriticalType::kFold : CriticalType::kConforming;
-    event.at.opposed = drafts.front().branch.opposed;
+    event.at.opposed = opposed;
     cuts_.events.push_back(event);
     return static_cast<int>(cuts_.events.size()) - 1;
   }
 
-  void close(BranchDraft& draft, const std::vector<Bit>& bits) {
-    double turn_u = bits.back().at_to.u - bits.front().at_from.u;
-    double turn_q = bits.back().at_to.q - bits.front().at_from.q;
+  void close(BranchDraft& draft, const std::vector<MonotonicPart>& parts) {
+    double turn_u = parts.back().at_to.u - parts.front().at_from.u;
+    double turn_q = parts.back().at_to.q - parts.front().at_from.q;
     if (turn_u < 0) {
       turn_u = -turn_u;
       turn_q = -turn_q;

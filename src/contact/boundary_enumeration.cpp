@@ -48,7 +48,7 @@ public:
     const auto pieces2 = two_.pieces();
     result.has_bounds = pieces1 && pieces2;
     if (!result.has_bounds) {
-      result.contacts = find_boundary_contacts(pair_, u_, {-kInf, kInf});
+      result.contacts = find_boundary_contacts(pair_, u_);
       result.undecided = {pair_.motion2.turns ? Bounds{-kPi, kPi} : Bounds{-kInf, kInf}};
       return result;
     }

@@ -3,7 +3,7 @@
 #include "boundary_cuts.hpp"
 #include "boundary_trace.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "map_layout.hpp"
 
@@ -88,15 +88,13 @@ private:
         u -= u - range_.start > kTurn - kAtRangeStart ? kTurn : 0;
       }
       double& q = map_.events[i].at.q;
-      q = map_.pair.motion2.turns ? nearest_turn(q, 0) : q;
+      q = map_.pair.motion2.turns ? principal_angle(q) : q;
     }
     if (!cyclic_) {
-      order.erase(std::remove_if(order.begin(), order.end(),
-                                 [&](int i) {
-                                   const double u = map_.events[i].at.u;
-                                   return u <= low() || u >= high();
-                                 }),
-                  order.end());
+      std::erase_if(order, [&](int i) {
+        const double u = map_.events[i].at.u;
+        return u <= low() || u >= high();
+      });
     }
     std::sort(order.begin(), order.end(),
               [&](int a, int b) { return map_.events[a].at.u < map_.events[b].at.u; });
@@ -125,7 +123,7 @@ private:
       return (!cyclic_ && (branch.end.u <= low() || branch.begin.u >= high())) ||
              (branch.end.u == branch.begin.u && branch.begin.type != MapEndType::kClosed);
     };
-    drafts_.erase(std::remove_if(drafts_.begin(), drafts_.end(), is_outside), drafts_.end());
+    std::erase_if(drafts_, is_outside);
   }
 
   void finish(BranchDraft& draft) {

@@ -3,7 +3,6 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/polyline.hpp"
-#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +49,7 @@ double coordinate_of(const BoundaryPair& pair, const Pose<double>& X_W1, const B
   const SpanPoint one = pair.boundary1->at(place1);
   const SpanPoint two = pair.boundary2->at(place2);
   if (pair.motion2.turns) {
-    return nearest_turn(angle_of(-(X_W1.R_WB * one.n_B)) - angle_of(two.n_B), 0);
+    return principal_angle(angle_of(-(X_W1.R_WB * one.n_B)) - angle_of(two.n_B));
   }
   const Pose<double> at_zero = pose_at(pair.motion2, 0);
   return (X_W1 * one.p_B - at_zero * two.p_B).dot(pair.motion2.direction_W);
@@ -74,7 +73,7 @@ std::optional<BoundaryContact> contact_between(const BoundaryPair& pair, double 
     return std::nullopt;
   }
   if (pair.motion2.turns) {
-    solved.contact.q = nearest_turn(solved.contact.q, 0);
+    solved.contact.q = principal_angle(solved.contact.q);
   }
   return solved.contact;
 }
@@ -115,12 +114,11 @@ void sort_by_coordinate(std::vector<BoundaryContact>& contacts) {
             [](const BoundaryContact& a, const BoundaryContact& b) { return a.q < b.q; });
 }
 
-std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u, const Bounds& range) {
+std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u) {
   const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
   std::vector<BoundaryContact> contacts;
   for (const BoundaryContact& found : contacts_at_crossings(pair, u)) {
-    if (is_proper(found) && (pair.motion2.turns || range.contains(found.q)) &&
-        !is_known(contacts, found, pair.motion2.turns ? 1 : scale, scale)) {
+    if (is_proper(found) && !is_known(contacts, found, pair.motion2.turns ? 1 : scale, scale)) {
       contacts.push_back(found);
     }
   }

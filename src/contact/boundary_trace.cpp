@@ -1,7 +1,7 @@
 #include "boundary_trace.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) con
 bool BoundaryTrace::is_free(bool opposed, const SheetPoint& at) const {
   const BoundaryPair& pair = opposed_.pair();
   const double size = pair.boundary1->size() + pair.boundary2->size();
-  if (!opposed || at.bend < -kNotConcave / size) {
+  if (!opposed || at.curvature_sum < -kNotConcave / size) {
     return false;
   }
   return !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, at.u), *pair.boundary2,

@@ -1,7 +1,8 @@
 #include "higherpair/contact/common_normal.hpp"
 
 #include "contact_points.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -37,9 +38,8 @@ std::optional<CommonNormal> find_common_normal(const Curve& curve1, const Pose<d
 ContactRates contact_rates(const EquivalentLink& link, const CommonNormal& at, const BodyMotion& body1,
                            const BodyMotion& body2) {
   const Vector2d p_W = at.p_W();
-  const Vector2d v1 = body1.v_WB + body1.omega * perp(Vector2d(p_W - body1.X_WB.p_WB));
-  const Vector2d v2 = body2.v_WB + body2.omega * perp(Vector2d(p_W - body2.X_WB.p_WB));
-  return contact_rates(link, (v2 - v1).dot(perp(at.n_W)), body1.omega, body2.omega);
+  const Vector2d v_12 = velocity_at(body2, p_W) - velocity_at(body1, p_W);
+  return contact_rates(link, v_12.dot(perp(at.n_W)), body1.omega, body2.omega);
 }
 
 }  // namespace higherpair

@@ -2,7 +2,7 @@
 #include "higherpair/contact/critical_positions.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 
 #include <algorithm>
 #include <array>
@@ -233,8 +233,8 @@ private:
     const double unit1 = pair_.motion1.turns ? 1 : size_;
     CriticalPosition position;
     position.type = CriticalType::kConforming;
-    position.u = pair_.motion1.turns ? nearest_turn(fit.u, 0) : fit.u;
-    position.q = pair_.motion2.turns ? nearest_turn(fit.q, 0) : fit.q;
+    position.u = pair_.motion1.turns ? principal_angle(fit.u) : fit.u;
+    position.q = pair_.motion2.turns ? principal_angle(fit.q) : fit.q;
     position.n_W = pair_.curve1.side == Side::kInside ? fit.N_W : Vector2d(-fit.N_W);
     const PlacedCurve<double> first = place_on(pair_.curve1, pair_.motion1, position.u);
     position.p_W = support_point(first, position.n_W).p_W;

@@ -131,7 +131,7 @@ std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& prob
       return std::nullopt;
     }
     const Extended s = first.axis_W.dot(second.axis_W) < 0 ? -1 : 1;
-    for (const Complex<Extended>& root : roots_of(parallel_parabolas(problem, s))) {
+    for (const Complex<Extended>& root : roots_of(parallel_parabolas(problem, s), RootsAsked::kReal)) {
       if (const auto at = real_coordinate(root, false)) {
         for (const Tangency& tangency : parallel_tangency(problem, s, at->re)) {
           add(problem, tangency, found);
@@ -167,8 +167,7 @@ struct Finder {
     if (!problem.motion.turns) {
       return rounded.x() * problem.length;
     }
-    const double q = angle_of(rounded);
-    return q <= -kPi ? kPi : q;
+    return principal_angle(angle_of(rounded));
   }
 
   [[nodiscard]] bool on_branches(const Tangency& tangency) const {

@@ -2,7 +2,7 @@
 
 #include "boundary_map.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "map_branches.hpp"
 #include "map_network.hpp"
@@ -107,12 +107,12 @@ ContactMap map_contacts(const ContactPair& pair, const MapRange& range) {
   }
   MapNetwork network = build_network(pair, range);
   map.status = network.status;
-  map.complete = network.complete;
   if (map.status == MapStatus::kOk) {
     map.branches = branches_of(pair, range, network);
     map.events = std::move(network.events);
     add_free_changes(map);
   }
+  map.complete = network.complete;
   return finished(std::move(map));
 }
 

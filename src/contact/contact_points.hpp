@@ -3,8 +3,6 @@
 #include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/geometry/support.hpp"
 
-#include <cmath>
-
 namespace higherpair {
 
 /// Both curves in ground, placed at the positions of their bodies.

@@ -2,7 +2,8 @@
 
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "place_points.hpp"
 

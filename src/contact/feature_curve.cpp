@@ -4,7 +4,6 @@
 #include "higherpair/geometry/boundary_places.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {

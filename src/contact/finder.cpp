@@ -3,7 +3,8 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/geometry/tolerances.hpp"
+#include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "listed_contact.hpp"
 

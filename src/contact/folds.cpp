@@ -51,7 +51,7 @@ void add_feet(const Curve& curve, const Vector2d& pivot_B, std::vector<Foot>& fe
   const double size = curve.semi_latus + local.norm();
   const bool on_axis = std::abs(local.y()) <= kOnAxis * size;
   const Vector2d place(local.x(), on_axis ? 0 : local.y());
-  for (const Complex<Extended>& root : roots_of(foot_polynomial(curve, place))) {
+  for (const Complex<Extended>& root : roots_of(foot_polynomial(curve, place), RootsAsked::kReal)) {
     if (abs(root.im) > kSplitFoot * (1 + abs(root.re))) {
       continue;
     }
@@ -108,10 +108,6 @@ std::optional<Curve> stand_in(const OneFreedom& motion, const Vector2d& foot_B, 
   return round ? std::optional(*round) : std::nullopt;
 }
 
-double wrapped(double angle) {
-  return nearest_turn(angle, 0);
-}
-
 class FoldFinder {
 public:
   explicit FoldFinder(const ContactPair& pair) : pair_(pair) {
@@ -146,7 +142,8 @@ private:
       at.u = contact.q;
       at.p_W = contact.p_W;
       at.n_W = n_W;
-      coincident_ = contact.coincident;
+      // Where a round curve 1 coincides with its substitute, every q is a contact.
+      at.type = contact.coincident ? CriticalType::kCrossing : CriticalType::kFold;
       place_follower(foot, fixed_is_point, at);
     }
   }
@@ -159,13 +156,13 @@ private:
       return;
     }
     if (!at_pivot) {
-      at.q = wrapped(angle_of(at.p_W - follower.p_WO) - angle_of(foot.p_B - follower.p_BO));
+      at.q = principal_angle(angle_of(at.p_W - follower.p_WO) - angle_of(foot.p_B - follower.p_BO));
       add(foot, at);
       return;
     }
     // Curve 2 passes through its pivot, which is on curve 1: it may be tangent there in either direction.
     for (const double turn : {0.0, kPi}) {
-      at.q = wrapped(angle_of(at.n_W) - angle_of(foot.n_B) + turn);
+      at.q = principal_angle(angle_of(at.n_W) - angle_of(foot.n_B) + turn);
       add(foot, at);
     }
   }
@@ -179,15 +176,14 @@ private:
       at.opposed = at.n_W.dot(n2_W) < 0;
     }
     const Vector2d v1 = velocity_per_q(pair_.motion1, at.p_W);
-    // Where a round curve 1 coincides with its substitute, every q is a contact.
-    at.type = coincident_ || std::abs(v1.dot(at.n_W)) <= kGapQMayVanish * v1.norm() ? CriticalType::kCrossing
-                                                                                    : CriticalType::kFold;
+    if (std::abs(v1.dot(at.n_W)) <= kGapQMayVanish * v1.norm()) {
+      at.type = CriticalType::kCrossing;
+    }
     result_.found.push_back(at);
   }
 
   const ContactPair& pair_;
   double size_ = 0;
-  bool coincident_ = false;  // whether the current contact is of equal circles
   CriticalPositions result_;
 };
 

@@ -140,7 +140,7 @@ private:
       });
       reach(branch, middle, std::span(targets).subspan(index(next), index(stop) - index(next)), tracks);
       next = stop;
-      before = interval.crossing_high ? held_at(middle, high) : std::nullopt;
+      before = interval.crossing_high && !last ? held_at(middle, high) : std::nullopt;
     }
     add_extremes(branch, tracks);
     add_ends(branch, node(chain.front().node).track);
@@ -149,8 +149,15 @@ private:
     }
   }
 
-  static std::optional<ContactPosition> held_at(ContactTrack track, double u) {
-    return walk_to(track, u, false) ? std::optional(track.at) : std::nullopt;
+  // Follows a contact to u; where that fails, points of the map are missing.
+  [[nodiscard]] bool reaches(ContactTrack& track, double u) {
+    const bool reached = walk_to(track, u, false);
+    network_.complete = network_.complete && reached;
+    return reached;
+  }
+
+  std::optional<ContactPosition> held_at(ContactTrack track, double u) {
+    return reaches(track, u) ? std::optional(track.at) : std::nullopt;
   }
 
   static void add_point(MapBranch& branch, MapPoint point, const SampleTarget& target) {
@@ -160,14 +167,14 @@ private:
 
   // The targets of one interval, from its middle downwards and upwards.
   void reach(MapBranch& branch, const ContactTrack& middle, std::span<const SampleTarget> targets,
-             std::vector<ContactTrack>& tracks) const {
+             std::vector<ContactTrack>& tracks) {
     const auto split = std::partition_point(targets.begin(), targets.end(),
                                             [&](const SampleTarget& t) { return t.u < middle.at.u; });
     std::vector<std::pair<ContactTrack, SampleTarget>> found;
     ContactTrack track = middle;
     for (auto target = split; target != targets.begin();) {
       --target;
-      if (is_stopped(range_) || !walk_to(track, target->u, false)) {
+      if (is_stopped(range_) || !reaches(track, target->u)) {
         break;
       }
       found.emplace_back(track, *target);
@@ -175,7 +182,7 @@ private:
     std::reverse(found.begin(), found.end());
     track = middle;
     for (auto target = split; target != targets.end(); ++target) {
-      if (is_stopped(range_) || !walk_to(track, target->u, false)) {
+      if (is_stopped(range_) || !reaches(track, target->u)) {
         break;
       }
       found.emplace_back(track, *target);
@@ -205,14 +212,16 @@ private:
     return point_of(pair_, range_, branch.opposed, placed ? at : a);
   }
 
-  void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) const {
+  void add_extremes(MapBranch& branch, const std::vector<ContactTrack>& tracks) {
     for (std::size_t i = 0; i + 1 < tracks.size(); ++i) {
       const double fastest = std::max(std::abs(tracks[i].at.dq), std::abs(tracks[i + 1].at.dq));
       const double unit = unit_of(pair_.motion2, tracks[i]) / unit_of(pair_.motion1, tracks[i]);
       // Rates of a follower at rest are rounding.
-      if (tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kSlowestMotion * unit) {
-        const bool smooth = tracks[i].branch == tracks[i + 1].branch;
-        if (const auto at = smooth ? stroke_end(tracks[i], tracks[i + 1].at.u) : std::nullopt) {
+      const bool turns_back = tracks[i].at.dq * tracks[i + 1].at.dq < 0 && fastest > kSlowestMotion * unit;
+      if (turns_back && tracks[i].branch == tracks[i + 1].branch) {
+        const auto at = stroke_end(tracks[i], tracks[i + 1].at.u);
+        network_.complete = network_.complete && at;
+        if (at) {
           branch.extremes.push_back(point_of(pair_, range_, branch.opposed, *at));
         }
       }

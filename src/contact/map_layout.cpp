@@ -56,7 +56,7 @@ double choose_turn(MapBranch& branch, double start) {
   const auto nearest = std::min_element(
       branch.points.begin(), branch.points.end(),
       [&](const MapPoint& a, const MapPoint& b) { return std::abs(a.u - start) < std::abs(b.u - start); });
-  const double turn = nearest_turn(nearest->q, 0) - nearest->q;
+  const double turn = principal_angle(nearest->q) - nearest->q;
   branch.begin.q += turn;
   branch.end.q += turn;
   for (auto* points : {&branch.points, &branch.extremes}) {

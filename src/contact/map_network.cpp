@@ -181,14 +181,15 @@ private:
         const CriticalPosition& event = network_.events[index].at;
         const double distance =
             difference_of_q(pair_, network_.size, track.at.q, event.q) + (track.at.n_W - event.n_W).norm();
-        if (event.opposed != node.opposed || distance >= second) {
+        if (event.opposed != node.opposed) {
           continue;
         }
-        second = std::min(best, distance);
         if (distance < best) {
           second = best;
           best = distance;
           nearest = index;
+        } else {
+          second = std::min(second, distance);
         }
       }
       if (best < kAtEnd && 4 * best < second) {

@@ -4,7 +4,6 @@
 #include "higherpair/contact/tolerances.hpp"
 #include "inner_step.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace higherpair {

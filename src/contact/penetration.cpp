@@ -167,20 +167,17 @@ void for_deepest(const std::vector<PointDepth>& depths, const F& f) {
 using PointsOfBoth = std::array<Features, 2>;
 
 // \param depths1, depths2  of the points of each body in the other
-Penetration find_penetration(const PlacedBoundary& one, const PlacedBoundary& two,
-                             const std::vector<PointDepth>& depths1, const std::vector<PointDepth>& depths2,
-                             double tolerance) {
-  Penetration worst;
-  worst.depth = tolerance;
+double find_penetration(const PlacedBoundary& one, const PlacedBoundary& two,
+                        const std::vector<PointDepth>& depths1, const std::vector<PointDepth>& depths2,
+                        double tolerance) {
+  double worst = tolerance;
   const auto look = [&](double found, const BoundaryPlace& place1, const BoundaryPlace& place2) {
-    Penetration here{found, place1, place2};
+    worst = std::max(worst, found);
     const auto normal = find_boundary_normal(one.boundary, one.X_WB, two.boundary, two.X_WB, place1, place2);
-    if (normal && -normal->at.gap() > here.depth) {
+    if (normal && -normal->at.gap() > found) {
       // Behind one face of a thin body a point may be out of the body again.
-      const double depth = std::min(-normal->at.gap(), depth_in(one, normal->at.p2_W).depth);
-      here = depth > here.depth ? Penetration{depth, normal->place1, normal->place2} : here;
+      worst = std::max(worst, std::min(-normal->at.gap(), depth_in(one, normal->at.p2_W).depth));
     }
-    worst = here.depth > worst.depth ? here : worst;
   };
   for_deepest(depths1, [&](const PointDepth& found) {
     look(found.depth.depth, found.point.place, found.depth.place);
@@ -188,8 +185,7 @@ Penetration find_penetration(const PlacedBoundary& one, const PlacedBoundary& tw
   for_deepest(depths2, [&](const PointDepth& found) {
     look(found.depth.depth, found.depth.place, found.point.place);
   });
-  worst.depth = worst.depth > tolerance ? worst.depth : 0;
-  return worst;
+  return worst > tolerance ? worst : 0;
 }
 
 // Points beside the cuts where the outlines of two bodies cross, all of them or at most so many.
@@ -214,8 +210,8 @@ bool is_any_deep(const PlacedBoundary& one, const PlacedBoundary& two, const Poi
 
 }  // namespace
 
-Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
-                                const Boundary& boundary2, const Pose<double>& X_W2, double tolerance) {
+double deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1, const Boundary& boundary2,
+                           const Pose<double>& X_W2, double tolerance) {
   const PlacedBoundary one{boundary1, X_W1};
   const PlacedBoundary two{boundary2, X_W2};
   const PointsOfBoth points = points_beside_cuts(one, two);
@@ -241,7 +237,7 @@ bool bodies_overlap(const Boundary& boundary1, const Pose<double>& X_W1, const B
     return true;
   }
   const auto depths2 = depths_of(two, points[1], one, tolerance);
-  return is_any_deep(depths2, tolerance) || find_penetration(one, two, depths1, depths2, tolerance).depth > 0;
+  return is_any_deep(depths2, tolerance) || find_penetration(one, two, depths1, depths2, tolerance) > 0;
 }
 
 }  // namespace higherpair

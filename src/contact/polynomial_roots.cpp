@@ -133,8 +133,7 @@ Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& 
 // (Gershgorin), so a root is elsewhere if no chain of discs connects it with one that reaches there.
 std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex<Extended>>& x,
                                   RootsAsked asked) {
-  std::vector<bool> elsewhere(x.size(), asked != RootsAsked::kAll);
-  if (asked == RootsAsked::kAll) return elsewhere;
+  std::vector<bool> elsewhere(x.size());
   std::vector<Rough> radii;
   for (std::size_t i = 0; i < x.size(); ++i) radii.push_back(radius_of_disc(c, x, i));
   for (std::size_t i = 0; i < x.size(); ++i) {

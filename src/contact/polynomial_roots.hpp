@@ -10,7 +10,7 @@ namespace higherpair {
 using Polynomial = std::vector<Complex<Extended>>;
 
 /// Which roots are wanted: others, farther than 1e-3 from those, are found only roughly.
-enum class RootsAsked { kAll, kOfUnitSize, kReal };
+enum class RootsAsked { kOfUnitSize, kReal };
 
 /// All complex roots except those at infinity, each as often as its multiplicity, by the method of Ehrlich
 /// and Aberth from starting values on the radii of the Newton polygon (D. A. Bini, Numerical computation of
@@ -18,8 +18,7 @@ enum class RootsAsked { kAll, kOfUnitSize, kReal };
 /// nearly the full precision, double ones to more than 20 digits. Coefficients at either end that are below
 /// 1e-80 of the largest count as 0; at the lower end they give roots at 0. Empty for a constant and for the
 /// zero polynomial.
-[[nodiscard]] std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients,
-                                                      RootsAsked asked = RootsAsked::kAll);
+[[nodiscard]] std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsked asked);
 
 /// Divides a polynomial by (x - root), |root| = 1, as long as that is a root to 70 digits, but at most twice.
 void divide_out(Polynomial& coefficients, const Complex<Extended>& root);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -73,10 +72,15 @@ ArcPiece make_piece(const GapProblem& problem, const NormalArc& arc) {
   return piece;
 }
 
-// A few Newton steps uphill; returns the best value and its angle.
-std::pair<double, double> climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
-  double best_phi = phi;
-  double best = value.f;
+// A value of the problem, at the normal with this angle.
+struct Height {
+  double phi = 0;
+  double f = 0;
+};
+
+// A few Newton steps uphill; returns the best value.
+Height climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
+  Height best{phi, value.f};
   for (int i = 0; i < 6; ++i) {
     const double second = -problem.sign * value.rho_sum - value.f;
     if (!(second < 0)) {
@@ -87,23 +91,21 @@ std::pair<double, double> climb(const GapProblem& problem, const NormalArc& with
       break;
     }
     value = value_at(problem, unit_vector(phi));
-    if (!(value.f > best)) {
+    if (!(value.f > best.f)) {
       break;
     }
-    best = value.f;
-    best_phi = phi;
+    best = {phi, value.f};
   }
-  return {best, best_phi};
+  return best;
 }
 
 Separation maximum(const GapProblem& problem, const NormalArc& domain, double tolerance) {
   std::vector<ArcPiece> heap;
-  double best = -kInf;
-  double best_phi = domain.middle;
+  Height best{domain.middle, -kInf};
   const auto add = [&](const NormalArc& arc) {
     const ArcPiece piece = make_piece(problem, arc);
-    if (piece.value.f > best) {
-      std::tie(best, best_phi) = climb(problem, domain, arc.middle, piece.value);
+    if (piece.value.f > best.f) {
+      best = climb(problem, domain, arc.middle, piece.value);
     }
     heap.push_back(piece);
     std::push_heap(heap.begin(), heap.end());
@@ -112,7 +114,7 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
   for (int i = 0; i < kStart; ++i) {
     add({domain.middle + domain.half * ((2 * i + 1.0) / kStart - 1), domain.half / kStart});
   }
-  for (int arcs = 0; !heap.empty() && heap.front().bound > best + tolerance && arcs < kMaxArcs; ++arcs) {
+  for (int arcs = 0; !heap.empty() && heap.front().bound > best.f + tolerance && arcs < kMaxArcs; ++arcs) {
     std::pop_heap(heap.begin(), heap.end());
     const NormalArc arc = heap.back().arc;
     heap.pop_back();
@@ -122,7 +124,7 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
     add({arc.middle - arc.half / 2, arc.half / 2});
     add({arc.middle + arc.half / 2, arc.half / 2});
   }
-  return {problem.sign * best, unit_vector(best_phi)};
+  return {problem.sign * best.f, unit_vector(best.phi)};
 }
 
 // Discs and points: along the line of centres.
@@ -178,17 +180,19 @@ Separation from_face(const PlacedCurve<double>& face, const PlacedCurve<double>&
   return {(support_point(other, inward).p_W - face.vertex_W).dot(n_face), n_W};
 }
 
-std::optional<NormalArc> intersection(const std::optional<NormalArc>& a, const std::optional<NormalArc>& b,
-                                      bool& empty) {
-  empty = false;
+struct CommonNormals {
+  std::optional<NormalArc> arc;  // none: all normals
+  bool empty = false;
+};
+
+CommonNormals intersection(const std::optional<NormalArc>& a, const std::optional<NormalArc>& b) {
   if (!a || !b) {
-    return a ? a : b;
+    return {a ? a : b, false};
   }
   const double shift = nearest_turn(b->middle, a->middle) - a->middle;
   const double low = std::max(-a->half, shift - b->half);
   const double high = std::min(a->half, shift + b->half);
-  empty = !(low < high);
-  return NormalArc{a->middle + (low + high) / 2, (high - low) / 2};
+  return {NormalArc{a->middle + (low + high) / 2, (high - low) / 2}, !(low < high)};
 }
 
 }  // namespace
@@ -229,8 +233,7 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
   }
   const bool ring1 = curve1.side == Side::kOutside;
   const bool ring2 = curve2.side == Side::kOutside;
-  bool empty = false;
-  std::optional<NormalArc> domain = intersection(normals1, normals2, empty);
+  const auto [domain, empty] = intersection(normals1, normals2);
   if (ring1 || ring2) {
     // Every normal of the ring limits the body inside; where that one has no point with such a normal, it
     // crosses the ring.

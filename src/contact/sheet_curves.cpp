@@ -1,7 +1,6 @@
 #include "sheet_curves.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "sheet_grid.hpp"
 
@@ -182,11 +181,12 @@ private:
   void halve(const Rect& cell, const std::vector<Zero>& zeros, double split1, double split2, int depth) {
     const double m1 = cell.t1.low + split1 * cell.t1.width();
     const double m2 = cell.t2.low + split2 * cell.t2.width();
+    std::array<std::array<std::vector<Zero>, 2>, 2> quarters;
+    std::array<std::array<Rect, 2>, 2> rects;
     for (const bool high1 : {false, true}) {
       for (const bool high2 : {false, true}) {
         const Bounds t1 = high1 ? Bounds{m1, cell.t1.high} : Bounds{cell.t1.low, m1};
         const Bounds t2 = high2 ? Bounds{m2, cell.t2.high} : Bounds{cell.t2.low, m2};
-        quarters_[high1][high2].clear();
         for (const Zero& zero : zeros) {
           const bool within1 = zero.rim == Rim::kLow1    ? !high1
                                : zero.rim == Rim::kHigh1 ? high1
@@ -195,10 +195,10 @@ private:
                                : zero.rim == Rim::kHigh2 ? high2
                                                          : (zero.t2 >= m2) == high2;
           if (within1 && within2) {
-            quarters_[high1][high2].push_back(zero);
+            quarters[high1][high2].push_back(zero);
           }
         }
-        rects_[high1][high2] = {t1, t2};
+        rects[high1][high2] = {t1, t2};
       }
     }
     const auto add = [&](bool along1, const Bounds& t, std::vector<Zero>& low, std::vector<Zero>& high) {
@@ -212,12 +212,10 @@ private:
         high.push_back({id, t1, t2, along1 ? Rim::kLow2 : Rim::kLow1});
       }
     };
-    add(true, {cell.t1.low, m1}, quarters_[0][0], quarters_[0][1]);
-    add(true, {m1, cell.t1.high}, quarters_[1][0], quarters_[1][1]);
-    add(false, {cell.t2.low, m2}, quarters_[0][0], quarters_[1][0]);
-    add(false, {m2, cell.t2.high}, quarters_[0][1], quarters_[1][1]);
-    const auto quarters = quarters_;
-    const auto rects = rects_;
+    add(true, {cell.t1.low, m1}, quarters[0][0], quarters[0][1]);
+    add(true, {m1, cell.t1.high}, quarters[1][0], quarters[1][1]);
+    add(false, {cell.t2.low, m2}, quarters[0][0], quarters[1][0]);
+    add(false, {m2, cell.t2.high}, quarters[0][1], quarters[1][1]);
     for (const bool high1 : {false, true}) {
       for (const bool high2 : {false, true}) {
         connect(rects[high1][high2], quarters[high1][high2], depth + 1);
@@ -278,8 +276,6 @@ private:
   SheetGrid grid_;
   int span1_ = 0, span2_ = 0;  // of the current cell
   Vector2d width_;             // of the current cell
-  std::array<std::array<std::vector<Zero>, 2>, 2> quarters_;
-  std::array<std::array<Rect, 2>, 2> rects_;
   std::vector<Link> links_;
   SheetCurves found_;
 };

@@ -1,7 +1,7 @@
 #include "sheet_grid.hpp"
 
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "stroke_end.hpp"
 
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <cmath>

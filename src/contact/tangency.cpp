@@ -52,7 +52,7 @@ void refine(const TangencyProblem& problem, Tangency& tangency) {
     }
     J[2] = {Extended(0), -dot(G2, v), cross(G1, dG2_dq)};
     const Column r{value_at(first, w), value_at(second, w), cross(G1, G2)};
-    const Extended det = determinant({J[0], J[1], J[2]});
+    const Extended det = determinant(J);
     if (det == 0) {
       return;
     }

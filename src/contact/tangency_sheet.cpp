@@ -283,9 +283,9 @@ SheetPoint TangencySheet::point(const SheetPlace& one, const SheetPlace& two) co
   at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p_W));
   at.gap_u = at.n_W.dot(velocity_per_q(motion1, at.p_W));
   if (one.corner || two.corner) {
-    at.bend = one.corner && two.corner ? 0 : 1;
+    at.curvature_sum = one.corner && two.corner ? 0 : 1;
   } else {
-    at.bend = one.turn / one.along + two.turn / two.along;
+    at.curvature_sum = one.turn / one.along + two.turn / two.along;
   }
   return at;
 }

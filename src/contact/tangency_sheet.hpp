@@ -31,9 +31,9 @@ struct SheetRange {
 
 /// A tangency of the pair; vectors in ground W.
 struct SheetPoint : TangentPosition {
-  double gap_q = 0;  ///< n·(velocity of body 2 per q): 0 at a fold
-  double gap_u = 0;  ///< n·(velocity of body 1 per u): 0 where the follower turns back
-  double bend = 0;   ///< κ1 + κ2 [1/m], +1 with a corner on one side, 0 with corners on both
+  double gap_q = 0;          ///< n·(velocity of body 2 per q): 0 at a fold
+  double gap_u = 0;          ///< n·(velocity of body 1 per u): 0 where the follower turns back
+  double curvature_sum = 0;  ///< κ1 + κ2 [1/m], +1 with a corner on one side, 0 with corners on both
 };
 
 /// All tangencies of two moving boundaries, as the zeros of one function of the two places.

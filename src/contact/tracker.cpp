@@ -1,6 +1,5 @@
 #include "higherpair/contact/tracker.hpp"
 
-#include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/contact/step_length.hpp"
 #include "higherpair/contact/tolerances.hpp"
@@ -32,7 +31,6 @@ ContactTrack start_track(const ContactPair& pair, const ContactPosition& at, int
                                                                     : radius1 * radius2 / (radius1 + radius2);
   track.size = (p - pair.motion1.p_WO).norm() + (p - pair.motion2.p_WO).norm() + radii +
                std::numeric_limits<double>::min();
-  track.least_gap_q_scale2 = least_gap_q_scale2(pair, at);
   return track;
 }
 

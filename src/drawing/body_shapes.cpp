@@ -1,4 +1,5 @@
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "link_shapes.hpp"
 #include "outline.hpp"
@@ -7,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace higherpair {
 namespace {
 
 // Sizes in units.
 constexpr double kWedgeSlope = 0.35;
+constexpr double kFaceReach = 30;  // where faces without an end are cut off
 
 // A line that encloses a pin from both sides is the centre line of a slot.
 void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
@@ -45,6 +48,12 @@ void add_curve(Sketch& sketch, int body, std::size_t index) {
   const double unit = sketch.unit;
   const std::string& name = sketch.mechanism.bodies[body].name;
   if (curve.kind == CurveKind::kSupport) {
+    for (const Boundary& chain : support_chains(*curve.support, kFaceReach * unit)) {
+      NamedCurve part = named;
+      part.curve.kind = CurveKind::kChain;
+      part.boundary = std::make_shared<const Boundary>(chain);
+      add_chain(sketch, body, part);
+    }
     return;
   }
   if (curve.kind == CurveKind::kChain) {

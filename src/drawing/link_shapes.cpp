@@ -126,7 +126,7 @@ std::vector<Vector2d> outline_of(const Boundary& boundary) {
     if (span.is_corner()) continue;
     const Vector2d& a = samples[i].point.n_B;
     const Vector2d& b = samples[i + 1].point.n_B;
-    const double turn = std::abs(std::atan2(cross(a, b), a.dot(b)));
+    const double turn = std::abs(angle_from_to(a, b));
     const int parts = static_cast<int>(std::ceil(turn / kTurnOfLine));
     for (int k = 1; k < parts; ++k) {
       const double share = static_cast<double>(k) / parts;

@@ -101,7 +101,7 @@ std::vector<double> rounded_hull(std::vector<Vector2d> points, double radius) {
     const Vector2d in = hull[i] - hull[(i + n - 1) % n];
     const Vector2d out = hull[(i + 1) % n] - hull[i];
     const double from = angle_of(in) - kPi / 2;
-    const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double turn = angle_from_to(in, out);
     append_arc(path, hull[i], radius, from, from + (turn <= 0 ? kPi : turn));
   }
   return path;

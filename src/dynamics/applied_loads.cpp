@@ -5,13 +5,9 @@
 namespace higherpair {
 namespace {
 
-const BodyMotion& at(const std::vector<BodyMotion>& bodies, int index) {
-  return bodies[index];
-}
-
 void add_force(const std::vector<BodyMotion>& bodies, int body, const Vector2d& force_W, const Vector2d& p_W,
                std::vector<Wrench>& wrenches) {
-  wrenches[body] += wrench_of(at(bodies, body), force_W, p_W);
+  wrenches[body] += wrench_of(bodies[body], force_W, p_W);
 }
 
 void add_torque(int body, double torque, std::vector<Wrench>& wrenches) {
@@ -29,8 +25,8 @@ struct PointDistance {
 
 PointDistance distance_between(const Mechanism& mechanism, const Spring& spring,
                                const std::vector<BodyMotion>& bodies) {
-  const PointMotion first = point_motion(at(bodies, spring.first.body), point_of(mechanism, spring.first));
-  const PointMotion second = point_motion(at(bodies, spring.second.body), point_of(mechanism, spring.second));
+  const PointMotion first = point_motion(bodies[spring.first.body], point_of(mechanism, spring.first));
+  const PointMotion second = point_motion(bodies[spring.second.body], point_of(mechanism, spring.second));
   const Vector2d r = second.p_W - first.p_W;
   const double length = r.norm();
   const Vector2d u = length > 0 ? Vector2d(r / length) : Vector2d(Vector2d::Zero());
@@ -48,7 +44,7 @@ void add_applied(const Mechanism& mechanism, const std::vector<BodyMotion>& bodi
     }
   }
   for (const Load& load : mechanism.loads) {
-    const BodyMotion& body = at(bodies, load.body);
+    const BodyMotion& body = bodies[load.body];
     const Vector2d force_W = load.frame == LoadFrame::kBody ? body.X_WB.R_WB * load.force : load.force;
     add_force(bodies, load.body, force_W, body.X_WB * load.p_B, wrenches);
     add_torque(load.body, load.torque, wrenches);
@@ -99,8 +95,8 @@ void add_joint_effort(const Mechanism& mechanism, const Joint& joint, double eff
     add_torque(joint.second.body, effort, wrenches);
     return;
   }
-  const Vector2d force_W = effort * (at(bodies, joint.first.body).X_WB.R_WB * joint.direction_A);
-  const Vector2d p_W = at(bodies, joint.second.body).X_WB * point_of(mechanism, joint.second);
+  const Vector2d force_W = effort * (bodies[joint.first.body].X_WB.R_WB * joint.direction_A);
+  const Vector2d p_W = bodies[joint.second.body].X_WB * point_of(mechanism, joint.second);
   add_force(bodies, joint.first.body, -force_W, p_W, wrenches);
   add_force(bodies, joint.second.body, force_W, p_W, wrenches);
 }

@@ -2,8 +2,8 @@
 
 #include "force_fit.hpp"
 #include "force_watch.hpp"
-#include "higherpair/geometry/roots.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
@@ -42,12 +42,7 @@ private:
   // Number of pieces to start with; 0 if nothing changes on the whole path.
   [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
                                      const std::vector<DriverMotion>& to) const {
-    double parts = 0;
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      const bool turns = driven_joint(run().mechanism(), i).type == JointType::kRevolute;
-      const double longest = turns ? kLongestPieceTurn : kLongestPieceSlide * run().plan().size;
-      parts = std::max(parts, std::abs(to[i].position - from[i].position) / longest);
-    }
+    const double parts = largest_move(run(), from, to, kLongestPieceTurn, kLongestPieceSlide);
     return from != to || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
   }
 
@@ -93,9 +88,8 @@ private:
       return;
     }
     fitter_.go_back(before);
-    const double inf = kInf;
     const double split = fit.event.value_or((stretch.from + stretch.to) / 2);
-    const double tail = fit.event ? inf : fit.tail;
+    const double tail = fit.event ? kInf : fit.tail;
     resolve({stretch.from, split, fit.event.has_value(), tail});
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
@@ -184,6 +178,29 @@ double DriverPath::place_of(double share, double from, double to) const {
     return guess;
   }
   return from + root_between(ahead, before, to - from, after).value_or(guess - from);
+}
+
+double largest_move(const Run& run, const std::vector<DriverMotion>& from,
+                    const std::vector<DriverMotion>& to, double turn, double slide) {
+  double most = 0;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const bool turns = driven_joint(run.mechanism(), i).type == JointType::kRevolute;
+    const double unit = turns ? turn : slide * run.plan().size;
+    most = std::max(most, std::abs(to[i].position - from[i].position) / unit);
+  }
+  return most;
+}
+
+ForceSeries weighted_force(const ForcePiece& piece, std::size_t contact, std::span<const double> weights) {
+  const std::size_t count = piece.columns.size() / piece.known.size();
+  ForceSeries sum{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const ForceSeries& column = piece.columns[contact * count + i];
+    for (std::size_t k = 0; k < kNodes; ++k) {
+      sum[k] += weights[i] * column[k];
+    }
+  }
+  return sum;
 }
 
 ContactForces follow_contact_forces(const Run& start, const DriverPath& path, std::vector<Preload> preloads) {

@@ -1,7 +1,6 @@
 #include "force_columns.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace higherpair {
@@ -21,7 +20,7 @@ bool ForceColumns::solve(const Run& run) {
   if (row.status == RowStatus::kNotAssemblable || !row.all_rates) {
     return false;
   }
-  statics_.stand(run);
+  statics_.set_row(run);
   // Only closed contacts can open, and not those with a wall on either side.
   for (std::size_t i = 0; i < known_.size(); ++i) {
     known_[i] = row.contacts[i].touches && !mechanism.contacts[i].both_sides;
@@ -64,10 +63,7 @@ bool ForceColumns::take(std::size_t column) {
   if (!statics_.balance(wrenches_)) {
     return false;
   }
-  largest_[column] = 0;
-  for (std::size_t i = 0; i < statics_.row_count(); ++i) {
-    largest_[column] = std::max(largest_[column], std::abs(statics_.multiplier(i)));
-  }
+  largest_[column] = statics_.largest_multiplier();
   for (std::size_t contact = 0; contact < known_.size(); ++contact) {
     const std::size_t row = statics_.contact_row(contact);
     known_[contact] = known_[contact] && statics_.is_determined(row);

@@ -1,29 +1,18 @@
 #include "force_watch.hpp"
 
+#include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace higherpair {
 namespace {
 
-// Sum of the parts of a contact's force.
-ForceSeries total(const ForcePiece& piece, std::size_t contact) {
-  const std::size_t count = piece.columns.size() / piece.known.size();
-  ForceSeries sum{};
-  for (std::size_t part = 0; part < ForcePiece::kParts; ++part) {
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      sum[k] += piece.columns[contact * count + part][k];
-    }
-  }
-  return sum;
-}
+constexpr std::array<double, ForcePiece::kParts> kAllParts = {1, 1, 1};
 
 ForceSeries negative(ForceSeries p) {
   for (double& c : p) {
@@ -43,11 +32,8 @@ double zero_before(const ForceSeries& p, double from, double below) {
   if (!(at_low > 0) || !(at_below < 0)) {
     return low;
   }
-  std::uintmax_t calls = 100;
-  const auto [a, b] =
-      boost::math::tools::toms748_solve([&](double t) { return value_at(p, t); }, low, below, at_low,
-                                        at_below, boost::math::tools::eps_tolerance<double>(52), calls);
-  return (a + b) / 2;
+  return low + root_between([&](double t) { return value_at(p, low + t); }, at_low, below - low, at_below)
+                   .value_or(0);
 }
 
 }  // namespace
@@ -56,11 +42,11 @@ void ForceWatch::pass(const ForceFitter::Position& before, const ForcePiece& pie
                       std::optional<double> behind) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (piece.known[i]) {
-      const ForceSeries force = total(piece, i);
+      const ForceSeries force = weighted_force(piece, i, kAllParts);
       find_openings(before, piece, i, force, behind);
       find_lowest(piece, i, force);
       contacts_[i].end = value_at(force, 1);
-      contacts_[i].least = std::min(contacts_[i].least, std::abs(force[0]) + spread(force));
+      contacts_[i].least = std::min(contacts_[i].least, bound_of(force));
     } else {
       contacts_[i].state = State::kUnknown;
     }
@@ -80,7 +66,7 @@ void ForceWatch::find_openings(const ForceFitter::Position& before, const ForceP
   const double level = -piece.noise;
   const double begin = value_at(force, -1);
   if (contact.state != State::kOpen && begin < level) {
-    const bool jumps = contact.end > kJumpOfForce * (std::abs(force[0]) + spread(force)) + piece.noise;
+    const bool jumps = contact.end > kJumpOfForce * bound_of(force) + piece.noise;
     const bool grown = behind && contact.end > kGrownForce * contact.least;
     add_opening(i, behind.value_or(piece.from),
                 contact.state == State::kUnknown ? Kind::kPulled
@@ -143,7 +129,7 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
     return;
   }
   LowestValue best{-1, kInf};
-  find_lower(force, kLowestForce * (std::abs(force[0]) + spread(force)), best);
+  find_lower(force, kLowestForce * bound_of(force), best);
   if (!lowest || best.value < lowest->force - piece.noise) {
     const double t = settled_minimum(force, best.t);
     const double at = parameter(piece, t);

@@ -6,7 +6,6 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 namespace {
@@ -36,11 +35,11 @@ const Reactions& InverseDynamics::solve(const Run& run) {
     add_applied(run.mechanism(), row.bodies, wrenches_);
     add_inertia(run.mechanism(), row.bodies, wrenches_);
     left_ = wrenches_;
-    statics_.stand(run);
+    statics_.set_row(run);
     reactions_.defined = statics_.balance(left_);
     if (reactions_.defined && statics_.choose_flanks(run.mechanism())) {
       left_ = wrenches_;
-      statics_.stand(run);
+      statics_.set_row(run);
       reactions_.defined = statics_.balance(left_);
     }
   }
@@ -82,10 +81,7 @@ void InverseDynamics::read_joints(const Run& run) {
 }
 
 void InverseDynamics::read_contacts(const Run& run) {
-  double largest = 0;
-  for (std::size_t i = 0; i < statics_.row_count(); ++i) {
-    largest = std::max(largest, std::abs(statics_.multiplier(i)));
-  }
+  const double largest = statics_.largest_multiplier();
   for (std::size_t i = 0; i < reactions_.contacts.size(); ++i) {
     const std::size_t first = statics_.contact_row(i);
     ContactReaction& reaction = reactions_.contacts[i];

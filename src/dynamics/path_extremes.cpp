@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace higherpair {
 namespace {
@@ -120,15 +119,8 @@ private:
   }
 
   [[nodiscard]] double parts_between(double from, double to) const {
-    const std::vector<DriverMotion> first = path_.at(from), last = path_.at(to);
-    double parts = kFewest;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      const double longest = has_angle(driven_joint(start_.mechanism(), i).type)
-                                 ? kLongestSampleTurn
-                                 : kLongestSampleSlide * start_.plan().size;
-      parts = std::max(parts, std::abs(last[i].position - first[i].position) / longest);
-    }
-    return std::ceil(parts);
+    return std::ceil(std::max(kFewest, largest_move(start_, path_.at(from), path_.at(to), kLongestSampleTurn,
+                                                    kLongestSampleSlide)));
   }
 
   void sample_between(Mover& mover, double from, double to, double parts) {
@@ -221,7 +213,7 @@ private:
     int lost = 0;
     const auto value = [&](double at) {
       if (lost >= kMostLost) {
-        return std::nan("");
+        return kNoValue;
       }
       // Start from the last mark before the first position that is asked for, then move back and forth:
       // between neighbouring samples the branch is not lost.

@@ -9,24 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace higherpair {
 namespace {
 
 constexpr int kMostExchanges = 200;
-
-// The weighted sum of a force's columns.
-ForceSeries weighted(const ForcePiece& piece, std::size_t contact, const std::vector<double>& weights) {
-  ForceSeries sum{};
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const ForceSeries& column = piece.columns[contact * weights.size() + i];
-    for (std::size_t k = 0; k < kNodes; ++k) {
-      sum[k] += weights[i] * column[k];
-    }
-  }
-  return sum;
-}
 
 // The columns at the position where a weighted force is furthest below 0; none if it is nowhere negative
 // beyond rounding.
@@ -38,11 +25,11 @@ std::optional<std::vector<double>> worst_place(const ContactForces& forces, std:
     if (!piece.known[contact]) {
       continue;
     }
-    ForceSeries force = weighted(piece, contact, weights);
+    ForceSeries force = weighted_force(piece, contact, weights);
     double parts = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const ForceSeries& column = piece.columns[contact * weights.size() + i];
-      parts += std::abs(weights[i]) * (std::abs(column[0]) + spread(column));
+      parts += std::abs(weights[i]) * bound_of(column);
     }
     force[0] += piece.noise + kSumRounding * parts;
     const double before = lowest.value;
@@ -64,7 +51,7 @@ double largest_of(const ContactForces& forces, std::size_t column) {
   double largest = 0;
   for (const ForcePiece& piece : forces.pieces) {
     for (std::size_t i = column; i < piece.columns.size(); i += ForcePiece::kParts + forces.preloads.size()) {
-      largest = std::max(largest, std::abs(piece.columns[i][0]) + spread(piece.columns[i]));
+      largest = std::max(largest, bound_of(piece.columns[i]));
     }
   }
   return largest;
@@ -76,12 +63,12 @@ bool opens_at_singular(const ContactForces& forces, std::size_t contact, const s
     if (!piece.known[contact] || !(piece.singular_from || piece.singular_to)) {
       return false;
     }
-    const ForceSeries force = weighted(piece, contact, weights);
+    const ForceSeries force = weighted_force(piece, contact, weights);
     const ForceSeries slope = derivative(force);
     // What is left out is about as long as the piece next to it: 2 in t.
     const auto falls = [&](double end) {
       return value_at(force, end) + 2 * end * value_at(slope, end) <
-             -piece.noise - kSumRounding * (std::abs(force[0]) + spread(force));
+             -piece.noise - kSumRounding * bound_of(force);
     };
     return (piece.singular_from && falls(-1)) || (piece.singular_to && falls(1));
   });
@@ -230,13 +217,10 @@ std::optional<double> highest_speed(const ContactForces& forces) {
   weights[0] = 0;
   weights[2] = 1;  // at infinite speed only inertia counts
   for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
-    for (int i = 0; i < kMostExchanges; ++i) {
-      const auto worst = worst_place(forces, contact, weights);
-      if (!worst) {
-        break;
-      }
+    int exchanges = 0;
+    while (const auto worst = worst_place(forces, contact, weights)) {
       const double rest = (*worst)[0], inertia = (*worst)[2];
-      if (!(rest > 0 && inertia < 0)) {
+      if (++exchanges > kMostExchanges || !(rest > 0 && inertia < 0)) {
         return std::nullopt;
       }
       weights[0] = 1;

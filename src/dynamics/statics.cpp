@@ -125,7 +125,7 @@ void Statics::set_columns() {
   }
 }
 
-void Statics::stand(const Run& run) {
+void Statics::set_row(const Run& run) {
   rows_.clear();
   for (std::size_t g = 0; g < blocks_.size(); ++g) {
     append_rows_of(run, g);
@@ -242,6 +242,14 @@ bool Statics::balance(std::vector<Wrench>& wrenches) {
     std::visit([&](const auto& factors) { solve(block, factors, wrenches); }, block.factors);
   }
   return std::all_of(multipliers_.begin(), multipliers_.end(), [](double x) { return std::isfinite(x); });
+}
+
+double Statics::largest_multiplier() const {
+  double largest = 0;
+  for (const double multiplier : multipliers_) {
+    largest = std::max(largest, std::abs(multiplier));
+  }
+  return largest;
 }
 
 double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {

@@ -195,15 +195,12 @@ private:
 
   // Whether the follower moves back, against the outward normal of the other body, faster than rounding.
   [[nodiscard]] bool goes_back(const MotionRow& row, const CommonNormal& at) const {
-    const auto velocity = [&](int body) {
-      const BodyMotion& motion = row.bodies[body];
-      return Vector2d(motion.v_WB + motion.omega * perp(Vector2d(at.p_W() - motion.X_WB.p_WB)));
-    };
     if (!row.has_rates[follower_.body]) {
       return false;
     }
-    const Vector2d v = velocity(follower_.body);
-    return v.dot(at.n_W) < -kRestingContact * (v.norm() + velocity(other_.body).norm());
+    const Vector2d v = velocity_at(row.bodies[follower_.body], at.p_W());
+    const Vector2d v_other = velocity_at(row.bodies[other_.body], at.p_W());
+    return v.dot(at.n_W) < -kRestingContact * (v.norm() + v_other.norm());
   }
 
   void read_pressure(const PathRanges& ranges, CheckFigures& figures) const {

@@ -6,7 +6,6 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace higherpair {
@@ -26,7 +25,7 @@ double far_along(const Boundary& boundary, const Vector2d& n_B) {
   BoundaryPlace place = best->place;
   for (int pass = 0; pass < kMostBoundaryPasses; ++pass) {
     const SpanPoint point = boundary.at(place);
-    const double turn = std::atan2(cross(point.n_B, n_B), point.n_B.dot(n_B));
+    const double turn = angle_from_to(point.n_B, n_B);
     if (boundary.is_corner(place) || !(point.kappa > 0)) break;
     const auto next = boundary.advance(place, turn / point.kappa, 0);
     const double there = far(boundary.at(next.place));

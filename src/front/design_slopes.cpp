@@ -2,8 +2,8 @@
 
 #include "design_slope_run.hpp"
 #include "higherpair/analysis/displaced.hpp"
-#include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/numeric/stencil.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

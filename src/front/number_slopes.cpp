@@ -1,7 +1,7 @@
 #include "number_slopes.hpp"
 
-#include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/stencil.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ constexpr int kArcHalvings = 24;
 class Arc {
 public:
   Arc(const Vector2d& from, const Vector2d& t, const Vector2d& to) : from_(from), t_(t), chord_(to - from) {
-    const double turn = std::atan2(cross(t, chord_), t.dot(chord_));  // half of the arc's angle
+    const double turn = angle_from_to(t, chord_);  // half of the arc's angle
     bulge_ = std::tan(turn / 2);
     kappa_ = 2 * std::sin(turn) / chord_.norm();
   }
@@ -75,7 +75,7 @@ private:
     const int parts = 2 * span.parts();
     for (int k = 1; k <= parts; ++k) {
       const Vector2d next = span.at(range.low + k * (range.width() / parts)).n_B;
-      sum += std::abs(std::atan2(cross(n, next), n.dot(next)));
+      sum += std::abs(angle_from_to(n, next));
       n = next;
     }
     return sum;

@@ -24,10 +24,6 @@ SpanPoint last_of(const Span& span) {
   return span.at(span.range().high);
 }
 
-double angle_from_to(const Vector2d& a, const Vector2d& b) {
-  return std::atan2(cross(a, b), a.dot(b));
-}
-
 // The chain with its convex corners inserted as spans.
 std::vector<SpanPtr> with_corners(std::vector<SpanPtr> spans, bool closed) {
   std::vector<SpanPtr> all;

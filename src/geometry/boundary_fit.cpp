@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace higherpair {
 namespace boundary_fit {
@@ -78,18 +77,19 @@ Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& J) {
   return root * root.transpose();
 }
 
-}  // namespace boundary_fit
-
-namespace {
-
-using boundary_fit::Normalised;
-using boundary_fit::to_own_frame;
-
 SingularValues spread_of(const std::vector<Vector2d>& points) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i];
   return singular_values(triangular_factor(rows));
 }
+
+}  // namespace boundary_fit
+
+namespace {
+
+using boundary_fit::Normalised;
+using boundary_fit::spread_of;
+using boundary_fit::to_own_frame;
 
 // How far rounding of their coordinates may move points off a line that they are on.
 double place_rounding(const Normalised& points) {

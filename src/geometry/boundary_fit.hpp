@@ -1,8 +1,8 @@
 #pragma once
 
 #include "higherpair/geometry/boundary_fit.hpp"
+#include "numeric/singular_values.hpp"
 
-#include <array>
 #include <optional>
 
 namespace higherpair::boundary_fit {
@@ -17,6 +17,9 @@ struct Normalised {
 /// Fails for too few points, for points that are not finite or out of range, and for points all at one place.
 [[nodiscard]] tl::expected<Normalised, BoundaryFitError> normalised(std::span<const Vector2d> points,
                                                                     std::size_t least);
+
+/// Singular values of the matrix with a row for each point.
+[[nodiscard]] SingularValues spread_of(const std::vector<Vector2d>& points);
 
 /// Converts a fit of normalised points to the points' own frame, and fills distances, rms and noise of `fit`.
 /// \param lengths  which of the parameters are lengths; the first two are a position

@@ -3,10 +3,8 @@
 #include "higherpair/geometry/boundary_arcs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace higherpair {
 namespace {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <utility>
 
 namespace higherpair {
 namespace {
@@ -172,7 +171,7 @@ Eigen::MatrixXd natural_derivatives(const Family& family, const Eigen::VectorXd&
       Eigen::VectorXd moved = x;
       moved(k) += h;
       const auto curve = curve_near(family.conic(moved), points);
-      Eigen::VectorXd parameters = Eigen::VectorXd::Constant(natural.size(), std::nan(""));
+      Eigen::VectorXd parameters = Eigen::VectorXd::Constant(natural.size(), kNoValue);
       if (curve && parameters_of(*curve).size() == natural.size()) parameters = parameters_of(*curve);
       const Eigen::Index last = natural.size() - 1;
       if (has_direction) {
@@ -242,9 +241,7 @@ BoundaryFitResult fit_conic(std::span<const Vector2d> points, ConicForm form) {
   if (!from) {
     return tl::unexpected(from.error());
   }
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = from->points[i];
-  const Eigen::VectorXd spread = singular_values(triangular_factor(rows)).values;
+  const Eigen::VectorXd spread = boundary_fit::spread_of(from->points).values;
   if (spread(1) <= kSpreadNearLine * spread(0)) {
     return tl::unexpected(BoundaryFitError::kOneLine);
   }

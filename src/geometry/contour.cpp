@@ -1,9 +1,5 @@
 #include "higherpair/geometry/contour.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 namespace higherpair {

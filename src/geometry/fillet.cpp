@@ -1,7 +1,6 @@
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace higherpair {
@@ -122,7 +121,7 @@ tl::expected<Contour, FilletFault> with_fillets(const std::vector<ContourPiece>&
     ContourPiece& b = cut_pieces[(i + 1) % count];
     const PieceEnd end = end_of(pieces[i]);
     const Vector2d t = begin_of(pieces[(i + 1) % count]).t_B;
-    const double turn = std::atan2(cross(end.t_B, t), end.t_B.dot(t));
+    const double turn = angle_from_to(end.t_B, t);
     const auto fault = [&](FilletFault::Kind kind) {
       return tl::unexpected(FilletFault{kind, static_cast<int>(i), end.p_B});
     };

@@ -52,9 +52,9 @@ double inverse_involute(double value) {
   return alpha;
 }
 
-double least_teeth(double pressure_angle, double addendum) {
+double least_teeth(double pressure_angle) {
   const double sine = std::sin(pressure_angle);
-  return 2 * addendum / (sine * sine);
+  return 2 / (sine * sine);
 }
 
 GearPair close_pair(const InvoluteTooth& first, const InvoluteTooth& second) {

@@ -2,7 +2,6 @@
 #include "numeric/b_splines.hpp"
 #include "polynomial_span.hpp"
 
-#include <array>
 #include <cassert>
 
 namespace higherpair {

@@ -1,7 +1,6 @@
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace higherpair {

@@ -41,7 +41,7 @@ Bow bow_of(const ContourPiece& piece, double length, const SweepRounding& roundi
 double turn_between(const Bow& before, const Bow& after) {
   const Vector2d a = before.to - before.from;
   const Vector2d b = after.to - after.from;
-  return std::remainder(std::atan2(cross(a, b), a.dot(b)) - (before.sweep + after.sweep) / 2, 2 * kPi);
+  return std::remainder(angle_from_to(a, b) - (before.sweep + after.sweep) / 2, 2 * kPi);
 }
 
 // A circle with a radius > 0 where the path goes round it counter-clockwise; a point has none.

@@ -51,7 +51,7 @@ std::optional<SplineFault> fault_of_steps(const Points& points, bool closed) {
   for (std::size_t i = 0; i + 1 < steps + (closed ? 1 : 0); ++i) {
     const Vector2d before = step(points, i);
     const Vector2d after = step(points, (i + 1) % points.size());
-    if (std::abs(std::atan2(cross(before, after), before.dot(after))) > kSharpestSplineTurn) {
+    if (std::abs(angle_from_to(before, after)) > kSharpestSplineTurn) {
       return SplineFault{SplineFault::Kind::kTurnsBack, static_cast<int>((i + 1) % points.size())};
     }
   }

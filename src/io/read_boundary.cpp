@@ -36,7 +36,7 @@ void note_slight_corners(TableReader& table, const Outline& outline) {
   for (std::size_t i = 0; i < (outline.closed ? count : count - 1); ++i) {
     const PieceEnd end = end_of(outline.pieces[i]);
     const Vector2d t = begin_of(outline.pieces[(i + 1) % count]).t_B;
-    const double turn = std::atan2(cross(end.t_B, t), end.t_B.dot(t));
+    const double turn = angle_from_to(end.t_B, t);
     if (std::abs(turn) > kNoTurn && std::abs(turn) < kSlightTurn) {
       const std::string first = name_of_piece(outline, i), second = name_of_piece(outline, i + 1);
       note_whole(table, fmt::format("{} meet in a {} of {:.2g} deg at {}: if the joint is to be smooth, give "

@@ -2,11 +2,6 @@
 
 namespace higherpair {
 
-double principal_angle(double angle) {
-  const double turned = std::remainder(angle, 2 * kPi);
-  return turned > -kPi ? turned : kPi;
-}
-
 double absolute_angle(const Rotation<double>& u, double reference) {
   return principal_angle(std::atan2(u.sin, u.cos) + reference);
 }

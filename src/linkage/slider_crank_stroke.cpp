@@ -24,7 +24,7 @@ std::optional<SliderCrankStroke> slider_crank_stroke(const SliderCrank& linkage,
   // Folded, the crank points away from the slider.
   stroke.inner = {principal_angle(linkage.theta1 + angle_of(-inner)), inner.x()};
   stroke.length = 4 * r2 * r3 / (std::abs(outer.x()) + std::abs(inner.x()));
-  const double skew = std::atan2(cross(outer, inner), outer.dot(inner));
+  const double skew = angle_from_to(outer, inner);
   stroke.turn_in = kPi + skew;
   stroke.time_ratio = (kPi + std::abs(skew)) / (kPi - std::abs(skew));
   return stroke;

@@ -1,11 +1,11 @@
 #include "free_assembly.hpp"
 
-#include "higherpair/geometry/newton.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/least_norm.hpp"
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -83,6 +82,11 @@ using ChebyshevSeries = std::array<double, kNodes>;
     sum += std::abs(p[k]);
   }
   return sum;
+}
+
+/// A bound of |p(t)|: Σ |c_k|.
+[[nodiscard]] inline double bound_of(const ChebyshevSeries& p) {
+  return std::abs(p[0]) + spread(p);
 }
 
 /// The first t >= from with p(t) < level. The series represents the part [low, high] of the original

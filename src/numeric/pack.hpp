@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstring>
 
 #include <Eigen/Core>
 
-// Several doubles at once, for the kernels that are templates over their scalar (geometry/scalar.hpp). Every
+// Several doubles at once, for the kernels that are templates over their scalar (numeric/scalar.hpp). Every
 // operation is that on doubles in each lane, with the same rounding: the results of a kernel for a pack are
 // bit for bit those for its lanes, whatever their number, provided that nothing is contracted
 // (-ffp-contract=off).

@@ -94,7 +94,7 @@ public:
   /// meet.
   /// \param from, to  ends of the stretch: the first and the last place, or beyond them
   void add(std::span<const double> at, std::span<const double> values, double from, double to) {
-    const auto level = [&](std::size_t i) { return i < values.size() ? values[i] : std::nan(""); };
+    const auto level = [&](std::size_t i) { return i < values.size() ? values[i] : kNoValue; };
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double before = level(i - 1), after = level(i + 1);  // level(-1) is beyond the end: a NaN
       scale_ = std::isfinite(values[i]) ? std::max(scale_, std::abs(values[i])) : scale_;

@@ -4,7 +4,6 @@
 #include "numeric/spline_basis.hpp"
 #include "numeric/tolerances.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

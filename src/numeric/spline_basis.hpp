@@ -4,7 +4,6 @@
 #include "numeric/spline.hpp"
 
 #include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

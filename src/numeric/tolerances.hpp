@@ -22,6 +22,15 @@ inline constexpr double kSameSum = 1e-14;     // increase of the sum, as a fract
 inline constexpr double kNoGain = 1e-8;
 inline constexpr double kNoFitStep = 4e-16;  // steps below this fraction of the variables count as 0
 
+// Roots by Newton's method.
+// Root of a function in an interval: steps below this fraction of its width converge quadratically, or are
+// rounding.
+inline constexpr double kNewtonRootNear = 1e-9;
+// Where the function jumps beyond its root, steps stop short of the predicted root. Least and greatest
+// fraction of the step that is left out; the least exceeds rounding.
+inline constexpr double kLeastShortOfRoot = 1e-6;
+inline constexpr double kMostShortOfRoot = 0.1;
+
 // Chebyshev series.
 inline constexpr double kNarrowestBelow = 1e-14;  // narrowest interval examined for a crossing of a level
 inline constexpr double kNarrowestLower = 1e-9;   // narrowest interval searched for a lower value

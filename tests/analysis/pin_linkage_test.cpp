@@ -3,8 +3,8 @@
 
 #include "analysis/run_testing.hpp"
 #include "higherpair/analysis/direct_motion.hpp"
-#include "higherpair/geometry/stencil.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/stencil.hpp"
 
 #include <cmath>
 #include <random>

@@ -41,15 +41,12 @@ TEST(CutterPath, AHollowFlankTakesACutterThatIsRounder) {
   // A ring: a hollow ellipse, whose smallest radius of curvature b²/a is at the ends of its long axis.
   const double a = 0.031, b = 0.0231;
   const Boundary ring = boundary_of(*make_ellipse({0, 0}, {a, b}, 0.3, Side::kOutside), 1);
-  const HollowestPlace place = hollowest_place(ring);
-  EXPECT_NEAR(-place.point.kappa * b * b / a, 1, 1e-12);
-  EXPECT_NEAR(std::abs(place.point.p_B.dot(unit_vector(0.3))), a, 1e-12);
   EXPECT_TRUE(cutter_path(ring, 0.99 * b * b / a));
   const auto refused = cutter_path(ring, 1.01 * b * b / a);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, Kind::kHollow);
-  EXPECT_NEAR(refused.error().largest, b * b / a, 1e-12);
-  EXPECT_NEAR(std::abs(refused.error().at_B.dot(unit_vector(0.3))), a, 1e-9);
+  EXPECT_NEAR(refused.error().largest * a / (b * b), 1, 1e-12);
+  EXPECT_NEAR(std::abs(refused.error().at_B.dot(unit_vector(0.3))), a, 1e-12);
 }
 
 // A pocket whose corners are rounded with the cutter's own radius: the cutter just fits, and its path has

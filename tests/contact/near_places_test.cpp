@@ -228,7 +228,7 @@ TEST(DeepestPenetration, OfTwoGearsIsAlongTheirLineOfAction) {
     for (const double way : {-3.1 * gap, -0.93 * gap, 0.0, 0.97 * gap, 2.3 * gap}) {
       Pose<double> X_W2 = Mesh::X_W2(turn);
       X_W2.R_WB = X_W2.R_WB * Rotation<double>::from_angle(way / base_radius);
-      const double depth = deepest_penetration(mesh.first, Mesh::X_W1(turn), mesh.second, X_W2, 1e-9).depth;
+      const double depth = deepest_penetration(mesh.first, Mesh::X_W1(turn), mesh.second, X_W2, 1e-9);
       EXPECT_NEAR(depth, std::max(0.0, std::abs(way) - gap), 1e-13) << turn << " " << way;
     }
   }

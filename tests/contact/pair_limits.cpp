@@ -3,7 +3,7 @@
 #include "contact/contact_points.hpp"
 #include "contact/gap_derivatives.hpp"
 #include "contact/place_points.hpp"
-#include "higherpair/geometry/newton.hpp"
+#include "higherpair/numeric/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,32 @@
 #include <Eigen/LU>
 
 namespace higherpair {
+namespace {
+
+// Derivatives of the gap g(φ, q, u) that contain the driver's coordinate.
+struct DriverDerivatives {
+  double g_u = 0, g_phiu = 0, g_qu = 0;
+};
+
+DriverDerivatives driver_derivatives(const ContactPair& pair, const ContactPosition& at) {
+  const Vector2d t = perp(at.n_W);
+  const Vector2d v1 = velocity_per_q(pair.motion1, at.p1_W);
+  const double turns1 = pair.motion1.turns ? 1 : 0;
+  const double turns2 = pair.motion2.turns ? 1 : 0;
+  const double along = turns1 * at.rho1 - t.dot(v1);
+  DriverDerivatives d;
+  d.g_u = -at.n_W.dot(v1);
+  if (is_line(pair.curve2)) {
+    d.g_qu = turns2 * along;
+  } else if (is_line(pair.curve1)) {
+    d.g_qu = turns1 * (t.dot(velocity_per_q(pair.motion2, at.p2_W)) + turns2 * at.rho2);
+  } else {
+    d.g_phiu = along;
+  }
+  return d;
+}
+
+}  // namespace
 
 std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPosition& start,
                                         double length) {
@@ -25,15 +51,16 @@ std::optional<LimitPosition> limit_near(const ContactPair& pair, const ContactPo
       return std::nullopt;
     }
     const GapDerivatives d = gap_derivatives(pair, at);
+    const DriverDerivatives by_u = driver_derivatives(pair, at);
     const Vector2d distance = at.p2_W - at.p1_W;
     Eigen::Matrix3d J;
     Eigen::Vector3d r;
     if (has_line) {
-      J << length, 0, 0, 0, d.g_q, d.g_u, 0, d.g_qq, d.g_qu;
+      J << length, 0, 0, 0, d.g_q, by_u.g_u, 0, d.g_qq, by_u.g_qu;
       r << 0, distance.dot(at.n_W), d.g_q;
     } else {
       const double g_phi = distance.dot(perp(at.n_W));
-      J << g_phi, d.g_q, d.g_u, d.g_phiphi, d.g_phiq, d.g_phiu, d.g_phiq, d.g_qq, d.g_qu;
+      J << g_phi, d.g_q, by_u.g_u, d.g_phiphi, d.g_phiq, by_u.g_phiu, d.g_phiq, d.g_qq, by_u.g_qu;
       r << distance.dot(at.n_W), g_phi, d.g_q;
     }
     J *= unit.asDiagonal();
@@ -79,13 +106,14 @@ std::optional<ContactPosition> conforming_near(const ContactPair& pair, const Co
     }
     const PlacedPair placed = place_pair(pair, at.u, at.q);
     const GapDerivatives d = gap_derivatives(pair, at);
+    const DriverDerivatives by_u = driver_derivatives(pair, at);
     at.gap_q = d.g_q;
     const double slope1 = radius_slope(placed.first, at.rho1, at.n_W);
     const double slope2 = radius_slope(placed.second, at.rho2, -at.n_W);
     const Vector2d distance = at.p2_W - at.p1_W;
     const double g_phi = distance.dot(perp(at.n_W));
     Eigen::Matrix3d J;
-    J << g_phi, d.g_q, d.g_u, d.g_phiphi, d.g_phiq, d.g_phiu, slope1 + slope2, -turns2 * slope2,
+    J << g_phi, d.g_q, by_u.g_u, d.g_phiphi, d.g_phiq, by_u.g_phiu, slope1 + slope2, -turns2 * slope2,
         -turns1 * slope1;
     const Eigen::Vector3d r(distance.dot(at.n_W), g_phi, at.rho1 + at.rho2);
     const Eigen::FullPivLU<Eigen::Matrix3d> lu(J * unit.asDiagonal());

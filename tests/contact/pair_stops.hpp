@@ -29,9 +29,7 @@ inline constexpr double kFallsToCrossing = 1e-3;
   if (std::abs(gap_q) <= kFallsToCrossing * std::abs(track.at.gap_q)) {
     return true;
   }
-  const double scale2 =
-      velocity_per_q(track.pair.motion2, track.at.p2_W).squaredNorm() + track.least_gap_q_scale2;
-  return gap_q * gap_q <= kAtCrossing * kAtCrossing * scale2;
+  return gap_q * gap_q <= kAtCrossing * kAtCrossing * gap_q_scale2(track.pair, track.at);
 }
 
 /// Ends a path at u, where branches cross, or next to it. The position is interpolated between one before the

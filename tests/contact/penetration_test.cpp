@@ -70,13 +70,9 @@ TEST(Penetration, OfCirclesIsWhatTheirRadiiExceedTheirDistanceBy) {
   for (const double overlap : {-1e-3, -1e-9, 1e-9, 1e-6, 1e-3, 1e-2}) {
     const double far = 0.05 - overlap;
     const Pose<double> X_W2 = placed(1, far * unit_vector(0.7) - 0.01 * unit_vector(1));
-    const Penetration found = deepest_penetration(one, {}, two, X_W2, 1e-10);
-    EXPECT_NEAR(found.depth, std::max(overlap, 0.0), 1e-15) << overlap;
+    EXPECT_NEAR(deepest_penetration(one, {}, two, X_W2, 1e-10), std::max(overlap, 0.0), 1e-15) << overlap;
     EXPECT_EQ(bodies_overlap(one, {}, two, X_W2, 1e-10), overlap > 0) << overlap;
     EXPECT_EQ(bodies_overlap(two, X_W2, one, {}, 2 * std::abs(overlap)), false) << overlap;
-    if (overlap > 0) {
-      EXPECT_LT((one.at(found.place1).p_B - 0.03 * unit_vector(0.7)).norm(), 1e-12) << overlap;
-    }
   }
 }
 
@@ -98,7 +94,7 @@ TEST(Penetration, InDiscsThatOverlapIsSeenInEachOfThem) {
     }
     const Boundary together = Boundary::of_parts(discs);
     const Boundary disc = boundary_of(*make_circle({0, 0}, r), 1);
-    const double depth = deepest_penetration(together, {}, disc, placed(1, p_WD), 1e-9).depth;
+    const double depth = deepest_penetration(together, {}, disc, placed(1, p_WD), 1e-9);
     EXPECT_EQ(depth > 0, expected > 0) << trial;
     EXPECT_LE(depth, std::max(expected, 0.0) + 1e-14) << trial;
     EXPECT_EQ(bodies_overlap(disc, placed(1, p_WD), together, {}, 1e-9), expected > 0) << trial;
@@ -109,8 +105,7 @@ TEST(Penetration, InDiscsThatOverlapIsSeenInEachOfThem) {
 
 TEST(Penetration, OfACornerIsItsDistanceToTheFace) {
   const Boundary square = rectangle(2, 2);
-  const Penetration found = deepest_penetration(square, {}, square, placed(0, {1.7, 0.4}), 1e-9);
-  EXPECT_NEAR(found.depth, 0.3, 1e-14);
+  EXPECT_NEAR(deepest_penetration(square, {}, square, placed(0, {1.7, 0.4}), 1e-9), 0.3, 1e-14);
   EXPECT_FALSE(bodies_overlap(square, {}, square, placed(0, {2 + 1e-8, 0.4}), 1e-9));
   EXPECT_TRUE(bodies_overlap(square, {}, square, placed(kPi / 4, {0, 1 + std::sqrt(2) - 1e-8}), 1e-9));
   EXPECT_FALSE(bodies_overlap(square, {}, square, placed(kPi / 4, {0, 1 + std::sqrt(2) + 1e-8}), 1e-9));
@@ -130,9 +125,9 @@ TEST(Penetration, OfADiscOverTheMiddleOfALongFaceIsWhatItIsInIt) {
         const Pose<double> X_WD{
             Rotation<double>::from_angle(turned),
             Vector2d(0, 0.01 - depth) - Rotation<double>::from_angle(turned) * Vector2d(0, 0.01 - depth)};
-        EXPECT_NEAR(deepest_penetration(disc, X_WD, *boundary, {}, 1e-12).depth, std::max(depth, 0.0), 1e-15)
+        EXPECT_NEAR(deepest_penetration(disc, X_WD, *boundary, {}, 1e-12), std::max(depth, 0.0), 1e-15)
             << turned;
-        EXPECT_NEAR(deepest_penetration(*boundary, {}, disc, X_WD, 1e-12).depth, std::max(depth, 0.0), 1e-15)
+        EXPECT_NEAR(deepest_penetration(*boundary, {}, disc, X_WD, 1e-12), std::max(depth, 0.0), 1e-15)
             << turned;
       }
     }
@@ -170,7 +165,7 @@ TEST(Penetration, OfADiscInAHollowPolygonIsNoneWhereItIsAsFarFromItAsItsRadius) 
     const Boundary polygon = *Boundary::make(spans, true, 1e-12);
     for (const double more : {-1e-12, -1e-4, 1e-4}) {
       const Boundary disc = boundary_of(*make_circle(center, distance + more), 1);
-      const double depth = deepest_penetration(polygon, {}, disc, {}, 1e-10).depth;
+      const double depth = deepest_penetration(polygon, {}, disc, {}, 1e-10);
       EXPECT_EQ(depth > 0, more > 0) << trial << ' ' << more << ' ' << depth;
       EXPECT_LE(depth, std::max(more, 0.0) + 1e-12) << trial;
     }
@@ -222,7 +217,7 @@ TEST(Penetration, OfTwoBarsThatCrossIsHalfTheWidthOfTheThinnerOne) {
   for (const double angle : {0.31, 1.1, kPi / 2, 2.3}) {
     for (const double along : {-0.04, 0.0, 0.0123}) {
       const Pose<double> X_W2{Rotation<double>::from_angle(angle), Vector2d(along, 0.003)};
-      const double depth = deepest_penetration(one, {}, two, X_W2, 1e-9).depth;
+      const double depth = deepest_penetration(one, {}, two, X_W2, 1e-9);
       EXPECT_GE(depth, 0.0013 - 1e-15) << angle << ' ' << along;
       EXPECT_LE(depth, 0.002 + 1e-15) << angle << ' ' << along;
     }
@@ -252,7 +247,7 @@ TEST(Penetration, OfConvexPolygonsIsSeenWhereverTheyShareAnArea) {
     }
     const double area = shared_area(corners_W[0], corners_W[1]);
     const double depth =
-        deepest_penetration(polygon_of(corners[0]), X_WB[0], polygon_of(corners[1]), X_WB[1], 1e-9).depth;
+        deepest_penetration(polygon_of(corners[0]), X_WB[0], polygon_of(corners[1]), X_WB[1], 1e-9);
     // A shared sliver that is thinner than the tolerance does not count.
     EXPECT_EQ(depth > 0, area > 1e-10) << trial << ' ' << area << ' ' << depth;
     const auto is_in = [&](std::size_t body, const Vector2d& p) {
@@ -282,7 +277,7 @@ TEST(Penetration, OfRandomBodiesAgreesWithPolygons) {
     const Pose<double> X_W1 = placed(random.between(-3, 3), random.place(1));
     const Pose<double> X_W2 = placed(random.between(-3, 3), random.place(1));
     const double tolerance = 1e-9;
-    const double depth = deepest_penetration(one, X_W1, two, X_W2, tolerance).depth;
+    const double depth = deepest_penetration(one, X_W1, two, X_W2, tolerance);
     EXPECT_EQ(bodies_overlap(one, X_W1, two, X_W2, tolerance), depth > 0) << i;
     EXPECT_EQ(bodies_overlap(two, X_W2, one, X_W1, tolerance), depth > 0) << i;
     const std::vector<Vector2d> polygon1 = fine_polygon(one, X_W1);

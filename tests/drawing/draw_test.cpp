@@ -1,4 +1,5 @@
 // Drawings are read back: they are valid XML, and everything is drawn where the motion puts it.
+#include "contact/support_curves.hpp"
 #include "drawing/svg_reading.hpp"
 #include "front/analysis_impl.hpp"
 #include "higherpair/drawing/scene_maker.hpp"
@@ -420,6 +421,28 @@ TEST(Drawing, HasArcsThatLookRound) {
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
     const double turn = std::atan2(cross(lines[i], lines[i + 1]), lines[i].dot(lines[i + 1]));
     EXPECT_LE(std::abs(turn), 0.07) << i;
+  }
+}
+
+// The points drawn of an ellipse satisfy its equation.
+TEST(Drawing, HasCurvesGivenByTheirSupport) {
+  const double a = 0.020, b = 0.010;
+  const testing::EllipseBySupport ellipse({0, 0}, a, b, 0);
+  Mechanism cam;
+  const int disc = add_body(cam, "cam");
+  const PointRef O = add_point(cam, kGround, "O", {0, 0});
+  add_driver(cam, add_revolute(cam, "pivot", O, add_point(cam, disc, "O", {0, 0})));
+  add_curve(cam, disc, "edge", make_curve(ellipse));
+  const auto scenes = scenes_of(Model::from(cam).value()).value();
+  const auto& fixed = scenes.scenes.front().fixed;
+  const auto edge = std::find_if(fixed.begin(), fixed.end(), [](const Shape& shape) {
+    return shape.role == Role::kBody && shape.name == "cam" && shape.kind == Shape::Kind::kPath;
+  });
+  ASSERT_NE(edge, fixed.end());
+  ASSERT_GT(edge->numbers.size(), 60U);
+  for (std::size_t i = 0; i < edge->numbers.size(); i += 2) {
+    const double x = edge->numbers[i] / (1e3 * a), y = edge->numbers[i + 1] / (1e3 * b);
+    EXPECT_NEAR(std::hypot(x, y), 1, 1e-12) << i;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "higherpair/geometry/newton_root.hpp"
+#include "higherpair/numeric/newton_root.hpp"
 
 #include <cmath>
 #include <functional>

@@ -41,6 +41,32 @@ TEST(Vector, NearestTurnDiffersByWholeTurnsAndIsWithinHalfATurn) {
   }
 }
 
+TEST(Vector, NearestTurnKeepsAnAngleHalfATurnAway) {
+  EXPECT_EQ(nearest_turn(kPi, 0), kPi);
+  EXPECT_EQ(nearest_turn(-kPi, 0), -kPi);
+  EXPECT_EQ(nearest_turn(0, kPi), 0);
+}
+
+TEST(Vector, PrincipalAngleLiesInTheHalfOpenTurn) {
+  EXPECT_EQ(principal_angle(kPi), kPi);
+  EXPECT_EQ(principal_angle(-kPi), kPi);
+  EXPECT_EQ(principal_angle(0.7), 0.7);
+  EXPECT_NEAR(principal_angle(0.7 - 4 * kPi), 0.7, 4e-15);
+  EXPECT_NEAR(principal_angle(4), 4 - 2 * kPi, 1e-15);
+}
+
+TEST(Vector, AngleFromToTurnsOneDirectionIntoTheOther) {
+  Random random(4);
+  Worst error;
+  for (int i = 0; i < 1000; ++i) {
+    const double turn = random.angle();
+    const Vector2d a = random.between(1e-6, 1e6) * unit_vector(random.angle());
+    const Vector2d b = random.between(1e-6, 1e6) * (Rotation<double>::from_angle(turn) * a);
+    error.see(std::abs(angle_from_to(a, b) - turn));
+  }
+  EXPECT_AT_MOST(error.value(), 3e-15);  // b is turned with rounding
+}
+
 TEST(Rotation, IsThatOfEigen) {
   Random random(3);
   Worst error;

@@ -4,14 +4,6 @@
 namespace higherpair {
 namespace {
 
-TEST(PrincipalAngle, LiesInTheHalfOpenTurn) {
-  EXPECT_EQ(principal_angle(kPi), kPi);
-  EXPECT_EQ(principal_angle(-kPi), kPi);
-  EXPECT_EQ(principal_angle(0.7), 0.7);
-  EXPECT_NEAR(principal_angle(0.7 - 4 * kPi), 0.7, 4e-15);
-  EXPECT_NEAR(principal_angle(4), 4 - 2 * kPi, 1e-15);
-}
-
 TEST(AngleRange, JoinsOrSplitsAtBothEnds) {
   const CosineLine<double> always{1, 1, 1, 0};
   const CosineLine<double> up_to_60{1, -1, -3, -2};  // 2 cos ψ - 1

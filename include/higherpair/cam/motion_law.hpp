@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/curve.hpp"
+#include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/pose.hpp"
 
 #include <array>

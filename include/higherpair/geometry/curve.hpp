@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/pose.hpp"
 
 #include <array>
@@ -11,16 +12,6 @@
 #include <tl/expected.hpp>
 
 namespace higherpair {
-
-/// The closed interval from low to high.
-struct Bounds {
-  double low = 0;
-  double high = 0;
-
-  [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
-  [[nodiscard]] double width() const { return high - low; }
-  [[nodiscard]] Bounds operator-() const { return {-high, -low}; }
-};
 
 enum class PieceKind {
   kArc,     ///< φ runs through an interval: it rises along the boundary where this is convex, and falls

@@ -55,10 +55,23 @@ template <class T>
   return std::atan2(v.y(), v.x());
 }
 
-/// The angle that equals `angle` up to whole turns and lies nearest to `reference` [rad].
+/// The angle from a to b [rad], in (-π, π]; of any lengths. For unit vectors angle_between() in
+/// known_rotation.hpp is faster.
+[[nodiscard]] inline double angle_from_to(const Vector2d& a, const Vector2d& b) {
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+/// `angle` brought into (-π, π] by whole turns [rad].
+[[nodiscard]] inline double principal_angle(double angle) {
+  const double turned = std::remainder(angle, 2 * kPi);
+  return turned > -kPi ? turned : kPi;
+}
+
+/// The angle that equals `angle` up to whole turns and lies nearest to `reference` [rad]; half a turn from
+/// it, `angle` itself.
 [[nodiscard]] inline double nearest_turn(double angle, double reference) {
   const double turns = (reference - angle) * (0.5 / kPi);
-  return std::abs(turns) < 0.5 ? angle : angle + 2 * kPi * std::round(turns);
+  return std::abs(turns) <= 0.5 ? angle : angle + 2 * kPi * std::round(turns);
 }
 
 /// A planar rotation as a unit vector (cos, sin): the hot paths compose rotations without trigonometric
@@ -147,6 +160,11 @@ struct BodyMotion {
 /// The same for the body-fixed point that is currently at p_W [m].
 [[nodiscard]] inline PointMotion motion_at_place(const BodyMotion& body, const Vector2d& p_W) {
   return point_motion(body, body.X_WB.inverse_times(p_W));
+}
+
+/// Velocity of the body-fixed point that is currently at p_W [m/s].
+[[nodiscard]] inline Vector2d velocity_at(const BodyMotion& body, const Vector2d& p_W) {
+  return body.v_WB + body.omega * perp(Vector2d(p_W - body.X_WB.p_WB));
 }
 
 /// Motion in W of a body B that moves relative to a carrier C: X_WB = X_WC X_CB, with v = v_C + ω_C ẑ×r +

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/rolling.hpp"
-#include "higherpair/contact/standing_contact.hpp"
+#include "higherpair/contact/dwell_contact.hpp"
 #include "higherpair/contact/tracker.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
@@ -28,7 +28,7 @@ struct GroupState {
   double open_at = 0;  ///< then: the coordinate of its freedom [rad or m]
 };
 
-using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, StandingContact>;
+using PairTrack = std::variant<std::monostate, ContactTrack, RollingTrack, DwellContact>;
 
 /// A position of a whole mechanism and its rates.
 struct State {

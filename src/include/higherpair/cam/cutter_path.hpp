@@ -27,12 +27,4 @@ struct CutterFault {
 /// radius, as the largest whose path does not cross itself (see find_self_crossing). \pre radius > 0
 [[nodiscard]] tl::expected<Boundary, CutterFault> cutter_path(const Boundary& flank, double radius);
 
-/// The place of least signed curvature on the spans of a boundary except its corners, to within rounding: a
-/// zero of dκ/ds between samples, four times as many as show the shape. None if there are only corners.
-struct HollowestPlace {
-  BoundaryPlace place;
-  SpanPoint point;
-};
-[[nodiscard]] HollowestPlace hollowest_place(const Boundary& boundary);
-
 }  // namespace higherpair

@@ -4,7 +4,6 @@
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/geometry/one_freedom.hpp"
 
-#include <memory>
 #include <optional>
 
 #include <tl/expected.hpp>

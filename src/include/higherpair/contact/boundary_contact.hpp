@@ -56,13 +56,12 @@ struct BoundaryResult {
     const Boundary& boundary1, const Pose<double>& X_W1, const Boundary& boundary2, const Pose<double>& X_W2,
     const BoundaryPlace& place1, const BoundaryPlace& place2);
 
-/// Every contact with opposed normals and κ1 + κ2 > 0 whose coordinate is in `range` (turning: in (-π, π],
-/// whatever the range), by rising q. With the supports h = p·n and h′ = p·t about the follower's pivot, a
-/// contact is a common point of the plane curves (h1, h1′) and (-h2, -h2′); for a follower that slides along
-/// d, of the curves (angle of n, p·d⊥) of both. Crossings of their polylines are refined by Newton's method:
-/// two contacts closer than the samples of the boundaries may be missed.
-[[nodiscard]] std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u,
-                                                                  const Bounds& range);
+/// Every contact with opposed normals and κ1 + κ2 > 0, by rising q (turning: in (-π, π]). With the supports h
+/// = p·n and h′ = p·t about the follower's pivot, a contact is a common point of the plane curves (h1, h1′)
+/// and (-h2, -h2′); for a follower that slides along d, of the curves (angle of n, p·d⊥) of both. Crossings
+/// of their polylines are refined by Newton's method: two contacts closer than the samples of the boundaries
+/// may be missed.
+[[nodiscard]] std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, double u);
 
 /// The place with the given outward normal, by Newton's method from another place; none where an end or a
 /// face is in between, or no place near has this normal.
@@ -77,13 +76,9 @@ struct BoundaryResult {
 
 /// Depth of overlap of two bodies [m], near the deepest of the samples of their outlines and of points
 /// between their crossings; 0 where the overlap is within `tolerance`.
-struct Penetration {
-  double depth = 0;
-  BoundaryPlace place1, place2;
-};
-[[nodiscard]] Penetration deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
-                                              const Boundary& boundary2, const Pose<double>& X_W2,
-                                              double tolerance);
+[[nodiscard]] double deepest_penetration(const Boundary& boundary1, const Pose<double>& X_W1,
+                                         const Boundary& boundary2, const Pose<double>& X_W2,
+                                         double tolerance);
 
 /// Whether the depth of overlap exceeds `tolerance` [m]. Looks first where the outlines cross: if the bodies
 /// overlap widely it is much faster than deepest_penetration().

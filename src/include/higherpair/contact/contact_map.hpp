@@ -16,7 +16,7 @@
 
 namespace higherpair {
 
-inline constexpr double kTurn = 2 * kPi;  ///< of the driver [rad]
+inline constexpr double kTurn = 2 * kPi;  ///< of the driver or the follower [rad]
 
 struct BoundaryPair;
 class BoundaryTrace;
@@ -103,7 +103,9 @@ struct ContactMap {
   std::shared_ptr<const BoundaryTrace> trace;  ///< for boundaries: the curves of contacts; else null
   MapRange range;
   MapStatus status = MapStatus::kNoPair;
-  bool complete = true;  ///< false: a branch was lost between two positions at which all contacts are known
+  /// False: a branch was lost between two positions at which all contacts are known, or points of it are
+  /// missing.
+  bool complete = true;
   std::vector<MapBranch> branches;  ///< by their beginnings; kOk only
   std::vector<MapEvent> events;     ///< by rising u
 };

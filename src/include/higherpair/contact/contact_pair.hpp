@@ -40,7 +40,7 @@ struct ContactPosition : CommonNormal {
 enum class ContactStatus {
   kOk,
   kNoContact,  ///< the osculating circles cannot touch here, or no point has the normal: at or beyond a limit
-  kNotConverged,  ///< 12 passes did not bring the two points together
+  kNotConverged,  ///< 13 passes did not bring the two points together
   kOtherBranch,   ///< the solution found has the other sign of gap_q
 };
 

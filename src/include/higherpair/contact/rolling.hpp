@@ -2,8 +2,6 @@
 
 #include "higherpair/contact/contact_pair.hpp"
 
-#include <optional>
-
 namespace higherpair {
 
 /// A contact without slip, followed while the driver moves.

@@ -8,11 +8,10 @@ namespace higherpair {
 /// A contact that is followed while the driver moves.
 struct ContactTrack {
   ContactPair pair;
-  int branch = 0;                 ///< sign of ∂gap/∂q; changes only where branches cross
-  ContactPosition at;             ///< the last position reached
-  double phi = 0;                 ///< angle of at.n_W, continuous [rad]
-  double size = 0;                ///< of the mechanism where the track began [m]: the unit of displacements
-  double least_gap_q_scale2 = 0;  ///< see gap_scale.hpp; where the track began
+  int branch = 0;      ///< sign of ∂gap/∂q; changes only where branches cross
+  ContactPosition at;  ///< the last position reached
+  double phi = 0;      ///< angle of at.n_W, continuous [rad]
+  double size = 0;     ///< of the mechanism where the track began [m]: the unit of displacements
   /// d³q/du³, d²φ/du² and d³φ/du³ estimated over the last step: they only serve to predict the next.
   double d3q = 0;
   double d2phi = 0;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace higherpair {
@@ -34,6 +35,11 @@ struct DriverPath {
 /// linearly; its parameter runs from 0 to `length`.
 [[nodiscard]] DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotion> to,
                                        double length = 1);
+
+/// How far the driver that moves most goes between two positions, in units of `turn` [rad] if it turns, else
+/// of `slide` times the mechanism's size.
+[[nodiscard]] double largest_move(const Run& run, const std::vector<DriverMotion>& from,
+                                  const std::vector<DriverMotion>& to, double turn, double slide);
 
 /// Where a contact begins to pull.
 struct ContactOpening {
@@ -74,6 +80,10 @@ struct ForcePiece {
   /// kParts + number of preloads for the first contact, then for the second …
   std::vector<ForceSeries> columns;
 };
+
+/// The weighted sum of the first columns of a contact's force in a piece, one for each weight.
+[[nodiscard]] ForceSeries weighted_force(const ForcePiece& piece, std::size_t contact,
+                                         std::span<const double> weights);
 
 /// Contact forces along a whole path, whatever its rows.
 struct ContactForces {

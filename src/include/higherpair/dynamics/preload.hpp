@@ -3,7 +3,6 @@
 #include "higherpair/mechanism/plan.hpp"
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 

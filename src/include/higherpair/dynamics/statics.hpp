@@ -29,14 +29,14 @@ public:
 
   /// Takes over the conditions of run.row, all of whose bodies must have rates. `run` must be the one of the
   /// constructor, or a copy. Does not allocate where there are no surplus conditions.
-  void stand(const Run& run);
+  void set_row(const Run& run);
 
   /// Solves for the multipliers. `wrenches` (of Mechanism::bodies) is consumed. False where there is no
   /// balance: the conditions are dependent here, to within rounding.
   [[nodiscard]] bool balance(std::vector<Wrench>& wrenches);
 
   /// Selects the flanks of gear teeth that press in the last balance; true where that changes any, so that
-  /// stand() and balance() have to be repeated. This only changes the forces on bearings, not the torques.
+  /// set_row() and balance() have to be repeated. This only changes the forces on bearings, not the torques.
   [[nodiscard]] bool choose_flanks(const Mechanism& mechanism);
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
@@ -44,6 +44,7 @@ public:
   /// The i-th condition, its multiplier [N], and whether the balance determines it.
   [[nodiscard]] const ConstraintRow& row(std::size_t i) const { return rows_[i]; }
   [[nodiscard]] double multiplier(std::size_t i) const { return multipliers_[i]; }
+  [[nodiscard]] double largest_multiplier() const;  ///< largest absolute value of all
   [[nodiscard]] bool is_determined(std::size_t i) const { return determined_[i]; }
 
   /// First row of the conditions of a joint, contact or driver.

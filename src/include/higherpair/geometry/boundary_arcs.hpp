@@ -18,8 +18,8 @@ public:
   explicit BoundaryArcs(std::shared_ptr<const Boundary> boundary);
 
   /// The arc from the first place of its chain to a place, > 0 along the tangent [m].
-  /// \param normal  the angle of the outward normal there in the body's frame [rad]; its full turns tell how
-  ///                often a closed chain has been run around
+  /// \param normal  the angle of the outward normal there in the body's frame [rad]; its whole turns
+  ///                count the rounds of a closed chain
   [[nodiscard]] double at(const BoundaryPlace& place, double normal) const;
 
 private:

@@ -36,7 +36,7 @@ namespace higherpair {
 /// An end of a span as seen from a place on it.
 struct SpanEnd {
   BoundaryPlace behind;  ///< the same point on the adjacent span
-  double way = 0;        ///< absolute value of distance_along() to it
+  double distance = 0;   ///< absolute value of distance_along() to it
 };
 
 /// The end of the span ahead of a place, in the sense of the parameter or against it; none where the curve
@@ -48,8 +48,8 @@ struct SpanEnd {
   if (joint == SpanJoint::kEnd || joint == SpanJoint::kNotch) {
     return std::nullopt;
   }
-  const double way = distance_along(boundary, from, end_of(boundary, from.span, forward).t);
-  return SpanEnd{end_of(boundary, next, !forward), std::abs(way)};
+  const double distance = distance_along(boundary, from, end_of(boundary, from.span, forward).t);
+  return SpanEnd{end_of(boundary, next, !forward), std::abs(distance)};
 }
 
 /// Whether a boundary is straight at a place.

@@ -13,9 +13,10 @@ namespace higherpair {
 /// The inverse of the involute function in [0, π/2), by Newton's method. \pre value >= 0
 [[nodiscard]] double inverse_involute(double value);
 
-/// Number of teeth (not rounded) below which a rack undercuts the root: 2 h/sin² α with h the rack's addendum
-/// in modules less the profile shift (Litvin and Fuentes, Gear Geometry and Applied Theory, section 10.5).
-[[nodiscard]] double least_teeth(double pressure_angle, double addendum = 1);
+/// Number of teeth (not rounded) below which a rack with an addendum of one module undercuts the root:
+/// 2/sin² α; with a profile shift of x modules 1 - x times as many (Litvin and Fuentes, Gear Geometry and
+/// Applied Theory, section 10.5).
+[[nodiscard]] double least_teeth(double pressure_angle);
 
 /// Two external spur gears in mesh. Both are cut by the same rack: same module and pressure angle; their tips
 /// are one module plus the profile shift outside their pitch circles.

@@ -25,8 +25,8 @@ namespace higherpair {
   return sine + sine * s2 * (1 / 6.0 + s2 * (3 / 40.0 + s2 * (15 / 336.0 + s2 * (105 / 3456.0))));
 }
 
-/// The angle from one unit vector to the next [rad], in (-π, π]; without trigonometric functions where it is
-/// small.
+/// The angle from one unit vector to the next [rad], in (-π, π], as angle_from_to(); without trigonometric
+/// functions where it is small.
 [[nodiscard]] inline double angle_between(const Vector2d& from, const Vector2d& to) {
   const double sine = cross(from, to);
   const double cosine = from.dot(to);

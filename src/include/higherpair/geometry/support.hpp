@@ -2,7 +2,7 @@
 
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
-#include "higherpair/geometry/scalar.hpp"
+#include "higherpair/numeric/scalar.hpp"
 
 #include <cmath>
 #include <type_traits>

@@ -11,20 +11,9 @@ namespace higherpair {
 
 // Newton's method.
 
-/// Steps are expected to converge quadratically below this size [rad, units of length].
-inline constexpr double kNewtonQuadratic = 1e-9;
-/// Longest step that is taken in full [rad, units of length]: beyond it curves differ from their tangents.
+/// Longest step of Newton's method that is taken in full [rad, units of length]: beyond it curves differ from
+/// their tangents.
 inline constexpr double kNewtonTurn = 0.3;
-/// Steps up to this size count as zero [rad, units of length].
-inline constexpr double kNewtonLeast = 1e-17;
-
-/// Root of a function in an interval: steps below this fraction of its width converge quadratically, or are
-/// rounding.
-inline constexpr double kNewtonRootNear = 1e-9;
-/// Where the function jumps beyond its root, steps stop short of the predicted root. Least and greatest
-/// fraction of the step that is left out; the least exceeds rounding.
-inline constexpr double kLeastShortOfRoot = 1e-6;
-inline constexpr double kMostShortOfRoot = 0.1;
 
 // Angles and arcs.
 

@@ -9,9 +9,6 @@ namespace higherpair {
 /// \pre The ends have opposite signs, or one of them is zero.
 [[nodiscard]] double root_angle(const CosineLine<double>& line);
 
-/// `angle` brought into (-π, π] by whole turns [rad].
-[[nodiscard]] double principal_angle(double angle);
-
 /// The angle of `u` + `reference`, in (-π, π] [rad].
 [[nodiscard]] double absolute_angle(const Rotation<double>& u, double reference);
 

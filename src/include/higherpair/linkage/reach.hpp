@@ -1,9 +1,9 @@
 #pragma once
 
 #include "higherpair/geometry/pose.hpp"
-#include "higherpair/geometry/scalar.hpp"
 #include "higherpair/linkage/status.hpp"
 #include "higherpair/linkage/tolerances.hpp"
+#include "higherpair/numeric/scalar.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/geometry/scalar.hpp"
+#include "higherpair/numeric/scalar.hpp"
 
 namespace higherpair {
 

@@ -14,14 +14,14 @@ namespace higherpair {
 /// A contact between a driver that moves its curve within itself and a follower that the contact does not
 /// control (gap = ∂gap/∂q = 0): the follower is at rest at every position of the driver, but its rates are
 /// not determined.
-struct StandingContact {
+struct DwellContact {
   ContactPosition at;
 };
 
 /// The contact in which the follower, at q, stays at rest whatever the driver does. None where the driver has
 /// any effect, where the gap is larger than `tolerance` [m], or where ∂gap/∂q determines how the follower
 /// moves. Examples: concentric discs, and an arm that points to the centre of a disc turning about it.
-[[nodiscard]] std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,
-                                                              double tolerance);
+[[nodiscard]] std::optional<DwellContact> dwell_contact(const ContactPair& pair, double u, double q,
+                                                        double tolerance);
 
 }  // namespace higherpair

@@ -1,4 +1,4 @@
-#include "higherpair/geometry/roots.hpp"
+#include "higherpair/numeric/roots.hpp"
 
 #include <cmath>
 #include <cstdint>

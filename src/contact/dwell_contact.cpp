@@ -1,4 +1,4 @@
-#include "higherpair/contact/standing_contact.hpp"
+#include "higherpair/contact/dwell_contact.hpp"
 
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/gap_scale.hpp"
@@ -8,15 +8,13 @@
 #include <cmath>
 
 namespace higherpair {
-namespace {}  // namespace
 
 bool moves_in_itself(const Curve& curve, const OneFreedom& motion) {
   return motion.turns ? is_centered_at(curve, motion.p_BO, size_of(curve) + motion.p_BO.norm())
                       : slides_along_itself(curve, motion.R_WB, motion.direction_W);
 }
 
-std::optional<StandingContact> standing_contact(const ContactPair& pair, double u, double q,
-                                                double tolerance) {
+std::optional<DwellContact> dwell_contact(const ContactPair& pair, double u, double q, double tolerance) {
   const auto& [curve1, motion1, curve2, motion2] = pair;
   if (!moves_in_itself(curve1, motion1)) {
     return std::nullopt;
@@ -28,15 +26,14 @@ std::optional<StandingContact> standing_contact(const ContactPair& pair, double 
   if (!touch || !(std::abs(touch->gap()) <= tolerance)) {
     return std::nullopt;
   }
-  StandingContact standing;
-  ContactPosition& at = standing.at;
+  DwellContact dwell;
+  ContactPosition& at = dwell.at;
   at.u = u;
   at.q = q;
   static_cast<CommonNormal&>(at) = *touch;
   at.sliding = -velocity_per_q(motion1, at.p1_W).dot(perp(at.n_W));
   at.gap_q = at.n_W.dot(velocity_per_q(motion2, at.p2_W));
-  const bool held = !gap_q_may_vanish(pair, at);
-  return held ? std::nullopt : std::optional(standing);
+  return gap_q_may_vanish(pair, at) ? std::optional(dwell) : std::nullopt;
 }
 
 }  // namespace higherpair
