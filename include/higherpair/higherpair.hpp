@@ -9,6 +9,7 @@
 #include "higherpair/front/design.hpp"           // IWYU pragma: export
 #include "higherpair/front/export.hpp"           // IWYU pragma: export
 #include "higherpair/front/fit.hpp"              // IWYU pragma: export
+#include "higherpair/front/map.hpp"              // IWYU pragma: export
 #include "higherpair/front/measure.hpp"          // IWYU pragma: export
 #include "higherpair/front/mobility.hpp"         // IWYU pragma: export
 #include "higherpair/front/model.hpp"            // IWYU pragma: export

@@ -13,7 +13,8 @@
 namespace higherpair {
 namespace {
 
-constexpr double kFont = 14;        // [px]
+constexpr double kFont = 14;  // [px]
+constexpr double kTargetRadius = 3.5;
 constexpr double kInkEvery = 5;     // distance of the points that labels keep clear of [px]
 constexpr double kNarrowest = 240;  // least width of a picture, including room on both sides [px]
 
@@ -110,6 +111,18 @@ public:
           }
         }
       }
+    }
+  }
+
+  void draw_targets(const std::vector<Vector2d>& targets) {
+    for (const Vector2d& target : targets) {
+      const Vector2d px = screen_(target);
+      svg_.element("circle", {{"class", "target"},
+                              {"style", "fill:#fff;stroke:#b0306a;stroke-width:1.6"},
+                              {"data-role", "target"},
+                              {"cx", px.x()},
+                              {"cy", px.y()},
+                              {"r", kTargetRadius}});
     }
   }
 
@@ -231,6 +244,7 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
     Picture picture(svg, screen, layers, settings.length);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
+      picture.draw_targets(settings.targets);
       picture.draw_labels({width, drawn});
     }
     svg.close();

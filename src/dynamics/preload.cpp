@@ -204,15 +204,15 @@ std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces
 }
 
 std::optional<double> highest_speed(const ContactForces& forces) {
-  if (!forces.complete || forces.pieces.empty() || largest_of(forces, 1) > 0) {
-    return std::nullopt;
-  }
   std::vector<double> weights(ForcePiece::kParts + forces.preloads.size(), 0);
   weights[0] = 1;
   for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
     if (worst_place(forces, contact, weights)) {
-      return std::nullopt;  // opens at rest
+      return 0;  // opens at rest
     }
+  }
+  if (!forces.complete || forces.pieces.empty() || largest_of(forces, 1) > 0) {
+    return std::nullopt;
   }
   weights[0] = 0;
   weights[2] = 1;  // at infinite speed only inertia counts
@@ -220,7 +220,10 @@ std::optional<double> highest_speed(const ContactForces& forces) {
     int exchanges = 0;
     while (const auto worst = worst_place(forces, contact, weights)) {
       const double rest = (*worst)[0], inertia = (*worst)[2];
-      if (++exchanges > kMostExchanges || !(rest > 0 && inertia < 0)) {
+      if (!(rest > 0)) {
+        return 0;  // nothing presses the contact together there
+      }
+      if (++exchanges > kMostExchanges || !(inertia < 0)) {
         return std::nullopt;
       }
       weights[0] = 1;

@@ -92,20 +92,20 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
 namespace {
 
 // How far a driver goes from its first position.
-double way_of(const DriverSchedule& schedule, std::size_t driver) {
+double travel_of(const DriverSchedule& schedule, std::size_t driver) {
   const auto position = [&](std::int64_t row) { return schedule.state(row, driver).si.position; };
   const std::int64_t last = schedule.size() - 1;
   const std::int64_t stride =
       schedule.is_listed() ? 1 : std::max<std::int64_t>(1, schedule.size() / kSlipsLookedFor);
-  double way = std::abs(position(last) - position(0));
+  double travel = std::abs(position(last) - position(0));
   for (std::int64_t row = 0; row < last; row += stride) {
-    way = std::max(way, std::abs(position(row) - position(0)));
+    travel = std::max(travel, std::abs(position(row) - position(0)));
   }
-  return way;
+  return travel;
 }
 
 // The objection to a driver that moves this far from its first position [rad or m]; empty if there is none.
-std::string objection_to_way(const Model::Data& model, std::size_t driver, double way) {
+std::string travel_objection(const Model::Data& model, std::size_t driver, double travel) {
   const Profile& profile = model.profile;
   const std::string name = driver_name(profile.mechanism.drivers[driver]);
   const auto length = [&](double metres) {
@@ -114,7 +114,7 @@ std::string objection_to_way(const Model::Data& model, std::size_t driver, doubl
   };
   const double longest = kLongestDriverSlide * model.plan->size;
   if (has_angle(driven_joint(profile.mechanism, driver).type)) {
-    const double turns = way / (2 * kPi);
+    const double turns = travel / (2 * kPi);
     return turns <= kMostDriverTurns
                ? ""
                : fmt::format(
@@ -122,18 +122,18 @@ std::string objection_to_way(const Model::Data& model, std::size_t driver, doubl
                      "let it go less far",
                      name, turns);
   }
-  return way <= longest
+  return travel <= longest
              ? ""
              : fmt::format(
                    "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can "
                    "be followed (the largest distance of its points, or {} where they coincide): let it go "
                    "less far",
-                   name, length(way), length(longest), length(1));
+                   name, length(travel), length(longest), length(1));
 }
 
-std::optional<Error> refuse_long_way(const Model::Data& model, const DriverSchedule& schedule) {
+std::optional<Error> refuse_long_travel(const Model::Data& model, const DriverSchedule& schedule) {
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    std::string objection = objection_to_way(model, i, way_of(schedule, i));
+    std::string objection = travel_objection(model, i, travel_of(schedule, i));
     if (!objection.empty()) {
       return error_about(model, ErrorKind::kInput, std::move(objection));
     }
@@ -145,7 +145,7 @@ Result<Run> started(const Model::Data& model, const RunSettings& settings, const
   const auto refuse = [&](std::string reason) {
     return tl::unexpected(error_about(model, ErrorKind::kMechanism, std::move(reason)));
   };
-  if (auto refusal = refuse_long_way(model, schedule)) {
+  if (auto refusal = refuse_long_travel(model, schedule)) {
     return tl::unexpected(*std::move(refusal));
   }
   auto run = start_run(run_model(model), schedule.first_positions(), settings.tolerance);

@@ -23,12 +23,6 @@ bool is_earlier(const Event& a, const Event& b) {
   return a.time && b.time ? *a.time < *b.time : a.share < b.share;
 }
 
-bool is_fault(const Event& event, std::int64_t last_row) {
-  const bool at_end = (event.row == last_row && event.share >= 1 - kAtRowEnd) || event.row == 0;
-  const bool limit = (event.type == EventType::kLimitPosition || event.type == EventType::kEnd) && !at_end;
-  return limit || event.type == EventType::kOverlap;
-}
-
 std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const Units& units) {
   const Joint& driver = driven_joint(mechanism, jump.driver);
   Dimension rate = jump.turns ? dimension::kAngle : dimension::kLength;
@@ -52,6 +46,11 @@ std::string cause_of(const RunEvent& what, const Mechanism& mechanism, const Uni
 }
 
 }  // namespace
+
+bool is_fault(EventType type, std::int64_t row, double share, std::int64_t last_row) {
+  const bool at_end = (row == last_row && share >= 1 - kAtRowEnd) || row == 0;
+  return (loses_motion(type) && !at_end) || type == EventType::kOverlap;
+}
 
 void Analysis::Impl::add_event(const RunEvent& what, double share) {
   const Mechanism& mechanism = model->profile.mechanism;
@@ -81,7 +80,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
     const Joint& joint = mechanism.joints[*what.joint];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);
   }
-  good = good && !is_fault(event, schedule.size() - 1);
+  good = good && !is_fault(event.type, event.row, event.share, schedule.size() - 1);
   events.push_back(std::move(event));
 }
 
@@ -142,8 +141,9 @@ void Analysis::Impl::add_law_jumps() {
 
 std::vector<Event> Analysis::Impl::faults_before(std::int64_t row) const {
   std::vector<Event> faults;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(faults),
-               [&](const Event& event) { return event.row <= row && is_fault(event, row); });
+  std::copy_if(events.begin(), events.end(), std::back_inserter(faults), [&](const Event& event) {
+    return event.row <= row && is_fault(event.type, event.row, event.share, row);
+  });
   return faults;
 }
 

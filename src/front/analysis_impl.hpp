@@ -18,14 +18,18 @@ namespace higherpair {
 /// Why the mechanism cannot be run at all: no driver, or no order of solution.
 [[nodiscard]] std::optional<Error> refuse_to_start(const Model::Data& model);
 
-/// Positions of the drivers in each row of a run. Fails for invalid settings. \pre the mechanism has a
-/// driver.
 /// Whether a profile could have this position of a driver.
 [[nodiscard]] bool can_be_position(double position, const Dimension& of_driver, const Units& units);
 /// The farthest one, as messages name it.
 [[nodiscard]] std::string_view farthest_position(const Dimension& of_driver);
 
+/// Positions of the drivers in each row of a run. Fails for invalid settings. \pre the mechanism has a
+/// driver.
 [[nodiscard]] Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings);
+
+/// Whether an event on the path to `row` makes a run up to `last_row` bad: an overlap, and a lost motion,
+/// except at the very ends of the run.
+[[nodiscard]] bool is_fault(EventType type, std::int64_t row, double share, std::int64_t last_row);
 
 /// The columns of a run. \pre the mechanism has a plan.
 [[nodiscard]] Result<ColumnSet> columns_of(const Model::Data& model, const RunSettings& settings,

@@ -67,9 +67,8 @@ std::array<double, 2> position_interval(const std::array<double, 2>& q, double q
   const auto bound = [&](double q_bound, double towards) {
     return std::nextafter(position + scaling.apply(sign * (q_bound - q_of_contact)), towards);
   };
-  const double infinity = kInf;
-  const double a = bound(q[0], -sign * infinity);
-  const double b = bound(q[1], sign * infinity);
+  const double a = bound(q[0], -sign * kInf);
+  const double b = bound(q[1], sign * kInf);
   return {std::min(a, b), std::max(a, b)};
 }
 

@@ -1,6 +1,7 @@
 #include "chain_variants.hpp"
 
 #include "analysis_impl.hpp"
+#include "design_columns.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -24,24 +25,10 @@ using Quantity = ChainColumn::Quantity;
 
 constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of which are kept in memory
 
-struct NamedQuantity {
-  std::string_view name;
-  Quantity quantity;
-  Dimension dimension;
-};
-
-// As add_motion_columns names them. Points have no angle of their own.
-constexpr std::array<NamedQuantity, 9> kQuantities{
-    {{"x", Quantity::kX, dimension::kLength},
-     {"y", Quantity::kY, dimension::kLength},
-     {"vx", Quantity::kVx, dimension::kVelocity},
-     {"vy", Quantity::kVy, dimension::kVelocity},
-     {"ax", Quantity::kAx, dimension::kAcceleration},
-     {"ay", Quantity::kAy, dimension::kAcceleration},
-     {"angle", Quantity::kAngle, dimension::kAngle},
-     {"omega", Quantity::kOmega, dimension::kAngularVelocity},
-     {"alpha", Quantity::kAlpha, dimension::kAngularAcceleration}}};
-constexpr std::size_t kOfPoints = 6;  // only the first of these apply to points
+// The quantities in the order of BodyColumn::quantity.
+constexpr std::array kQuantities = {Quantity::kX,     Quantity::kY,     Quantity::kVx,
+                                    Quantity::kVy,    Quantity::kAx,    Quantity::kAy,
+                                    Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha};
 
 std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::string_view path) {
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -56,12 +43,6 @@ std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::st
   }
   return std::nullopt;
 }
-
-// The coordinate of a pin whose first body is ground is the angle of the second one.
-constexpr std::array<NamedQuantity, 3> kOfPins{
-    {{"position", Quantity::kAngle, dimension::kAngle},
-     {"velocity", Quantity::kOmega, dimension::kAngularVelocity},
-     {"acceleration", Quantity::kAlpha, dimension::kAngularAcceleration}}};
 
 struct NamedColumn {
   ChainColumn column;
@@ -101,7 +82,7 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
 }
 
 // Adds the column of this name unless it is already there; returns its index.
-std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, std::string_view name,
+std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& units, const std::string& name,
                                       ChainRecipe& recipe) {
   const auto add = [&](ChainColumn column, const Dimension& dimension) {
     for (std::size_t i = 0; i < recipe.columns.size(); ++i) {
@@ -114,29 +95,10 @@ std::optional<std::size_t> add_column(const Mechanism& mechanism, const Units& u
     recipe.scales.push_back(from_si(dimension, units));
     return recipe.columns.size() - 1;
   };
-  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
-    const Body& body = mechanism.bodies[b];
-    for (std::size_t k = 0; k < kQuantities.size(); ++k) {
-      const NamedQuantity& of = kQuantities[k];
-      if (name == fmt::format("{}.{}", body.name, of.name)) {
-        return add({static_cast<int>(b), std::nullopt, of.quantity}, of.dimension);
-      }
-      for (std::size_t p = 0; k < kOfPoints && p < body.points.size(); ++p) {
-        if (name == fmt::format("{}.{}.{}", body.name, body.points[p].name, of.name)) {
-          return add({static_cast<int>(b), static_cast<int>(p), of.quantity}, of.dimension);
-        }
-      }
-    }
-  }
-  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-    const Joint& joint = mechanism.joints[j];
-    const bool grounded = joint.type == JointType::kRevolute && joint.first.body == kGround &&
-                          !is_driven(mechanism, static_cast<int>(j));
-    for (const NamedQuantity& of : kOfPins) {
-      if (grounded && name == fmt::format("{}.{}", joint.name, of.name)) {
-        return add({joint.second.body, std::nullopt, of.quantity}, of.dimension);
-      }
-    }
+  if (const auto of = body_column(mechanism, units, name)) {
+    if (of->body == kGround || of->minus != kGround) return std::nullopt;
+    const auto point = of->point ? std::optional(static_cast<int>(*of->point)) : std::nullopt;
+    return add({static_cast<int>(of->body), point, kQuantities[of->quantity]}, dimension_of(*of));
   }
   for (std::size_t c = 0; c < mechanism.contacts.size(); ++c) {
     if (name == fmt::format("{}.pressure", mechanism.contacts[c].name)) {

@@ -1,7 +1,6 @@
 #include "higherpair/front/check.hpp"
 
 #include "check_parts.hpp"
-#include "higherpair/front/pictures.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -59,20 +58,22 @@ void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, con
   }
   const auto& given = limits.all[static_cast<std::size_t>(LimitKey::kMinSpeedFactor)];
   const std::optional<double> factor = analysis.highest_speed();
-  figures.about("mechanism");
-  if (!factor) {
-    if (given) {
-      figures.use(&*given);
-      figures.add("speed_factor", dimension::kNumber, 0.0, std::nullopt, &*given, CheckFigures::Bound::kLeast)
-          .remark = "a contact opens at rest already, or dampers act";
-    }
+  if (!factor && !given) {
     return;
   }
-  const std::optional<double> value = std::isfinite(*factor) ? factor : std::nullopt;
-  figures
-      .add("speed_factor", dimension::kNumber, value, std::nullopt, given ? &*given : nullptr,
-           CheckFigures::Bound::kLeast)
-      .remark = value ? "so many times the drivers' speed opens a contact" : "no speed opens a contact";
+  figures.about("mechanism");
+  const std::optional<double> value = factor && std::isfinite(*factor) ? factor : std::nullopt;
+  CheckFigure& figure = figures.add("speed_factor", dimension::kNumber, value, std::nullopt,
+                                    given ? &*given : nullptr, CheckFigures::Bound::kLeast);
+  if (!factor) {
+    figure.verdict = Verdict::kUndecided;
+    figure.remark = "not known: dampers act, or a force is not defined everywhere";
+  } else if (!value) {
+    figure.remark = "no speed opens a contact";
+  } else {
+    figure.remark =
+        *value > 0 ? "so many times the drivers' speed opens a contact" : "a contact opens at rest already";
+  }
 }
 
 }  // namespace

@@ -7,11 +7,9 @@
 #include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 namespace higherpair {
 namespace {

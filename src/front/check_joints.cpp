@@ -3,12 +3,12 @@
 #include "higherpair/analysis/jerk.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "path_columns.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 namespace higherpair {
 namespace {
@@ -18,42 +18,17 @@ using Bound = CheckFigures::Bound;
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
 
-// Third time derivatives of the drivers: 0 without a law; with a law, known only for a run in time.
-class DriverJerks {
-public:
-  DriverJerks(const Profile& profile, const DriverSchedule& schedule) {
-    for (std::size_t i = 0; i < profile.programs.size(); ++i) {
-      const Dimension of = has_angle(driven_joint(profile.mechanism, i).type) ? kAngularJerk : kJerk;
-      laws_.push_back({profile.programs[i].law, to_si(of, profile.units)});
-      known_ = known_ && (!profile.programs[i].law || schedule.is_timed());
-    }
-    time_ = from_si(dimension::kTime, profile.units);
-  }
-
-  [[nodiscard]] bool known() const { return known_; }
-
-  [[nodiscard]] std::vector<HigherRates> at(double time) const {
-    std::vector<HigherRates> rates;
-    for (const auto& [law, scale] : laws_) {
-      rates.push_back({law ? scale.apply(law->derivative(3, time_.apply(time))) : 0, 0, 0, 0});
-    }
-    return rates;
-  }
-
-private:
-  std::vector<std::pair<std::optional<MotionLaw>, Scaling>> laws_;
-  Scaling time_;
-  bool known_ = true;
-};
-
 // Accelerations and jerks of the joints on which bodies move against ground, driven ones included.
 class CheckedJoints {
 public:
   explicit CheckedJoints(const CheckedPath& checked)
-      : jerks_(checked.profile, checked.schedule),
+      : drivers_(checked.profile, checked.schedule),
         size_(checked.start.plan().size),
         rate_(driver_rate(checked)) {
     const Mechanism& mechanism = checked.start.mechanism();
+    for (const DriverProgram& program : checked.profile.programs) {
+      known_ = known_ && (!program.law || checked.schedule.is_timed());
+    }
     for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
       const Joint& joint = mechanism.joints[i];
       if ((joint.first.body == 0) == (joint.second.body == 0) || !can_be_driven(joint.type)) continue;
@@ -82,10 +57,10 @@ public:
   }
 
   void fill_jerks(const Run& run, double at, std::span<double> out) const {
-    if (!jerks_.known() || !run.row.all_rates) {
+    if (!known_ || !run.row.all_rates) {
       return;
     }
-    const auto bodies = true_jerks_of(run, jerks_.at(at));
+    const auto bodies = true_jerks_of(run, driver_jerks(at));
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       out[i] = joint_jerk(run, joints_[i].joint, bodies).value_or(out[i]);
     }
@@ -123,10 +98,21 @@ private:
     std::string name;
   };
 
+  // Third time derivatives of the drivers: 0 for those without a law.
+  [[nodiscard]] std::vector<HigherRates> driver_jerks(double time) const {
+    std::vector<HigherRates> jerks(drivers_.schedule().driver_count(), HigherRates{});
+    if (drivers_.schedule().is_timed()) {
+      const std::vector<DriverState> states = drivers_.at_time(time);
+      for (std::size_t i = 0; i < jerks.size(); ++i) jerks[i][0] = states[i].higher_si[0];
+    }
+    return jerks;
+  }
+
   std::vector<Moving> joints_;
-  DriverJerks jerks_;
-  double size_;  // of the mechanism
-  double rate_;  // largest of the drivers
+  DriverPlaces drivers_;
+  bool known_ = true;  // whether the drivers' jerks are: those of laws only in time
+  double size_;        // of the mechanism
+  double rate_;        // largest of the drivers
 };
 
 }  // namespace

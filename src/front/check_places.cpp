@@ -2,7 +2,6 @@
 #include "check_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -21,7 +20,8 @@ void append_number(double value, std::string& out) {
   out.append(text.data(), put_shortest(value == 0 ? 0.0 : value, text.data()));
 }
 
-// A name that occurs twice; null if there is none.
+}  // namespace
+
 const std::string* repeated(const std::vector<std::string>& names) {
   std::vector<const std::string*> sorted;
   for (const std::string& name : names) {
@@ -33,8 +33,6 @@ const std::string* repeated(const std::vector<std::string>& names) {
                                         [](const std::string* a, const std::string* b) { return *a == *b; });
   return found == sorted.end() ? nullptr : *found;
 }
-
-}  // namespace
 
 bool matches(std::string_view glob, std::string_view name) {
   std::size_t star = std::string_view::npos;  // the last `*` met, and the end of the text it matches

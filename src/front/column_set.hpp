@@ -97,11 +97,12 @@ private:
 
 /// Appends the cells of a row of CSV to `out`, without a line end.
 void append_csv_cells(std::span<const Column> columns, std::span<const double> values, std::string& out);
-/// A column's name with its unit, as in the header of CSV.
-[[nodiscard]] std::string csv_head(const Column& column);
 
 /// Index of the column of this name; columns.size() if there is none.
 [[nodiscard]] std::size_t column_slot(const std::vector<Column>& columns, std::string_view name);
+
+/// A name that occurs twice; null if there is none.
+[[nodiscard]] const std::string* repeated(const std::vector<std::string>& names);
 
 /// Appends a cell of text, in quotes where necessary.
 void append_csv_text(std::string_view text, std::string& out);

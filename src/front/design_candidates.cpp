@@ -30,7 +30,6 @@ void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {
     if (rows_.missing == 0 && any_position_) place_directly(x, branch);
   } else if (direct_) {
     rows_.restart();
-    rows_.points.clear();
     auto candidate = candidate_of(x, false);
     candidate ? place_rows(*setup_, std::move(candidate->mechanism), candidate->plan, branch, rows_) : fail();
   }

@@ -1,5 +1,7 @@
 #include "design_columns.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,10 +23,26 @@ constexpr std::array<Ending, 9> kEndings = {{{".x", dimension::kLength},
                                              {".omega", dimension::kAngularVelocity},
                                              {".alpha", dimension::kAngularAcceleration}}};
 constexpr std::size_t kPointEndings = 6;  // only the first of these apply to points
+constexpr std::array kOfJoints = {".position", ".velocity", ".acceleration"};  // angle, omega and alpha
 
 std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     if (name == owner + kEndings[k].ending) return k;
+  }
+  return std::nullopt;
+}
+
+// The rotation of the second body of a revolute joint relative to the first one. Driven joints have no
+// columns of their own.
+std::optional<BodyColumn> joint_column(const Mechanism& mechanism, const std::string& name) {
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    if (joint.type != JointType::kRevolute || is_driven(mechanism, static_cast<int>(j))) continue;
+    for (std::size_t k = 0; k < kOfJoints.size(); ++k) {
+      if (name != joint.name + kOfJoints[k]) continue;
+      return BodyColumn{static_cast<std::size_t>(joint.second.body), std::nullopt, kPointEndings + k, 1,
+                        static_cast<std::size_t>(joint.first.body)};
+    }
   }
   return std::nullopt;
 }
@@ -51,28 +69,41 @@ std::optional<std::size_t> extreme_row(std::span<const double> values, double si
 
 std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& units,
                                       const std::string& name) {
-  const auto found = [&](std::size_t body, std::optional<std::size_t> point, std::size_t quantity) {
-    return BodyColumn{body, point, quantity, from_si(kEndings[quantity].dimension, units).apply(1)};
+  const auto scaled = [&](BodyColumn column) {
+    column.scale = from_si(dimension_of(column), units).apply(1);
+    return column;
   };
   for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
     const Body& body = mechanism.bodies[b];
     if (const auto quantity = quantity_of(name, body.name, kEndings.size())) {
-      return found(b, std::nullopt, *quantity);
+      return scaled({b, std::nullopt, *quantity});
     }
     for (std::size_t p = 0; p < body.points.size(); ++p) {
       const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, kPointEndings);
-      if (quantity) return found(b, p, *quantity);
+      if (quantity) return scaled({b, p, *quantity});
     }
   }
-  return std::nullopt;
+  const auto joint = joint_column(mechanism, name);
+  return joint ? std::optional(scaled(*joint)) : std::nullopt;
+}
+
+const Dimension& dimension_of(const BodyColumn& column) {
+  return kEndings[column.quantity].dimension;
+}
+
+int order_of(const BodyColumn& column) {
+  return static_cast<int>(column.quantity < kPointEndings ? column.quantity / 2
+                                                          : column.quantity - kPointEndings);
 }
 
 double column_slope(const BodyColumn& column, const Run& run, const Mechanism& derivative,
                     const RowSensitivity& of_row) {
   const BodyMotion& change = of_row.bodies[column.body];
   if (column.quantity >= kPointEndings) {
-    return column.scale *
-           std::array{change.theta, change.omega, change.alpha}[column.quantity - kPointEndings];
+    const auto k = static_cast<std::size_t>(order_of(column));
+    const BodyMotion& minus = of_row.bodies[column.minus];
+    return column.scale * (std::array{change.theta, change.omega, change.alpha}[k] -
+                           std::array{minus.theta, minus.omega, minus.alpha}[k]);
   }
   Vector2d p_B = Vector2d::Zero(), p_B_slope = p_B;
   if (column.point) {

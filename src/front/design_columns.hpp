@@ -11,17 +11,23 @@
 
 namespace higherpair {
 
-/// A column of the motion of a body or one of its points: its derivative follows from that of the body alone.
+/// A column of the motion of a body, one of its points or a revolute joint: its derivative follows from those
+/// of the bodies alone.
 struct BodyColumn {
   std::size_t body = 0;
   std::optional<std::size_t> point;  ///< none: the origin of the body's frame
-  std::size_t quantity = 0;          ///< x, y, vx, vy, ax, ay; for a body also angle, omega, alpha
+  std::size_t quantity = 0;          ///< x, y, vx, vy, ax, ay; without a point also angle, omega, alpha
   double scale = 1;                  ///< from SI units to the table's
+  std::size_t minus = 0;             ///< of angles: the body relative to which they are; 0: ground
 };
 
 /// The column of this name; none if it is of another kind.
 [[nodiscard]] std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& units,
                                                     const std::string& name);
+
+[[nodiscard]] const Dimension& dimension_of(const BodyColumn& column);
+/// Of the time derivative: 0 for positions and angles.
+[[nodiscard]] int order_of(const BodyColumn& column);
 
 /// The derivative of the column by a parameter, in the row of a run.
 [[nodiscard]] double column_slope(const BodyColumn& column, const Run& run, const Mechanism& derivative,

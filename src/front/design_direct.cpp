@@ -67,18 +67,15 @@ private:
 
   // The gap at the vertex of the parabola through three places, if the vertex lies between them.
   void take_vertex(std::size_t g, double c, std::optional<std::size_t> row) {
-    const double a = *before_[0].gaps[g];
-    const double b = *before_[1].gaps[g];
-    if (b < a || b < c) return;
-    const double bend = 2 * b - a - c;
-    const double share = bend > 0 ? (c - a) / bend : 0;
+    const auto vertex = vertex_of(*before_[0].gaps[g], *before_[1].gaps[g], c);
+    if (!vertex) return;
     std::vector<WeightedRow> rows;
     if (row && before_[0].row && before_[1].row) {
-      rows = {{*before_[0].row, -share / 4 + share * share / 8},
-              {*before_[1].row, 1 - share * share / 4},
-              {*row, share / 4 + share * share / 8}};
+      rows = {{*before_[0].row, vertex->weights[0]},
+              {*before_[1].row, vertex->weights[1]},
+              {*row, vertex->weights[2]}};
     }
-    reader_.take_gap(g, b + share * (c - a) / 8, rows);
+    reader_.take_gap(g, vertex->value, rows);
   }
 
   const DesignSetup& setup_;
@@ -91,6 +88,20 @@ private:
 };
 
 }  // namespace
+
+// With s = (c - a)/(2b - a - c) the value is b + s (c - a)/8.
+std::optional<GapVertex> vertex_of(double a, double b, double c) {
+  if (!(b >= a && b >= c)) {
+    return std::nullopt;
+  }
+  const double bend = 2 * b - a - c;
+  if (!(bend > 0)) {
+    return GapVertex{b, {0, 1, 0}};
+  }
+  const double s = (c - a) / bend;
+  return GapVertex{b + (c - a) * (c - a) / (8 * bend),
+                   {-s / 4 + s * s / 8, 1 - s * s / 4, s / 4 + s * s / 8}};
+}
 
 int closure_parts(const DesignSetup& setup, std::span<const double> from, std::span<const double> to) {
   const Mechanism& mechanism = setup.numbers.model().mechanism();

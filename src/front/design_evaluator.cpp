@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -30,15 +29,7 @@ constexpr double kViolated = 1;
 std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::PointPath& path) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < path.through.size(); ++i) {
-    std::size_t row = i;
-    for (std::int64_t k = 0; !path.at.empty() && k < setup.schedule.size(); ++k) {
-      const double position = setup.schedule.state(k).profile.position;
-      if (std::abs(position - path.at[i]) <= kSamePosition * (1 + std::abs(position))) {
-        row = static_cast<std::size_t>(k);
-        break;
-      }
-    }
-    rows.push_back(row);
+    rows.push_back(path.at.empty() ? i : row_at(setup.schedule, path.at[i]).value_or(i));
   }
   return rows;
 }
@@ -234,6 +225,24 @@ Eigen::Index closure_count(const DesignSetup& setup) {
   Eigen::Index modes = 0;
   for (int branches = setup.branches; branches > 1; branches /= 2) ++modes;
   return modes;
+}
+
+Eigen::Index constraint_count(const DesignSetup& setup) {
+  Eigen::Index count = closure_count(setup) + 1;
+  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
+    count += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
+  }
+  return count;
+}
+
+std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position) {
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    const double there = schedule.state(k).profile.position;
+    if (std::abs(there - position) <= kSamePosition * (1 + std::abs(there))) {
+      return static_cast<std::size_t>(k);
+    }
+  }
+  return std::nullopt;
 }
 
 // A limit of 0, or close to it, gives no scale; the value at the start does.

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct DesignScore {
 
 /// Number of groups of the mechanism with two modes; each has a constraint on its closure.
 [[nodiscard]] Eigen::Index closure_count(const DesignSetup& setup);
+
+/// Number of constraints of the problem: those on closure, one for a good path, and one for each limit of the
+/// task.
+[[nodiscard]] Eigen::Index constraint_count(const DesignSetup& setup);
+
+/// The first row with this position of the first driver, as tables show it; none if no row has it.
+[[nodiscard]] std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position);
 
 /// Sets DesignSetup::scales and cost_scale by the order of magnitude of the limits and of the values at the
 /// start.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace higherpair {
@@ -138,13 +137,8 @@ public:
     if (!go_to(start)) return std::move(at_.places);
     for (int pass = 0; pass < kMostFits; ++pass) {
       const State before = at_;
-      std::vector<Vector2d> places, along;
-      for (const PathMiss& miss : before.places) {
-        places.push_back(miss.p_W);
-        along.push_back(miss.along);
-      }
-      const PathPlacement placement(path_, places);
-      const auto [z, shift] = placement.moved_by_tangents(along);
+      const PathPlacement placement = placement_of(path_, before.places);
+      const auto [z, shift] = placement.moved_by_tangents(tangents_of(before.places));
       const bool gains = go_to({z, shift}) && at_.placing.cost <= before.placing.cost;
       if (!gains && !go_to({placement.turn_and_scale(), placement.shift()})) {
         at_ = before;

@@ -1,5 +1,7 @@
 #include "design_gradient.hpp"
 
+#include "design_evaluator.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +10,13 @@ namespace {
 
 class Gradient {
 public:
-  Gradient(const DesignSetup& setup, DesignCandidates& candidates, const DesignStanding& standing,
+  Gradient(const DesignSetup& setup, DesignCandidates& candidates, const EvaluatedCandidate& candidate,
            double unit, DesignJacobian& jacobian)
       : setup_(setup),
         task_(setup.numbers.task()),
         pins_(candidates.pins()),
-        standing_(standing),
-        rows_(standing.rows),
+        candidate_(candidate),
+        rows_(candidate.rows),
         unit_(unit),
         jacobian_(jacobian) {}
 
@@ -26,7 +28,7 @@ public:
       return false;
     }
     if (pins_ == nullptr || (assembles && !setup_.quantities.empty())) {
-      slopes_ = candidates.slopes(standing_.x, standing_.branch, slope_places());
+      slopes_ = candidates.slopes(candidate_.x, candidate_.branch, slope_places());
       if (!slopes_) return false;
     }
     set_sizes();
@@ -37,16 +39,12 @@ public:
 
 private:
   void set_sizes() {
-    const auto variables = static_cast<Eigen::Index>(standing_.x.size());
+    const auto variables = static_cast<Eigen::Index>(candidate_.x.size());
     Eigen::Index residuals = 0;
     for (const DesignTask::Objective& objective : task_.objectives) residuals += residual_count(objective);
-    auto constraints = static_cast<Eigen::Index>(rows_.gaps.size()) + 1;
-    for (const DesignTask::Constraint& constraint : task_.constraints) {
-      constraints += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
-    }
     jacobian_.cost.setZero(variables);
     jacobian_.residuals.setZero(residuals, variables);
-    jacobian_.constraints.setZero(constraints, variables);
+    jacobian_.constraints.setZero(constraint_count(setup_), variables);
   }
 
   // The places of paths at which a run has to be differentiated; none with pins.
@@ -57,7 +55,7 @@ private:
     for (const DesignTask::Objective& objective : task_.objectives) {
       if (!objective.path) continue;
       auto& path = places.emplace_back();
-      for (const PathMiss& miss : standing_.places[k]) {
+      for (const PathMiss& miss : candidate_.places[k]) {
         const bool is_row = miss.row.has_value();
         path.push_back({objective.path->ref, is_row ? *miss.row : row_near(miss.driver),
                         is_row ? std::nullopt : std::optional(miss.driver)});
@@ -116,7 +114,7 @@ private:
     if (pins_ == nullptr) {
       return slopes_->paths[k];
     }
-    const std::vector<PathMiss>& places = standing_.places[k];
+    const std::vector<PathMiss>& places = candidate_.places[k];
     Eigen::MatrixXd slopes(2 * static_cast<Eigen::Index>(places.size()), jacobian_.cost.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       slopes.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
@@ -128,7 +126,7 @@ private:
 
   void add_path(const DesignTask::PointPath& path, std::size_t k, double scale, Eigen::Index row) {
     const Eigen::MatrixXd slopes = place_slopes(path, k);
-    const std::vector<PathMiss>& places = standing_.places[k];
+    const std::vector<PathMiss>& places = candidate_.places[k];
     if (path.is_free() && !path.timed) {
       jacobian_.residuals.middleRows(row, miss_count(path)) =
           scale * placement_of(path, places).distance_slopes(tangents_of(places), slopes);
@@ -185,7 +183,7 @@ private:
   const DesignSetup& setup_;
   const DesignTask& task_;
   PinnedRows* pins_;
-  const DesignStanding& standing_;
+  const EvaluatedCandidate& candidate_;
   const DesignRows& rows_;
   double unit_;
   DesignJacobian& jacobian_;
@@ -200,9 +198,9 @@ Eigen::Index residual_count(const DesignTask::Objective& objective) {
                         : static_cast<Eigen::Index>(objective.values.size()) + (objective.target ? 1 : 0);
 }
 
-bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates, const DesignStanding& standing,
+bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates, const EvaluatedCandidate& candidate,
                   double unit, DesignJacobian& jacobian) {
-  return Gradient(setup, candidates, standing, unit, jacobian).fill(candidates);
+  return Gradient(setup, candidates, candidate, unit, jacobian).fill(candidates);
 }
 
 }  // namespace higherpair

@@ -10,7 +10,7 @@
 namespace higherpair {
 
 /// The candidate evaluated last.
-struct DesignStanding {
+struct EvaluatedCandidate {
   std::span<const double> x;
   int branch = 0;
   const DesignRows& rows;
@@ -23,6 +23,6 @@ struct DesignStanding {
 /// Computes the derivatives of what an evaluator returns for this candidate; false where they are not known
 /// exactly. \param unit  of lengths [m]
 [[nodiscard]] bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates,
-                                const DesignStanding& standing, double unit, DesignJacobian& jacobian);
+                                const EvaluatedCandidate& candidate, double unit, DesignJacobian& jacobian);
 
 }  // namespace higherpair

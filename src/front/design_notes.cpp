@@ -65,7 +65,7 @@ public:
         continue;
       }
       const std::string& unit = setup_.quantities[quantity].unit;
-      quantity += std::max<std::size_t>(1, objective.followed.size());
+      quantity += quantity_count(objective);
       if (objective.target) note_target(objective, score.objectives[k], unit);
       if (!objective.followed.empty()) note_followed(objective, unit);
     }

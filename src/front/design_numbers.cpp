@@ -52,24 +52,12 @@ DesignNumbers::DesignNumbers(Model model, const DesignTask& task)
   linear_ = !changes_laws && is_all_numbers(model_.mechanism()) && find_slopes();
 }
 
-std::vector<Setting> DesignNumbers::settings_of(std::span<const double> x) const {
-  std::vector<Setting> settings;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const DesignTask::Variable& variable = task_->variables[i];
-    for (std::size_t k = 0; k < variable.paths.size(); ++k) {
-      settings.emplace_back(variable.paths[k], variable.factors[k] * x[i]);
-    }
-  }
-  return settings;
-}
-
-// None of the variants is refused for being out of its bounds: differences at a bound go beyond it.
-Result<ModelVariants> DesignNumbers::variants() const {
+std::vector<std::string> DesignNumbers::paths() const {
   std::vector<std::string> paths;
   for (const DesignTask::Variable& variable : task_->variables) {
     paths.insert(paths.end(), variable.paths.begin(), variable.paths.end());
   }
-  return ModelVariants::of(model_, paths);
+  return paths;
 }
 
 std::vector<double> DesignNumbers::values_of(std::span<const double> x) const {
@@ -80,8 +68,17 @@ std::vector<double> DesignNumbers::values_of(std::span<const double> x) const {
   return values;
 }
 
+// None of the variants is refused for being out of its bounds: differences at a bound go beyond it.
+Result<ModelVariants> DesignNumbers::variants() const {
+  return ModelVariants::of(model_, paths());
+}
+
 Result<Model> DesignNumbers::model_of(std::span<const double> x) const {
-  return model_.with(settings_of(x));
+  const std::vector<std::string> at = paths();
+  const std::vector<double> values = values_of(x);
+  std::vector<Setting> settings;
+  for (std::size_t i = 0; i < values.size(); ++i) settings.emplace_back(at[i], values[i]);
+  return model_.with(settings);
 }
 
 std::shared_ptr<const Model::Data> DesignNumbers::data_of(std::span<const double> x) const {
@@ -132,7 +129,7 @@ bool DesignNumbers::find_slopes() {
     const std::vector<double> linear = numbers_of(mechanism_of(x));
     for (std::size_t k = 0; k < linear.size(); ++k) {
       const double largest = std::max(std::abs(base_[k]), std::abs((*numbers)[k]));
-      if (!(std::abs((*numbers)[k] - linear[k]) <= kLinearRounding * (1 + 1e3) * largest)) {
+      if (!(std::abs((*numbers)[k] - linear[k]) <= kLinearRounding * largest)) {
         return false;
       }
     }

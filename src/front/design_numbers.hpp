@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace higherpair {
@@ -47,14 +48,16 @@ public:
   void fill_numbers(std::span<const double> x, std::vector<double>& numbers) const;
   [[nodiscard]] std::span<const double> slopes(std::size_t variable) const { return slopes_[variable]; }
 
+  /// The paths of all variables in the profile, one after the other, and the numbers there.
+  [[nodiscard]] std::vector<std::string> paths() const;
+  [[nodiscard]] std::vector<double> values_of(std::span<const double> x) const;
+
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const DesignTask& task() const { return *task_; }
 
 private:
   [[nodiscard]] Mechanism linear_derivative(std::size_t variable) const;
-  [[nodiscard]] std::vector<Setting> settings_of(std::span<const double> x) const;
   [[nodiscard]] Result<ModelVariants> variants() const;
-  [[nodiscard]] std::vector<double> values_of(std::span<const double> x) const;
   [[nodiscard]] bool find_slopes();
   [[nodiscard]] std::optional<std::vector<double>> numbers_at(std::span<const double> x) const;
 

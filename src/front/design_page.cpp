@@ -5,9 +5,7 @@
 #include "higherpair/io/design_task.hpp"
 #include "model_data.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +24,6 @@ figure svg { width: 100%; height: auto; border: 1px solid #ddd; } figcaption { f
 table { border-collapse: collapse; } th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #ddd; }
 th { background: #f3f5f7; } th:first-child, td:first-child { text-align: left; }
 .violated { color: #a00; font-weight: bold; }
-circle.target { fill: #fff; stroke: #b0306a; stroke-width: 1.6; }
 )";
 
 std::string number(double value) {
@@ -93,15 +90,6 @@ std::string search_table(const DesignReport& report) {
   return table + "</table>\n";
 }
 
-// The value of an attribute of the picture's first element.
-std::string_view attribute(std::string_view svg, std::string_view name) {
-  const std::string mark = fmt::format("{}=\"", name);
-  const std::size_t at = svg.find(mark);
-  if (at == std::string_view::npos) return {};
-  const std::size_t begin = at + mark.size();
-  return svg.substr(begin, svg.find('"', begin) - begin);
-}
-
 // A target point of a path, in the frame of the mechanism before it is placed.
 Vector2d unplaced(const Vector2d& point, const std::optional<DesignReport::Objective::Placement>& placement,
                   const Units& units) {
@@ -112,25 +100,17 @@ Vector2d unplaced(const Vector2d& point, const std::optional<DesignReport::Objec
   return Rotation<double>::from_angle(-turn) * moved / placement->scale;
 }
 
-// The target points of paths as circles, to be drawn over a picture of the result.
-std::string targets_on(std::string_view svg, const Model& model, const DesignReport& report) {
-  const double scale = std::atof(std::string(attribute(svg, "data-scale")).c_str());
-  char* rest = nullptr;
-  const std::string origin(attribute(svg, "data-origin"));
-  const double x0 = std::strtod(origin.c_str(), &rest);
-  const double y0 = std::strtod(rest, nullptr);
-  const Scaling length = from_si(dimension::kLength, model.units());
-  std::string circles;
+// The target points of all paths [mm].
+std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report) {
+  std::vector<Vector2d> targets;
   const auto& objectives = model.profile().design->objectives;
   for (std::size_t k = 0; k < objectives.size(); ++k) {
     if (!objectives[k].path) continue;
     for (const Vector2d& through : objectives[k].path->through) {
-      const Vector2d point = unplaced(through, report.objectives[k].placement, model.units());
-      circles += fmt::format("<circle class=\"target\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\"/>",
-                             x0 + scale * length.apply(point.x()), y0 - scale * length.apply(point.y()));
+      targets.push_back(kMillimetres * unplaced(through, report.objectives[k].placement, model.units()));
     }
   }
-  return circles;
+  return targets;
 }
 
 Result<std::string> picture_of(const Model& model, const DesignReport& report) {
@@ -144,11 +124,9 @@ Result<std::string> picture_of(const Model& model, const DesignReport& report) {
   }
   DrawSettings draw = draw_settings(model.units());
   draw.title = model.mechanism().title;
-  std::string svg = draw_svg(scenes->scenes, draw);
-  svg.erase(0, svg.find("<svg"));
-  const std::size_t end = svg.rfind("</svg>");
-  svg.insert(end, targets_on(svg, model, report));
-  return svg;
+  draw.targets = targets_of(model, report);
+  const std::string svg = draw_svg(scenes->scenes, draw);
+  return svg.substr(svg.find("<svg"));
 }
 
 std::string figure_of(const Result<std::string>& picture, std::string_view caption) {

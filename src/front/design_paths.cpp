@@ -6,7 +6,6 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -166,10 +165,6 @@ private:
   bool loop_;
   Vector2d p_ = Vector2d::Zero(), v_ = p_, a_ = p_;
 };
-
-}  // namespace
-
-namespace {
 
 // Finds the places of an untimed path, starting from the rows next to them, in the order of the targets if
 // they have one.

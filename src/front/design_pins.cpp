@@ -10,22 +10,6 @@
 #include <utility>
 
 namespace higherpair {
-namespace {
-
-// The largest value of the parabola through three values at equal distances; the last value where the
-// parabola has no vertex between them.
-struct Vertex {
-  double value = 0;
-  bool inside = false;
-};
-Vertex vertex_of(double a, double b, double c) {
-  if (!(b >= a && b >= c)) return {c, false};
-  const double bend = 2 * b - a - c;
-  return {bend > 0 ? b + (c - a) * (c - a) / (8 * bend) : b, true};
-}
-
-}  // namespace
-
 std::optional<PinnedRows> PinnedRows::of(const DesignSetup& setup) {
   if (!setup.numbers.is_linear()) {
     return std::nullopt;
@@ -48,7 +32,7 @@ PinnedRows::PinnedRows(const DesignSetup& setup, PinLinkage linkage)
   add_places(setup);
   largest_.resize(linkage_.dyads());
   for (auto& gaps : before_) gaps.resize(linkage_.dyads());
-  stood_.resize(place_of_row_.size());
+  last_assembled_.resize(place_of_row_.size());
   least_transmission_.resize(transmissions_.size());
 }
 
@@ -93,11 +77,10 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
   rows.restart();
   rows.positions = positions_;
   rows.points.resize(points_.size());
-  for (auto& points : rows.points) points.clear();
   rows.transmissions.assign(transmissions_.size(), 1);
   largest_.assign(linkage_.dyads(), {-kInf, 0, false});
   for (auto& gaps : before_) std::fill(gaps.begin(), gaps.end(), kNoValue);
-  std::optional<std::size_t> stood;
+  std::optional<std::size_t> last_assembled;
   std::size_t not_good = 0;
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const bool placed = go_to(k);
@@ -105,12 +88,12 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
     if (!places_[k].row) continue;
     const std::size_t row = *places_[k].row;
     if (placed) {
-      stood = k;
+      last_assembled = k;
       rows.started = true;
       note_transmissions(row, rows);
     }
     not_good += placed ? 0 : 1;
-    stood_[row] = stood;
+    last_assembled_[row] = last_assembled;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       auto& points = rows.points[i];
       points.push_back(placed || row == 0 ? linkage_.place_of(points_[i]) : points.back());
@@ -128,9 +111,9 @@ void PinnedRows::work_out(std::span<const double> x, int branch, DesignRows& row
 void PinnedRows::note_gaps(std::size_t place) {
   for (std::size_t g = 0; g < largest_.size(); ++g) {
     const double gap = g < linkage_.known_gaps() ? linkage_.gap(g) : kNoValue;
-    const Vertex vertex =
-        places_[place].even ? vertex_of(before_[0][g], before_[1][g], gap) : Vertex{gap, false};
-    if (vertex.value > largest_[g].gap) largest_[g] = {vertex.value, place, vertex.inside};
+    const auto vertex = places_[place].even ? vertex_of(before_[0][g], before_[1][g], gap) : std::nullopt;
+    const double largest = vertex ? vertex->value : gap;
+    if (largest > largest_[g].gap) largest_[g] = {largest, place, vertex.has_value()};
     before_[0][g] = before_[1][g];
     before_[1][g] = gap;
   }
@@ -167,11 +150,8 @@ void PinnedRows::add_gap_slopes(std::size_t gap, double factor, Eigen::MatrixXd&
     (void)go_to(largest.place + k - 2);
     gaps[k] = linkage_.gap(gap);
   }
-  const double bend = 2 * gaps[1] - gaps[0] - gaps[2];
-  const double share = bend > 0 ? (gaps[2] - gaps[0]) / bend : 0;
-  add(largest.place - 2, factor * (-share / 4 + share * share / 8));
-  add(largest.place - 1, factor * (1 - share * share / 4));
-  add(largest.place, factor * (share / 4 + share * share / 8));
+  const GapVertex vertex = vertex_of(gaps[0], gaps[1], gaps[2]).value_or(GapVertex{0, {0, 1, 0}});
+  for (std::size_t k = 0; k < 3; ++k) add(largest.place + k - 2, factor * vertex.weights[k]);
 }
 
 void PinnedRows::add_transmission_slopes(std::size_t transmission, double factor, Eigen::MatrixXd& J,
@@ -196,8 +176,8 @@ const Eigen::Matrix2Xd& PinnedRows::slopes_here(const PointRef& point) {
 }
 
 const Eigen::Matrix2Xd& PinnedRows::point_slopes(const PointRef& point, std::size_t row) {
-  if (!stood_[row]) linkage_.set_branch(branch_);
-  (void)go_to(stood_[row].value_or(place_of_row_.front()));
+  if (!last_assembled_[row]) linkage_.set_branch(branch_);
+  (void)go_to(last_assembled_[row].value_or(place_of_row_.front()));
   return slopes_here(point);
 }
 

@@ -63,10 +63,10 @@ private:
   std::vector<std::size_t> transmissions_;  // for each transmission constraint: its dyad
   std::vector<double> numbers_;
   int branch_ = 0;
-  std::array<std::vector<double>, 2> before_;      // gaps at the two preceding places; NaN: not known
-  std::vector<Largest> largest_;                   // for each dyad
-  std::vector<std::optional<std::size_t>> stood_;  // for each row: last place assembled up to it
-  std::vector<std::size_t> least_transmission_;    // for each transmission constraint: the place
+  std::array<std::vector<double>, 2> before_;  // gaps at the two preceding places; NaN: not known
+  std::vector<Largest> largest_;               // for each dyad
+  std::vector<std::optional<std::size_t>> last_assembled_;  // for each row: last place assembled up to it
+  std::vector<std::size_t> least_transmission_;             // for each transmission constraint: the place
   Eigen::Matrix2Xd point_slopes_;
 };
 

@@ -1,8 +1,7 @@
 // A design task as an optimisation problem.
+#include "design_gradient.hpp"
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
-
-#include <utility>
 
 namespace higherpair {
 
@@ -22,15 +21,11 @@ DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
   DesignProblem problem;
   for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);
   for (const DesignTask::Objective& objective : task.objectives) {
-    problem.residuals += objective.path ? miss_count(*objective.path) : objective.target ? 1 : 0;
-    problem.residuals += static_cast<Eigen::Index>(objective.values.size());
+    problem.residuals += residual_count(objective);
     const bool is_value = objective.measure || objective.figure || objective.extent;
     problem.has_cost = problem.has_cost || (is_value && !objective.target);
   }
-  problem.constraints = closure_count(*setup) + 1;
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    problem.constraints += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
-  }
+  problem.constraints = constraint_count(*setup);
   problem.branches = task.keep_branch ? 1 : setup->branches;
   problem.start_branch = setup->start_branch.value_or(0);
   problem.evaluator = [setup] { return evaluator_of(setup); };

@@ -28,25 +28,6 @@ bool is_meant(const CheckFigure& figure, const DesignTask::Figure& wanted) {
          (wanted.of.empty() || figure.of == wanted.of);
 }
 
-// The entries of the task that have quantities, with their paths in the profile, in the order of
-// quantities_of.
-struct Entry {
-  Place place;
-  std::string path;
-};
-std::vector<Entry> entries_of(const DesignTask& task) {
-  std::vector<Entry> entries;
-  for (const DesignTask::Objective& objective : task.objectives) {
-    const bool one = objective.measure || objective.figure || objective.extent;
-    const std::size_t count = one ? 1 : objective.followed.size();
-    entries.insert(entries.end(), count, {objective.place, objective.path_of_key});
-  }
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (!constraint.transmission) entries.push_back({constraint.place, constraint.path_of_key});
-  }
-  return entries;
-}
-
 std::string figure_objection(const std::vector<CheckFigure>& figures, const DesignTask::Figure& wanted) {
   std::vector<std::string> names;
   std::vector<std::string> curves;
@@ -64,36 +45,36 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
 
 }  // namespace
 
-std::vector<DesignQuantity> quantities_of(const DesignTask& task) {
-  std::vector<DesignQuantity> quantities;
-  std::size_t measures = 0;
-  const auto add_measure = [&] { quantities.emplace_back().measure = measures++; };
+DesignQuantities quantities_of(const DesignTask& task) {
+  DesignQuantities quantities;
+  const auto add = [&](const auto& entry) -> DesignQuantity& {
+    DesignQuantity& quantity = quantities.all.emplace_back();
+    quantity.place = entry.place;
+    quantity.path_of_key = entry.path_of_key;
+    return quantity;
+  };
+  const auto add_measure = [&](const auto& entry, const Measure& measure) {
+    add(entry).measure = quantities.measures.size();
+    quantities.measures.push_back(measure);
+  };
   for (const DesignTask::Objective& objective : task.objectives) {
-    if (objective.measure) add_measure();
-    if (objective.figure) quantities.emplace_back().figure = objective.figure;
-    if (objective.extent) quantities.emplace_back().extent = objective.extent;
-    for (std::size_t k = 0; k < objective.followed.size(); ++k) add_measure();
+    if (objective.measure) add_measure(objective, *objective.measure);
+    if (objective.figure) add(objective).figure = objective.figure;
+    if (objective.extent) add(objective).extent = objective.extent;
+    for (const Measure& measure : objective.followed) add_measure(objective, measure);
   }
   for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (constraint.measure) add_measure();
-    if (constraint.figure) quantities.emplace_back().figure = constraint.figure;
-    if (constraint.extent) quantities.emplace_back().extent = constraint.extent;
-    if (constraint.grashof) quantities.emplace_back().grashof = constraint.grashof;
-    if (!constraint.without.empty()) quantities.emplace_back().without = constraint.without;
+    if (constraint.measure) add_measure(constraint, *constraint.measure);
+    if (constraint.figure) add(constraint).figure = constraint.figure;
+    if (constraint.extent) add(constraint).extent = constraint.extent;
+    if (constraint.grashof) add(constraint).grashof = constraint.grashof;
+    if (!constraint.without.empty()) add(constraint).without = constraint.without;
   }
   return quantities;
 }
 
-std::vector<Measure> measures_of(const DesignTask& task) {
-  std::vector<Measure> measures;
-  for (const DesignTask::Objective& objective : task.objectives) {
-    if (objective.measure) measures.push_back(*objective.measure);
-    measures.insert(measures.end(), objective.followed.begin(), objective.followed.end());
-  }
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (constraint.measure) measures.push_back(*constraint.measure);
-  }
-  return measures;
+std::size_t quantity_count(const DesignTask::Objective& objective) {
+  return objective.path ? 0 : std::max<std::size_t>(1, objective.followed.size());
 }
 
 // A link turns fully relative to all others iff its length plus that of any other one is at most the sum of
@@ -134,19 +115,16 @@ std::vector<double> figures_of(const Model& model, const std::vector<DesignQuant
   return values;
 }
 
-Diagnostics complete_quantities(const Model& model, const DesignTask& task,
-                                const std::vector<Measure>& measures, const std::vector<Column>& table,
-                                std::vector<DesignQuantity>& quantities) {
+Diagnostics complete_quantities(const Model& model, const std::vector<Measure>& measures,
+                                const std::vector<Column>& table, std::vector<DesignQuantity>& quantities) {
   Diagnostics mistakes;
-  const std::vector<Entry> entries = entries_of(task);
   const bool has_figures = std::any_of(quantities.begin(), quantities.end(),
                                        [](const DesignQuantity& one) { return one.figure.has_value(); });
   const auto report =
       has_figures ? check(model) : Result<CheckReport>(tl::unexpected(Error{ErrorKind::kInput, {}}));
-  for (std::size_t k = 0; k < quantities.size(); ++k) {
-    DesignQuantity& quantity = quantities[k];
+  for (DesignQuantity& quantity : quantities) {
     const auto object = [&](const std::string& what) {
-      mistakes.push_back({entries[k].place, fmt::format("{}: {}", entries[k].path, what)});
+      mistakes.push_back({quantity.place, fmt::format("{}: {}", quantity.path_of_key, what)});
     };
     if (quantity.grashof || quantity.extent) quantity.unit = unit_text(dimension::kLength, model.units());
     if (quantity.grashof) {

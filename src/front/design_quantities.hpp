@@ -19,13 +19,20 @@ struct DesignQuantity {
   std::optional<DesignTask::Grashof> grashof;  ///< the margin by which a four-bar is of a class
   std::vector<EventType> without;              ///< the number of such events
   std::string unit;                            ///< as in tables
+  Place place;                                 ///< of the objective or constraint
+  std::string path_of_key;                     ///< and its path in the profile
+};
+
+struct DesignQuantities {
+  std::vector<DesignQuantity> all;
+  std::vector<Measure> measures;
 };
 
 /// The quantities of the objectives, then those of the constraints, in their order; an objective that follows
 /// values has one for each value. Units are not set yet.
-[[nodiscard]] std::vector<DesignQuantity> quantities_of(const DesignTask& task);
-/// The measures among them.
-[[nodiscard]] std::vector<Measure> measures_of(const DesignTask& task);
+[[nodiscard]] DesignQuantities quantities_of(const DesignTask& task);
+/// How many of them belong to an objective.
+[[nodiscard]] std::size_t quantity_count(const DesignTask::Objective& objective);
 
 /// The margin by which the four-bar meant in the mechanism is of the class [m]: the least margin of the
 /// inequalities between its lengths. None where there is no such four-bar, or several.
@@ -38,8 +45,7 @@ struct DesignQuantity {
 
 /// Sets the units of quantities; returns a diagnostic for each figure or four-bar that the model does not
 /// have. \param table  columns of a run of the start, if it can be started
-[[nodiscard]] Diagnostics complete_quantities(const Model& model, const DesignTask& task,
-                                              const std::vector<Measure>& measures,
+[[nodiscard]] Diagnostics complete_quantities(const Model& model, const std::vector<Measure>& measures,
                                               const std::vector<Column>& table,
                                               std::vector<DesignQuantity>& quantities);
 

@@ -4,6 +4,7 @@
 #include "analysis_impl.hpp"
 #include "design_setup.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/decimal.hpp"
 #include "numeric/joined_words.hpp"
 #include "tolerances.hpp"
 
@@ -17,10 +18,7 @@
 namespace higherpair {
 namespace {
 
-// 0.3, not 0.30000000000000004, for three steps of 0.1.
-double decimal(double x) {
-  return std::stod(fmt::format("{:.12g}", x));
-}
+constexpr int kDigitsOfSteps = 12;  // 0.3, not 0.30000000000000004, for three steps of 0.1
 
 std::string words_of(const DesignTask::Figure& figure) {
   return figure.item + "." + figure.quantity + (figure.of.empty() ? "" : " of " + figure.of);
@@ -89,7 +87,7 @@ private:
   // The values as written: multiples of steps are rounded to decimals.
   [[nodiscard]] std::vector<double> as_made(std::vector<double> x) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (task_.variables[i].range.step > 0) x[i] = decimal(x[i]);
+      if (task_.variables[i].range.step > 0) x[i] = rounded_to(x[i], kDigitsOfSteps);
     }
     return x;
   }
@@ -174,7 +172,7 @@ private:
       line.what = words_of(objective);
       line.unit = objective.path ? length : setup_.quantities[measure].unit;
       if (!objective.followed.empty()) line.unit = fmt::format("({})^2", line.unit);
-      measure += objective.path ? 0 : std::max<std::size_t>(1, objective.followed.size());
+      measure += quantity_count(objective);
       line.target = objective.target;
       line.before = before.objectives[k];
       line.after = after.objectives[k];
@@ -213,7 +211,7 @@ private:
     report.holds = report.path_good && report.as_found;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
-      measure += objective.path ? 0 : std::max<std::size_t>(1, objective.followed.size());
+      measure += quantity_count(objective);
     }
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];

@@ -19,9 +19,10 @@ RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
     if (constraint.transmission) rows_.transmissions.push_back(1);
   }
-  for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
-    if (objective.path) rows_.points.emplace_back();
-  }
+  const auto& objectives = setup.numbers.task().objectives;
+  rows_.points.resize(static_cast<std::size_t>(
+      std::count_if(objectives.begin(), objectives.end(),
+                    [](const DesignTask::Objective& objective) { return objective.path.has_value(); })));
   for (const DesignQuantity& quantity : setup.quantities) {
     if (quantity.extent) rows_.extents.push_back(terms_of(*quantity.extent));
   }

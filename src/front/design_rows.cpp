@@ -36,10 +36,12 @@ void DesignRows::restart() {
   measured.clear();
   extents.clear();
   transmissions.clear();
+  for (std::vector<Vector2d>& path : points) path.clear();
   positions.clear();
   gap_rows.clear();
   transmission_rows.clear();
   table.clear();
+  table_columns = 0;
   table_slots.clear();
   places.clear();
   direct.reset();

@@ -76,7 +76,7 @@ struct DesignRows {
   /// nothing is missing, and `direct` or `run` is set
   [[nodiscard]] const std::vector<BodyMotion>& bodies_at(double driver);
 
-  /// Resets to the initial state, but keeps the memory.
+  /// Forgets the candidate, but keeps the memory.
   void restart();
 
   std::unique_ptr<const Mechanism> mechanism;  ///< used by `direct`

@@ -12,10 +12,6 @@
 namespace higherpair {
 namespace {
 
-bool is_end(EventType type) {
-  return type == EventType::kLimitPosition || type == EventType::kEnd || type == EventType::kOverlap;
-}
-
 double count_of(const std::vector<EventType>& types, const std::vector<Event>& events) {
   return static_cast<double>(std::count_if(events.begin(), events.end(),
                                            [&](const Event& event) { return contains(types, event.type); }));
@@ -27,11 +23,9 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const std::vector<DriverMotion> motions = drivers_in(schedule, k);
     move_to(run, motions);
-    const bool inner = k > 0 && k + 1 < schedule.size();
     limits +=
         static_cast<int>(std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
-          return is_end(event.type) &&
-                 (inner || event.type == EventType::kOverlap || (k > 0 && event.share < 1 - kAtRowEnd));
+          return is_fault(event.type, k, event.share, schedule.size() - 1);
         }));
     const bool there = run.row.status != RowStatus::kNotAssemblable;
     reader.take(run.row.bodies, there, motions.front().position, run.row.status);
@@ -97,8 +91,9 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
     if (quantity.measure) rows.measured[k] = measures.value(*quantity.measure).value;
     if (!quantity.without.empty()) rows.measured[k] = count_of(quantity.without, analysis->events());
   }
-  const auto ends = std::count_if(analysis->events().begin(), analysis->events().end(),
-                                  [](const Event& event) { return is_end(event.type); });
+  const auto ends = std::count_if(
+      analysis->events().begin(), analysis->events().end(),
+      [](const Event& event) { return loses_motion(event.type) || event.type == EventType::kOverlap; });
   reader.finish(analysis->good() ? 0 : static_cast<int>(ends));
   rows.run = analysis->impl().run;
   return true;
@@ -109,7 +104,6 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
 void follow_rows(const DesignSetup& setup, const DesignCandidate& candidate, int branch, WhenLost when_lost,
                  DesignRows& rows) {
   rows.restart();
-  rows.points.clear();
   RowReader reader(setup, *candidate.mechanism, candidate.plan, rows);
   const std::vector<double> first = candidate.schedule.first_positions();
   const RunModel model = make_run_model(*candidate.mechanism, candidate.plan);

@@ -36,14 +36,6 @@ Diagnostics missing_in(const DesignTask& task) {
   return mistakes;
 }
 
-bool has_row_at(const DriverSchedule& schedule, double position) {
-  for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    const double there = schedule.state(k).profile.position;
-    if (std::abs(there - position) <= kSamePosition * (1 + std::abs(there))) return true;
-  }
-  return false;
-}
-
 void check_path(const DesignTask::Objective& objective, const DriverSchedule& schedule,
                 Diagnostics& mistakes) {
   const DesignTask::PointPath& path = *objective.path;
@@ -62,7 +54,7 @@ void check_path(const DesignTask::Objective& objective, const DriverSchedule& sc
                      objective.path_of_key, path.through.size(), rows)});
   }
   for (const double position : path.at) {
-    if (!has_row_at(schedule, position)) {
+    if (!row_at(schedule, position)) {
       mistakes.push_back(
           {objective.place, fmt::format("{}.path.at: {} is none of the driver's positions; let "
                                         "driver.samples or driver.positions have a row there",
@@ -272,8 +264,8 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   if (auto refusal = refuse_to_start(model.data())) {
     return tl::unexpected(*std::move(refusal));
   }
-  std::vector<Measure> measures = measures_of(*task);
-  auto settings = settings_for(model, measures, run_wanted_by(*task));
+  DesignQuantities quantities = quantities_of(*task);
+  auto settings = settings_for(model, quantities.measures, run_wanted_by(*task));
   if (!settings) {
     return tl::unexpected(std::move(settings.error()));
   }
@@ -285,8 +277,8 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return wrong(std::move(mistakes));
   }
   auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
-                                                         quantities_of(*task),
-                                                         std::move(measures),
+                                                         std::move(quantities.all),
+                                                         std::move(quantities.measures),
                                                          *std::move(settings),
                                                          *std::move(schedule),
                                                          1,
@@ -301,8 +293,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   if (!table) {
     return tl::unexpected(table.error());
   }
-  if (Diagnostics mistakes =
-          complete_quantities(model, *task, setup->measures, table->columns(), setup->quantities);
+  if (Diagnostics mistakes = complete_quantities(model, setup->measures, table->columns(), setup->quantities);
       !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }

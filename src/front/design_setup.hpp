@@ -31,8 +31,8 @@ struct LimitPlaces {
 [[nodiscard]] Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x,
                                                  int branch);
 
-/// Whether such a text, read again and started from its poses, stands as the design x does on the branch, in
-/// the same turn of each angle.
+/// Whether such a text, read again and started from its poses, has the poses of the design x on the branch,
+/// in the same turn of each angle.
 [[nodiscard]] bool starts_as_designed(const DesignSetup& setup, std::span<const double> x, int branch,
                                       const Model& read);
 

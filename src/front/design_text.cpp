@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
+#include "numeric/decimal.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using NewValue = ProfileDocument::NewValue;
 
 constexpr std::array kPoseNumbers = {"x", "y", "angle"};
 
-bool stand_alike(const Run& a, const Run& b) {
+bool same_poses(const Run& a, const Run& b) {
   for (std::size_t i = 0; i < a.at.state.bodies.size(); ++i) {
     const BodyMotion& one = a.at.state.bodies[i];
     const BodyMotion& other = b.at.state.bodies[i];
@@ -121,8 +122,7 @@ private:
   // The number that is to be written, rounded; none where it is the present one or has to be kept.
   [[nodiscard]] std::optional<double> change(const std::string& path, double value, double size) const {
     const double unit = std::pow(10.0, std::ceil(std::log10(size)) - kPoseDigits);
-    const double rounded =
-        std::stod(fmt::format("{:.{}g}", unit * std::round(value / unit), kPoseDigits + 3));
+    const double rounded = rounded_to(unit * std::round(value / unit), kPoseDigits + 3);
     const bool is_variable =
         std::any_of(values_.begin(), values_.end(), [&](const NewValue& one) { return one.path == path; });
     if (is_variable || std::abs(value - present(path)) <= unit) return std::nullopt;
@@ -173,21 +173,18 @@ std::optional<Run> run_of(const DesignSetup& setup, std::span<const double> x, i
 
 bool starts_like(const Run& run, const Model& read, const RunSettings& settings) {
   const auto started = read.start(settings);
-  return started && stand_alike(run, started->impl().run);
+  return started && same_poses(run, started->impl().run);
 }
 
 }  // namespace
 
 Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x, int branch) {
-  const DesignTask& task = setup.numbers.task();
   const Model::Data& model = setup.numbers.model().data();
   std::vector<NewValue> values;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const DesignTask::Variable& variable = task.variables[i];
-    for (std::size_t k = 0; k < variable.paths.size(); ++k) {
-      const double value = variable.factors[k] * x[i];
-      values.push_back({variable.paths[k], fmt::format("{}", value == 0 ? 0.0 : value)});
-    }
+  const std::vector<std::string> paths = setup.numbers.paths();
+  const std::vector<double> numbers = setup.numbers.values_of(x);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    values.push_back({paths[i], fmt::format("{}", numbers[i] == 0 ? 0.0 : numbers[i])});
   }
   const auto written = [&]() -> Result<std::string> {
     auto text = model.document->text_with(values);

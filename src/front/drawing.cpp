@@ -110,6 +110,21 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
   return scenes;
 }
 
+// The point that "BODY.POINT" names; the error suggests similar names.
+Result<PointRef> find_point(const Model& model, const std::string& name) {
+  std::vector<std::string> names;
+  const auto& bodies = model.mechanism().bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t p = 0; p < bodies[b].points.size(); ++p) {
+      names.push_back(bodies[b].name + "." + bodies[b].points[p].name);
+      if (names.back() == name) {
+        return PointRef{static_cast<int>(b), static_cast<int>(p)};
+      }
+    }
+  }
+  return wrong(model, fmt::format("there is no point {}; {}", name, suggestion(name, names)));
+}
+
 }  // namespace
 
 DrawSettings draw_settings(const Units& units) {
@@ -123,26 +138,6 @@ DrawSettings draw_settings(const Units& units) {
   settings.force = unit(dimension::kForce);
   settings.torque = unit(dimension::kTorque);
   return settings;
-}
-
-bool has_forces(const Mechanism& mechanism) {
-  return !mechanism.loads.empty() || !mechanism.springs.empty() ||
-         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
-                     [](const Body& body) { return body.mass.has_value(); });
-}
-
-Result<PointRef> find_point(const Model& model, const std::string& name) {
-  std::vector<std::string> names;
-  const auto& bodies = model.mechanism().bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    for (std::size_t p = 0; p < bodies[b].points.size(); ++p) {
-      names.push_back(bodies[b].name + "." + bodies[b].points[p].name);
-      if (names.back() == name) {
-        return PointRef{static_cast<int>(b), static_cast<int>(p)};
-      }
-    }
-  }
-  return wrong(model, fmt::format("there is no point {}; {}", name, suggestion(name, names)));
 }
 
 Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {

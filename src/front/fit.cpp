@@ -8,10 +8,7 @@
 #include "higherpair/analysis/branch_run.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 #include <fmt/core.h>

@@ -18,13 +18,12 @@ std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& 
     double last = 0;
     for (const double time : data.where[0]) last = std::max(last, time - offsets[0]);
     for (DriverProgram& program : other.programs) program.duration = last;
-    const auto schedule = DriverSchedule::step(other, 2);
+    auto schedule = DriverSchedule::step(other, 2);
     if (!schedule) return std::nullopt;
+    const DriverPlaces places(other, *std::move(schedule));
     const Scaling to_seconds = to_si(dimension::kTime, profile.units);
     for (std::size_t k = 0; k < count; ++k) {
-      for (std::size_t i = 0; i < rows[k].size(); ++i) {
-        rows[k][i].si = schedule->at_time(to_seconds.apply(data.where[0][k] - offsets[0]), i);
-      }
+      rows[k] = places.at_time(to_seconds.apply(data.where[0][k] - offsets[0]));
     }
     return rows;
   }

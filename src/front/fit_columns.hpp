@@ -1,5 +1,6 @@
 #pragma once
 
+#include "design_columns.hpp"
 #include "fit_data.hpp"
 #include "higherpair/analysis/sensitivity.hpp"
 
@@ -34,12 +35,7 @@ public:
 private:
   struct Motion {
     std::size_t column = 0;
-    std::size_t body = 0;
-    std::size_t minus = 0;  // of angles: the body whose angle is subtracted
-    int point = -1;         // of the body; < 0: origin of its frame
-    int axis = 0;           // 0: x, 1: y, 2: angle
-    int order = 0;          // of the derivative by time
-    double scale = 1;       // from SI units
+    BodyColumn of;
   };
 
   std::vector<Motion> motions_;

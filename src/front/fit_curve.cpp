@@ -6,7 +6,6 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

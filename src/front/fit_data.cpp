@@ -21,13 +21,6 @@ bool matches_any(const std::vector<std::string>& globs, const std::string& name)
                      [&](const std::string& glob) { return matches(glob, name); });
 }
 
-// Columns of tables that are not the motion to be fitted.
-bool is_aside(const std::string& name) {
-  const bool effort = name.ends_with(".effort") || name.ends_with(".effort_check");
-  return name == "status" || name == "residual" || name == "time" || name == "driver" ||
-         (name.starts_with("driver.") && !effort) || name.ends_with(".linkage");
-}
-
 class DataReader {
 public:
   DataReader(const Model& model, const MeasuredTable& measured, const FitSettings& settings)
@@ -74,6 +67,18 @@ private:
     const auto found = std::find_if(measured_.columns.begin(), measured_.columns.end(),
                                     [&](const MeasuredColumn& column) { return column.name == name; });
     return found == measured_.columns.end() ? nullptr : &*found;
+  }
+
+  // Columns of tables that are not the motion to be fitted.
+  [[nodiscard]] bool is_aside(const std::string& name) const {
+    const std::vector<Driver>& drivers = data_.model.mechanism().drivers;
+    const auto is_given = [&](const Driver& driver) {
+      const std::string own = driver_name(driver);
+      return name == own || name == own + ".velocity" || name == own + ".acceleration" ||
+             name == own + ".jerk";
+    };
+    return name == "status" || name == "residual" || name == "time" || name.ends_with(".linkage") ||
+           std::any_of(drivers.begin(), drivers.end(), is_given);
   }
 
   // A table with both time and drivers is one of a run in time: time then says where its rows are.

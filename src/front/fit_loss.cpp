@@ -6,7 +6,7 @@ namespace higherpair {
 namespace {
 
 // Tuning constants for 95 % efficiency with normal noise.
-constexpr double kHuberBend = 1.345, kTukeyEnd = 4.685;
+constexpr double kHuberBend = 1.345;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ double weight_of(FitLoss loss, double u) {
     case FitLoss::kHuber:
       return size <= kHuberBend ? 1 : kHuberBend / size;
     case FitLoss::kTukey:
-      return size < kTukeyEnd ? std::pow(1 - u * u / (kTukeyEnd * kTukeyEnd), 2) : 0;
+      return size < kOutlier ? std::pow(1 - u * u / (kOutlier * kOutlier), 2) : 0;
     case FitLoss::kSquares:
       break;
   }
@@ -29,8 +29,8 @@ double slope_of(FitLoss loss, double u) {
     case FitLoss::kHuber:
       return size <= kHuberBend ? 1 : 0;
     case FitLoss::kTukey: {
-      const double share = u * u / (kTukeyEnd * kTukeyEnd);
-      return size < kTukeyEnd ? (1 - share) * (1 - 5 * share) : 0;
+      const double share = u * u / (kOutlier * kOutlier);
+      return size < kOutlier ? (1 - share) * (1 - 5 * share) : 0;
     }
     case FitLoss::kSquares:
       break;

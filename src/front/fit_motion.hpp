@@ -3,7 +3,6 @@
 #include "design_numbers.hpp"
 #include "fit_data.hpp"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>

@@ -83,24 +83,18 @@ private:
       residual.measured = data_.columns[column].values[row];
       residual.fitted = residual.measured - solution_.residuals(place(i));
       residual.weight = solution_.weights(place(i));
-      const double noise = robust_noise(column);
+      const double noise = noise_of(column);
       residual.outlier =
           !solution_.constant[column] && std::abs(solution_.residuals(place(i))) > kOutlier * noise;
       report_.residuals.push_back(residual);
     }
   }
 
-  // An estimate of the noise that a few wrong values do not increase.
-  double robust_noise(std::size_t column) {
-    if (robust_.empty()) {
-      for (std::size_t c = 0; c < data_.columns.size(); ++c) {
-        std::vector<double> sizes;
-        for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-          if (problem_.values()[i].column == c) sizes.push_back(std::abs(solution_.residuals(place(i))));
-        }
-        std::nth_element(sizes.begin(), sizes.begin() + std::ssize(sizes) / 2, sizes.end());
-        robust_.push_back(std::max(1.4826 * sizes[sizes.size() / 2], kNoSpread * problem_.largest(c)));
-      }
+  // The noise relative to which a residual is an outlier.
+  double noise_of(std::size_t column) {
+    for (std::size_t c = robust_.size(); c < data_.columns.size(); ++c) {
+      robust_.push_back(
+          std::max(robust_noise(problem_, solution_.residuals, c), kNoSpread * problem_.largest(c)));
     }
     return data_.columns[column].deviation.value_or(robust_[column]);
   }

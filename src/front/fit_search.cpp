@@ -91,7 +91,7 @@ private:
       const double estimate =
           loss_ == FitLoss::kSquares
               ? std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, sizes.size())))
-              : kOfDeviation * median_of(sizes);
+              : robust_noise(problem_, solution_.residuals, c);
       noise.push_back(std::max(share * estimate, kNoiseRounding * problem_.largest(c)));
     }
     return noise;
@@ -172,6 +172,10 @@ private:
 };
 
 }  // namespace
+
+double robust_noise(const FitProblem& problem, const Eigen::VectorXd& residuals, std::size_t column) {
+  return kOfDeviation * median_of(sizes_in(problem, residuals, column));
+}
 
 Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution) {
   Eigen::VectorXd scales(place(problem.values().size()));

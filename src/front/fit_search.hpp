@@ -27,6 +27,11 @@ struct FitSolution {
 /// noise of columns for which none is given and the weights of the loss are estimated along with it.
 [[nodiscard]] FitSolution solve_fit(const FitProblem& problem, const FitSettings& settings);
 
+/// Standard deviation of a column's noise estimated from the median size of its residuals, which a few wrong
+/// values hardly change.
+[[nodiscard]] double robust_noise(const FitProblem& problem, const Eigen::VectorXd& residuals,
+                                  std::size_t column);
+
 /// Factors that give residuals in units of noise, with √weight of columns and loss; 0 for columns that have
 /// no part in the fit.
 [[nodiscard]] Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution);

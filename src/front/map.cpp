@@ -1,8 +1,9 @@
+#include "higherpair/front/map.hpp"
+
 #include "demands.hpp"
 #include "higherpair/analysis/mapped_contacts.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
-#include "higherpair/front/branches.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/numeric/special_values.hpp"

@@ -3,7 +3,6 @@
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>

@@ -8,7 +8,6 @@
 #include "mobility_loops.hpp"
 
 #include <array>
-#include <utility>
 
 namespace higherpair {
 namespace {

@@ -45,7 +45,7 @@ bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double cha
 
 Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& number, double size) {
   return ModelVariants::of(model, number.number.paths).map([&](ModelVariants variants) {
-    return NumberModels(model, std::move(variants), number.number.paths.size(), number.number.value,
+    return NumberModels(std::move(variants), number.number.paths.size(), number.number.value,
                         scale_of(number, size, model.units()));
   });
 }
@@ -53,6 +53,18 @@ Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& n
 Result<Model> NumberModels::at(double h) {
   const std::vector<double> values(paths_, value_ + h);
   return variants_.with(values);
+}
+
+Result<std::vector<std::unique_ptr<NumberModels>>> models_by(const Model& model,
+                                                             const std::vector<ProfileNumber>& numbers,
+                                                             double size) {
+  std::vector<std::unique_ptr<NumberModels>> all;
+  for (const ProfileNumber& number : numbers) {
+    auto models = NumberModels::of(model, number, size);
+    if (!models) return tl::unexpected(std::move(models.error()));
+    all.push_back(std::make_unique<NumberModels>(*std::move(models)));
+  }
+  return all;
 }
 
 std::string exactness_objection(const Mechanism& mechanism) {

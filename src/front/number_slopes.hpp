@@ -6,10 +6,10 @@
 #include "higherpair/front/sensitivity.hpp"
 #include "path_columns.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -30,25 +30,23 @@ public:
 
   /// The model with the number changed by h, in its unit.
   [[nodiscard]] Result<Model> at(double h);
-  [[nodiscard]] const Model& nominal() const { return model_; }
   /// The size of change of the number that makes a substantial difference: the mechanism's size for a length,
   /// one radian for an angle, else the number itself.
   [[nodiscard]] double scale() const { return scale_; }
 
 private:
-  NumberModels(Model model, ModelVariants variants, std::size_t paths, double value, double scale)
-      : model_(std::move(model)),
-        variants_(std::move(variants)),
-        paths_(paths),
-        value_(value),
-        scale_(scale) {}
+  NumberModels(ModelVariants variants, std::size_t paths, double value, double scale)
+      : variants_(std::move(variants)), paths_(paths), value_(value), scale_(scale) {}
 
-  Model model_;
   ModelVariants variants_;
   std::size_t paths_;
   double value_;
   double scale_;
 };
+
+/// The models of each number.
+[[nodiscard]] Result<std::vector<std::unique_ptr<NumberModels>>> models_by(
+    const Model& model, const std::vector<ProfileNumber>& numbers, double size);
 
 /// Why no column of a mechanism can be differentiated exactly; if empty, those with has_exact_slope can.
 [[nodiscard]] std::string exactness_objection(const Mechanism& mechanism);

@@ -54,6 +54,8 @@ char* put_shortest(double value, char* out) {
   if (std::endian::native != std::endian::little || !(size >= 1e-99 && size < 1e17)) {
     return put_standard(value, out);
   }
+  // Not a public part of fmt; tested with fmt 9.1. std::to_chars alone takes 1.6 times as long as all of
+  // this.
   const auto decimal = fmt::detail::dragonbox::to_decimal(size);
   if (decimal.exponent >= 0) {  // whole: rare, and with an exponent if that is shorter
     return put_standard(value, out);

@@ -42,6 +42,11 @@ std::vector<DriverState> DriverPlaces::at(const PathPlace& place) const {
   return states;
 }
 
+std::vector<DriverState> DriverPlaces::at_time(double time) const {
+  constexpr double kBetweenRows = 0.5;
+  return at({kBetweenRows, time});
+}
+
 DriverState DriverPlaces::state_at(const PathPlace& place, std::size_t driver) const {
   if (const auto row = place.on_row()) {
     return schedule_.state(std::min(*row, schedule_.size() - 1), driver);

@@ -28,6 +28,8 @@ public:
   /// State of each of Mechanism::drivers. On a row it is that of the row, whatever the schedule; between rows
   /// it is that at the time for a schedule in time, else interpolated linearly.
   [[nodiscard]] std::vector<DriverState> at(const PathPlace& place) const;
+  /// The same at a time [s], whatever the rows. \pre the schedule is in time
+  [[nodiscard]] std::vector<DriverState> at_time(double time) const;
   /// In the profile's unit; 0 if the schedule is not in time.
   [[nodiscard]] double time(const PathPlace& place) const;
   [[nodiscard]] const DriverSchedule& schedule() const { return schedule_; }

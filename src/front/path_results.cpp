@@ -125,10 +125,10 @@ public:
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [&](std::size_t a, std::size_t b) { return level(a) > level(b); });
-    // Of a lower plateau, places spread over all of it.
+    // The largest ones, and of the others, which may be a lower plateau, some spread over all of them.
     const std::size_t stride = std::max<std::size_t>(1, candidates.size() / kMostRefined);
     std::vector<Peak> found;
-    for (std::size_t i = 0; i < candidates.size(); i += stride) {
+    for (std::size_t i = 0; i < candidates.size(); i += i < kMostRefined ? 1 : stride) {
       found.push_back(refined(column, sign, candidates[i], noise));
     }
     return found;

@@ -4,7 +4,6 @@
 #include "higherpair/numeric/contains.hpp"
 #include "plot_marks.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace higherpair {
@@ -53,6 +52,9 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
 }  // namespace
 
 Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
   const std::string driver_column = driver_name(model.mechanism().drivers.front());
   const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_column);
   if (settings.y.empty()) {

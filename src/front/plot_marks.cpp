@@ -52,28 +52,21 @@ struct Between {
   }
 };
 
-Between place_of(const Event& event, std::span<const double> drivers) {
-  const auto row = std::min(static_cast<std::size_t>(event.row), drivers.size() - 1);
-  if (row == 0) {
-    return {0, 0, 0};
-  }
-  const double step = drivers[row] - drivers[row - 1];
-  return {row - 1, row, step == 0 ? 1.0 : std::clamp((event.driver - drivers[row - 1]) / step, 0.0, 1.0)};
+Between place_of(const Event& event) {
+  const auto row = static_cast<std::size_t>(event.row);
+  return row == 0 ? Between{0, 0, 0} : Between{row - 1, row, event.share};
 }
 
 // Where rows begin to have another status: at the event between `row` and the row before, else halfway.
-double edge_at(std::size_t row, const Motion& motion, std::span<const double> x,
-               std::span<const double> drivers) {
+double edge_at(std::size_t row, const Motion& motion, std::span<const double> x) {
   if (row == 0 || row == x.size()) {
     return row == 0 ? x.front() : x.back();
   }
   const auto decides = [&](const Event& event) {
-    const bool kind = event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
-                      event.type == EventType::kOverlap || event.type == EventType::kContactOpen;
-    return kind && static_cast<std::size_t>(event.row) == row;
+    return ends_path(event.type) && static_cast<std::size_t>(event.row) == row;
   };
   const auto event = std::find_if(motion.events().begin(), motion.events().end(), decides);
-  return event == motion.events().end() ? (x[row - 1] + x[row]) / 2 : place_of(*event, drivers).of(x);
+  return event == motion.events().end() ? (x[row - 1] + x[row]) / 2 : place_of(*event).of(x);
 }
 
 // Events of one kind at one place are one mark.
@@ -116,8 +109,8 @@ void add_ranges(const Motion& motion, const XColumn& x, const ColumnValues& driv
   for (const Stretch& stretch : bad_stretches(motion.statuses())) {
     const std::string label = spaced(name_of(stretch.status));
     if (x.monotone) {
-      data.ranges.push_back({edge_at(stretch.begin, motion, x.values, driver.values),
-                             edge_at(stretch.end, motion, x.values, driver.values), label});
+      data.ranges.push_back(
+          {edge_at(stretch.begin, motion, x.values), edge_at(stretch.end, motion, x.values), label});
     } else {
       data.notes.push_back(fmt::format("{}: {} from {:.6g} to {:.6g} {}", label, driver.name,
                                        driver[stretch.begin], driver[stretch.end - 1], driver.unit));
@@ -134,7 +127,7 @@ void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driv
     const std::string detail =
         fmt::format("{} at {} = {:.6g} {}{}{}: {}", kind, driver.name, event.driver, driver.unit,
                     happening.items.empty() ? "" : ", ", happening.items, event.cause);
-    const Between place = place_of(event, driver.values);
+    const Between place = place_of(event);
     const double at = event.time && data.x.name == "time" ? *event.time
                       : data.x.name == driver.name        ? event.driver
                                                           : place.of(x.values);

@@ -2,6 +2,7 @@
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "polygon_units.hpp"
 #include "reach.hpp"
 
 #include <utility>

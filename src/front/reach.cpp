@@ -72,10 +72,8 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
   }
   Reached reached{analysis->impl().run, at, std::nullopt, analysis->impl().faults_before(row.number)};
   // The last one: earlier ones may be ends of curves from which the contact went on over the edge.
-  const auto limit =
-      std::find_if(analysis->events().rbegin(), analysis->events().rend(), [](const Event& event) {
-        return event.type == EventType::kLimitPosition || event.type == EventType::kEnd;
-      });
+  const auto limit = std::find_if(analysis->events().rbegin(), analysis->events().rend(),
+                                  [](const Event& event) { return loses_motion(event.type); });
   if (limit != analysis->events().rend()) {
     reached.limit = *limit;
   }

@@ -1,6 +1,7 @@
 #include "column_set.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "outputs.hpp"
 #include "report_data.hpp"
 #include "tolerances.hpp"
 
@@ -82,19 +83,6 @@ private:
   std::vector<Fact>& facts_;
 };
 
-// The joints by which the motion leaves the mechanism: on ground, and not driven.
-std::vector<const Joint*> outputs(const Mechanism& mechanism) {
-  std::vector<const Joint*> joints;
-  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-    const Joint& joint = mechanism.joints[j];
-    const bool on_ground = joint.first.body == 0 || joint.second.body == 0;
-    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, static_cast<int>(j))) {
-      joints.push_back(&joint);
-    }
-  }
-  return joints;
-}
-
 // Whether nothing moves except what is driven.
 bool is_driven_alone(const Mechanism& mechanism) {
   return mechanism.joints.size() == mechanism.drivers.size() && mechanism.contacts.empty();
@@ -123,7 +111,7 @@ void add_last_body(const Mechanism& mechanism, const ReportData& data, FactList&
 std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
   std::vector<Fact> facts;
   FactList list(data, facts);
-  for (const Joint* joint : outputs(mechanism)) {
+  for (const Joint* joint : outputs_of(mechanism)) {
     const std::string& name = joint->name;
     list.range(name, name + ".position", has_angle(joint->type) ? "Swing" : "Stroke");
     list.fastest(name, name + ".velocity", "Max. speed");
@@ -151,7 +139,7 @@ std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
 }
 
 std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism, const ReportData& data) {
-  const std::vector<const Joint*> joints = outputs(mechanism);
+  const std::vector<const Joint*> joints = outputs_of(mechanism);
   std::vector<std::vector<std::string>> plots;
   const auto add = [&](const std::vector<std::string>& names) {
     if (auto found = changing(data, names); !found.empty()) plots.push_back(std::move(found));

@@ -1,5 +1,5 @@
 #include "column_set.hpp"
-#include "higherpair/front/branches.hpp"
+#include "higherpair/front/map.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"

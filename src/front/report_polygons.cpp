@@ -2,13 +2,13 @@
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
+#include "polygon_units.hpp"
 #include "report_parts.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>

@@ -19,8 +19,7 @@ ContactDetails details_in(const Run& run, const Contact& contact, const ContactM
 
 // The motion was lost on the path, or a contact has begun or ceased to touch.
 bool interrupts(const RunEvent& event) {
-  return event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
-         event.type == EventType::kEngage || event.type == EventType::kRelease;
+  return loses_motion(event.type) || event.type == EventType::kEngage || event.type == EventType::kRelease;
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -94,13 +93,10 @@ private:
   }
 
   [[nodiscard]] std::optional<Error> make_models() {
-    const double size = columns_->start().plan().size;
+    auto models = models_by(model_, numbers_, columns_->start().plan().size);
+    if (!models) return models.error();
+    models_ = *std::move(models);
     slopes_.resize(numbers_.size());
-    for (const ProfileNumber& number : numbers_) {
-      auto models = NumberModels::of(model_, number, size);
-      if (!models) return models.error();
-      models_.push_back(std::make_unique<NumberModels>(*std::move(models)));
-    }
     for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
       if (!stopped()) slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
     });

@@ -1,19 +1,17 @@
 // Selects the numbers by which results are differentiated, and the results.
 #include "sensitivity_numbers.hpp"
 
-#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/design_task.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
+#include "outputs.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <string_view>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -124,14 +122,9 @@ Result<std::vector<ProfileNumber>> numbers_for(const Model& model, const std::ve
 std::vector<NamedMeasure> default_results(const Model& model) {
   const Mechanism& mechanism = model.mechanism();
   std::vector<NamedMeasure> results;
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    const bool grounded = joint.first.body == 0 || joint.second.body == 0;
-    if (!grounded || is_driven(mechanism, static_cast<int>(i)) || couples_turning(joint.type) ||
-        joint.type == JointType::kSlot)
-      continue;
-    results.push_back(named(joint.name + ".position", MeasureKind::kRange));
-    results.push_back(named(joint.name + ".acceleration", MeasureKind::kMaxAbs));
+  for (const Joint* joint : outputs_of(mechanism)) {
+    results.push_back(named(joint->name + ".position", MeasureKind::kRange));
+    results.push_back(named(joint->name + ".acceleration", MeasureKind::kMaxAbs));
   }
   for (const Contact& contact : mechanism.contacts) {
     results.push_back(named(contact.name + ".pressure", MeasureKind::kMax));

@@ -1,6 +1,7 @@
 // Derivatives of whole columns, row by row.
 #include "arena.hpp"
 #include "column_set.hpp"
+#include "difference_slope.hpp"
 #include "higherpair/front/sensitivity.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -55,9 +55,8 @@ public:
       if (!analyses_[k].next(rows[k])) return slopes;
     }
     for (std::size_t c = 0; !analyses_.empty() && c < columns; ++c) {
-      const double one = (rows[2].values[c] - rows[1].values[c]) / (2 * h_);
-      const double two = (rows[3].values[c] - rows[0].values[c]) / (4 * h_);
-      slopes[c] = (4 * one - two) / 3;
+      slopes[c] =
+          slope_beside({rows[0].values[c], rows[1].values[c], rows[2].values[c], rows[3].values[c]}, h_);
     }
     return slopes;
   }
@@ -121,17 +120,14 @@ private:
   }
 
   [[nodiscard]] std::optional<Error> make_models() {
-    const double size = columns_->start().plan().size;
+    auto models = models_by(model_, numbers_, columns_->start().plan().size);
+    if (!models) return models.error();
+    models_ = *std::move(models);
     const bool arcs = std::any_of(slots_.begin(), slots_.end(), [&](std::size_t slot) {
       return !has_exact_slope(columns_->columns()[slot]);
     });
     slopes_.resize(numbers_.size());
     runs_.resize(numbers_.size());
-    for (const ProfileNumber& number : numbers_) {
-      auto models = NumberModels::of(model_, number, size);
-      if (!models) return models.error();
-      models_.push_back(std::make_unique<NumberModels>(*std::move(models)));
-    }
     in_parallel([&](std::size_t i) {
       slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
       const NumberSlopes::State state = slopes_[i]->state();

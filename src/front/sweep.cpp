@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -23,11 +22,6 @@ constexpr std::chrono::seconds kTrying{2};
 
 // Severity of each RowStatus, in its order, and of `not_started`.
 constexpr std::array<int, kSweepStatusCount> kSeverity = {0, 5, 1, 3, 4, 2, 6};
-
-bool ends_path(const Event& event) {
-  return event.type == EventType::kLimitPosition || event.type == EventType::kEnd ||
-         event.type == EventType::kOverlap || event.type == EventType::kContactOpen;
-}
 
 std::string text_of(const Event& event) {
   return fmt::format("{} at driver = {}: {}", name_of(event.type), event.driver, event.cause);
@@ -123,7 +117,8 @@ private:
     }
     for (const Event& event : analysis.events()) {
       const std::size_t row = first + static_cast<std::size_t>(event.row);
-      if (!analysis.good() && ends_path(event) && row < block.causes.size() && block.causes[row].empty()) {
+      if (!analysis.good() && ends_path(event.type) && row < block.causes.size() &&
+          block.causes[row].empty()) {
         block.causes[row] = text_of(event);
       }
     }
@@ -174,14 +169,15 @@ private:
       block.values.push_back(static_cast<double>(count));
     }
     const std::size_t first = block.values.size();
-    block.values.resize(first + static_cast<std::size_t>(EventType::kLawJump) + 1, 0.0);
+    block.values.resize(first + kEventTypeCount, 0.0);
     for (const Event& event : events) {
       block.values[first + static_cast<std::size_t>(event.type)] += 1;
     }
   }
 
   [[nodiscard]] std::string cause_of(const Analysis& analysis, RowStatus worst, double worst_at) const {
-    const auto event = std::find_if(analysis.events().begin(), analysis.events().end(), ends_path);
+    const auto event = std::find_if(analysis.events().begin(), analysis.events().end(),
+                                    [](const Event& one) { return ends_path(one.type); });
     if (event != analysis.events().end()) {
       return text_of(*event);
     }

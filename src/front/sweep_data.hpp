@@ -1,10 +1,12 @@
 #pragma once
 
 #include "chain_variants.hpp"
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/front/sweep.hpp"
 
-#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,8 @@ namespace higherpair {
 /// Status of a variant, or of one of its rows: a RowStatus, or this one.
 inline constexpr int kNotStarted = 6;
 inline constexpr int kSweepStatusCount = 7;
+
+inline constexpr std::size_t kEventTypeCount = static_cast<std::size_t>(EventType::kLawJump) + 1;
 
 /// The names of all statuses, for a column of words.
 [[nodiscard]] std::span<const std::string_view> sweep_statuses();

@@ -11,8 +11,6 @@
 namespace higherpair {
 namespace {
 
-constexpr int kEventTypes = static_cast<int>(EventType::kLawJump) + 1;
-
 Column number(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
 }
@@ -42,7 +40,7 @@ void add_results(Sweep::Data& data) {
     for (int status = 0; status < kNotStarted; ++status) {
       data.columns.push_back(number(fmt::format("rows.{}", name_of(static_cast<RowStatus>(status)))));
     }
-    for (int type = 0; type < kEventTypes; ++type) {
+    for (std::size_t type = 0; type < kEventTypeCount; ++type) {
       data.columns.push_back(number(fmt::format("events.{}", name_of(static_cast<EventType>(type)))));
     }
   }
@@ -55,16 +53,6 @@ void add_row_columns(Sweep::Data& data) {
       data.columns.push_back(data.run_columns[i]);
     }
   }
-}
-
-// A name that two columns share; none if all differ.
-std::optional<std::string> repeated(const std::vector<Column>& columns) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (columns[i].name == columns[k].name) return columns[i].name;
-    }
-  }
-  return std::nullopt;
 }
 
 // About the same work in every block, whatever the length of a run.
@@ -124,7 +112,9 @@ Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& setting
   }
   data.writes_rows() ? add_row_columns(data) : add_results(data);
   data.columns.push_back({"status", "", sweep_statuses()});
-  if (const auto name = repeated(data.columns)) {
+  std::vector<std::string> names;
+  for (const Column& column : data.columns) names.push_back(column.name);
+  if (const std::string* name = repeated(names)) {
     return wrong(place_of(task, model),
                  fmt::format("sweep: two columns would be called `{}`; choose another name", *name));
   }

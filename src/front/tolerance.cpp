@@ -8,11 +8,6 @@
 namespace higherpair {
 namespace {
 
-// How much a result changes with one number, along its slope.
-double change_by(const Slope& slope, double of_number) {
-  return (of_number < 0 ? slope.down : slope.up) * of_number;
-}
-
 // The parts of a result's scatter, σ² = Σ_i Σ_k ρ_ik d_i d_k with d_i = s_i σ_i.
 class Scatter {
 public:
@@ -74,11 +69,11 @@ ToleranceBand band_of(const ToleranceTask& task, const ResultSensitivity& result
       band.complete = false;
       continue;
     }
-    const double low = change_by(slope, -tolerance.minus), high = change_by(slope, tolerance.plus);
+    const double low = slope.change(-tolerance.minus), high = slope.change(tolerance.plus);
     const bool around = tolerance.minus >= 0 && tolerance.plus >= 0;  // at a kink the nominal value counts
     band.worst_low += std::min({low, high, around ? 0 : low});
     band.worst_high += std::max({low, high, around ? 0 : high});
-    band.center += change_by(slope, tolerance.middle() - tolerance.value);
+    band.center += slope.change(tolerance.middle() - tolerance.value);
     deviations.back() = slope.steepest() * tolerance.deviation();
     if (tolerance.kind == DistributionKind::kNormal) {
       beyond +=

@@ -17,12 +17,12 @@ namespace higherpair {
 namespace {
 
 std::shared_ptr<const SweepTask> task_of(const ToleranceTask& tolerances, const SensitivityReport& report,
-                                         const ToleranceVariantSettings& settings, bool in_time) {
+                                         const ToleranceVariantSettings& settings) {
   auto task = std::make_shared<SweepTask>();
   task->plan = tolerances.variants();
   task->plan.count = settings.count;
   task->plan.seed = settings.seed;
-  task->in_time = in_time;
+  task->in_time = report.in_time;
   task->place = tolerances.place;
   for (std::size_t i = 0; i < tolerances.tolerances.size(); ++i) {
     // Columns of a table need different names: these are named by number, as are the results.
@@ -112,7 +112,7 @@ struct Collected {
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
   if (std::string fault =
-          first_unmet({within(1, kMostVariants, "ToleranceVariantSettings::count", settings.count)});
+          first_unmet({within(1, kMostToleranceVariants, "ToleranceVariantSettings::count", settings.count)});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }
@@ -133,7 +133,7 @@ Result<ToleranceVariants> tolerance_variants(const Model& model, const Sensitivi
   of_sweep.tolerance = settings.tolerance;
   of_sweep.samples = settings.samples;
   of_sweep.stop = settings.stop;
-  of_sweep.task = task_of(tolerances, report, settings, report.in_time);
+  of_sweep.task = task_of(tolerances, report, settings);
   const auto sweep = Sweep::of(model, of_sweep);
   if (!sweep) {
     return tl::unexpected(sweep.error());
@@ -151,7 +151,7 @@ Result<ToleranceVariants> tolerance_variants(const Model& model, const Sensitivi
         for (std::size_t i = 0; i < tolerances.tolerances.size(); ++i) {
           const double change = values[1 + i] - tolerances.tolerances[i].value;
           const Slope& slope = result.slopes[i];
-          if (slope.kind != SlopeKind::kNone) linear += (change < 0 ? slope.down : slope.up) * change;
+          if (slope.kind != SlopeKind::kNone) linear += slope.change(change);
         }
         collected[m].linear.push_back(linear);
         collected[m].values.push_back(values[first + m] + (result.value - (*by_rows)[m]));

@@ -156,8 +156,9 @@ inline constexpr int kPoseDigits = 10;
 inline constexpr double kSameScore = 1e-6;
 /// A constraint that changes by less, relative to its scale, does not depend on the variable: rounding.
 inline constexpr double kNoConstraintChange = 1e-11;
-/// Rounding of a function that is linear in the variables, relative to the number.
-inline constexpr double kLinearRounding = 1e-13;
+/// Rounding of a function that is linear in the variables, relative to the number. Its slope is that between
+/// the ends of the variable's range: over a range of a thousand times the number it loses three digits.
+inline constexpr double kLinearRounding = 1.001e-10;
 /// Step of finite differences for the derivative of the Grashof margin, relative to the size.
 inline constexpr double kGrashofStep = 1e-6;
 /// Changes of a variable, as fractions of its range, that are tried to see whether it has any effect.

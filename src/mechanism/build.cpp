@@ -1,5 +1,6 @@
 #include "higherpair/mechanism/description.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -31,6 +32,12 @@ int add_joint(Mechanism& mechanism, const std::string& name, JointType type, Poi
 }
 
 }  // namespace
+
+bool has_forces(const Mechanism& mechanism) {
+  return !mechanism.loads.empty() || !mechanism.springs.empty() ||
+         std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [](const Body& body) { return body.mass.has_value(); });
+}
 
 int add_body(Mechanism& mechanism, const std::string& name, const Vector2d& p_W, double theta) {
   (void)body_at(mechanism, kGround);

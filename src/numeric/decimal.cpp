@@ -1,10 +1,12 @@
 #include "decimal.hpp"
 
+#include <array>
+
+#include <fmt/format.h>
+
 #ifndef __cpp_lib_to_chars
 #include <fast_float/fast_float.h>
 #include <iterator>
-
-#include <fmt/format.h>
 #endif
 
 namespace higherpair {
@@ -41,5 +43,14 @@ std::from_chars_result read_decimal(const char* first, const char* last, double&
 }
 
 #endif
+
+// Not std::stod, which reads the decimal point of the locale.
+double rounded_to(double x, int digits) {
+  std::array<char, 32> text;
+  const char* end = fmt::format_to_n(text.data(), text.size(), "{:.{}g}", x, digits).out;
+  double rounded = x;
+  (void)read_decimal(text.data(), end, rounded);
+  return rounded;
+}
 
 }  // namespace higherpair

@@ -12,6 +12,9 @@ void append_decimal(double x, std::string& out);
 /// out whole numbers of up to 21 digits.
 [[nodiscard]] std::string shortest_digits(double x);
 
+/// x rounded to so many significant digits, at most 17.
+[[nodiscard]] double rounded_to(double x, int digits);
+
 /// std::from_chars for double, which some standard libraries (libc++ before 20) do not have.
 std::from_chars_result read_decimal(const char* first, const char* last, double& x);
 

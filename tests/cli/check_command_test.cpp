@@ -56,6 +56,13 @@ TEST_F(CheckCommand, ExitsWithFourAndSaysWhichSpringWhereAContactOpens) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("contact_open"), HasSubstr("springs.return")));
 }
 
+TEST_F(CheckCommand, SaysWhatIsNotKnown) {
+  const Outcome outcome = run(shipped("cam_with_return_spring") +
+                              " --set limits.min_speed_factor=1 --set springs.return.damping=1e-7");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("unknown"), HasSubstr("1 undecided"), HasSubstr("dampers act")));
+}
+
 TEST_F(CheckCommand, ExitsWithFourWhereThePathIsNotGood) {
   const Outcome outcome = run(shipped("lock_up"));
   EXPECT_EQ(outcome.code, 4);

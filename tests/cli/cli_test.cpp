@@ -244,6 +244,14 @@ TEST_F(Program, WritesAllItsFilesOrNone) {
   }
 }
 
+TEST_F(Program, SaysBeforeALongRunThatItsEventsCannotBeWritten) {
+  const std::string command = fmt::format("timeout 60 {} analyze {} --samples 1000000000", HIGHERPAIR_PROGRAM,
+                                          profile("knife_edge.toml"));
+  const Outcome outcome = run_script(command + " --csv /dev/null --events none/e.csv");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("none/e.csv"));
+}
+
 TEST_F(Program, MakesTheFileThatALinkNames) {
   const fs::path link = folder_ / "link";
   fs::create_symlink("file", link);
@@ -323,7 +331,8 @@ C = { type = "revolute", between = ["a.C", "b.C"] }
 [drivers]
 )";
   const std::string still = (folder_ / "still.toml").string();
-  for (const char* command : {"analyze ", "step ", "forces ", "branches ", "map "}) {
+  for (const char* command :
+       {"analyze ", "step ", "forces ", "branches ", "map ", "plot --y 'a.*' -o p.svg ", "check "}) {
     const Outcome outcome = run(command + still);
     EXPECT_EQ(outcome.code, 3) << command;
     EXPECT_THAT(outcome.err, HasSubstr("nothing moves this mechanism"));

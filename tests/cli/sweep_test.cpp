@@ -241,6 +241,12 @@ TEST_F(SweepProgram, RefusesWhatIsWrong) {
   EXPECT_THAT(message("four_bar.toml -o w.csv --set sweep.count=1000000000000"),
               HasSubstr("at most 100000000000 variants are possible"));
   EXPECT_THAT(message("none.toml -o w.csv"), HasSubstr("cannot be opened"));
+  for (const char* round : {"round.csv", "round.h5"}) {
+    fs::create_symlink(round, folder_ / round);
+    EXPECT_THAT(message(std::string("four_bar.toml --samples 7 -o ") + round),
+                ::testing::AnyOf(HasSubstr("leads round in a circle"), HasSubstr("built without HDF5")));
+  }
+  EXPECT_FALSE(fs::exists(folder_ / ".blocks"));
 }
 
 TEST_F(SweepProgram, RefusesToWriteOverAFileThatTheProfileReads) {

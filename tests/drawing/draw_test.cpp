@@ -172,6 +172,19 @@ TEST(Scenes, OfSeveralDriversAreThoseOfTheNearestRow) {
 }
 
 // Arrows show the force on a joint's second body, to the scene's scale; the driver's torque is an arc.
+TEST(Drawing, MarksItsTargets) {
+  const auto scenes = scenes_of(shipped("four_bar")).value();
+  DrawSettings settings;
+  settings.targets = {{13, -7}, {41, 22}};
+  const Reading picture(draw_svg(scenes.scenes, settings));
+  std::vector<Vector2d> drawn;
+  for (const Element& element : picture.elements) {
+    if (element.role == "target") drawn.push_back(picture.mm(element.number("cx"), element.number("cy")));
+  }
+  ASSERT_EQ(drawn.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT((drawn[i] - settings.targets[i]).norm(), 1e-3);
+}
+
 TEST(Drawing, HasTheForcesOfTheTable) {
   const Model model = shipped("watt_sixbar_forces");
   SceneSettings at;

@@ -130,24 +130,24 @@ TEST(ChainForces, OfDriversThatNameGroundSecondAreThoseOfARun) {
   }
 }
 
-bool has_forces(const Mechanism& mechanism) {
+bool has_chain_forces(const Mechanism& mechanism) {
   const auto plan = make_plan(mechanism);
   return plan && DyadChain::of(mechanism, *plan, turn(0, 1, 9), {{0, std::nullopt, Quantity::kEffort}});
 }
 
 TEST(ChainForces, AreOnlyForLoadsThatTheyKnow) {
   Mechanism mechanism = Press().mechanism();
-  EXPECT_TRUE(has_forces(mechanism));
+  EXPECT_TRUE(has_chain_forces(mechanism));
   mechanism.springs.push_back({"on the guide", 3, {}, {}, 10, 0, 0});
   mechanism.springs.push_back({"on the driven pin", 0, {}, {}, 10, 0, 0});
-  EXPECT_TRUE(has_forces(mechanism));
+  EXPECT_TRUE(has_chain_forces(mechanism));
   mechanism.springs.push_back({"between two links", 2, {}, {}, 10, 0, 0});
-  EXPECT_TRUE(has_forces(mechanism));
+  EXPECT_TRUE(has_chain_forces(mechanism));
   Builder free;  // its roller turns freely
   const int crank = free.body("crank", {0, 0}, 0), roller = free.body("roller", {1, 0}, 0);
   free.drive(free.revolute(0, crank, {0, 0}));
   free.revolute(crank, roller, {1, 0});
-  EXPECT_FALSE(has_forces(free.mechanism));
+  EXPECT_FALSE(has_chain_forces(free.mechanism));
 }
 
 // Links a, b, c and the ground d, with torsion springs on all pins but the driven one.

@@ -184,6 +184,33 @@ TEST(Check, FailsWhereAContactOpens) {
 }
 
 // The torque is N e cos θ; the sliding speed of a flat face is y ω.
+TEST(Check, DoesNotDecideALimitOfTheSpeedThatDampersHide) {
+  // Contact force 18.943 N above the weight: opens at sqrt(18.943/(0.3 · 0.01)) rad/s, here without dampers.
+  const std::vector<std::string> limited = {"limits.min_speed_factor=1"};
+  EXPECT_NEAR(
+      value(check(shipped_model("cam_with_return_spring", limited)).value(), "mechanism", "speed_factor"),
+      std::sqrt(18.943 / 0.003) / (20 * kPi), 1e-9);
+  const std::vector<std::string> damped = {"limits.min_speed_factor=1", "springs.return.damping=1e-7"};
+  const CheckReport report = checked(shipped_model("cam_with_return_spring", damped));
+  const CheckFigure& factor = figure(report, "mechanism", "speed_factor");
+  EXPECT_FALSE(factor.value);
+  EXPECT_EQ(factor.verdict, Verdict::kUndecided);
+  EXPECT_THAT(factor.remark, HasSubstr("not known"));
+  EXPECT_FALSE(report.good);
+}
+
+TEST(Check, SaysThatAContactOpensAtRest) {
+  // Gravity lifts the follower off, whatever the speed and the damper.
+  for (const char* damping : {"springs.return.damping=0", "springs.return.damping=1e-3"}) {
+    const std::vector<std::string> lifted = {"limits.min_speed_factor=1", "gravity=[0,1e6]", damping};
+    const CheckReport report = checked(shipped_model("cam_with_return_spring", lifted));
+    const CheckFigure& factor = figure(report, "mechanism", "speed_factor");
+    EXPECT_EQ(factor.value, 0);
+    EXPECT_EQ(factor.verdict, Verdict::kExceeded);
+    EXPECT_THAT(factor.remark, HasSubstr("opens at rest"));
+  }
+}
+
 TEST(Check, GivesTorqueAndSpeedsOfAnEccentric) {
   const CheckReport report = checked(eccentric_profile(40, "[limits]\nmax_driving_torque = \"0.25 N m\"\n"));
   double torque = 0;

@@ -358,6 +358,67 @@ offset = true
   EXPECT_NEAR(report.measurement[0].after, 0.35, 1e-9);
 }
 
+// A crank-slider that a law moves, with the crank's length to be fitted.
+Model law_crank(const std::string& fit = "") {
+  std::ostringstream read;
+  read << std::ifstream(HIGHERPAIR_SOURCE_DIR "/profiles/start_stop_crank.toml").rdbuf();
+  std::string text = read.str();
+  const std::string length = "points.A = [30, 0]";
+  text.replace(text.find(length), length.size(), "points.A = [28, 0]");
+  return model_of(text + "\n[design.variables]\nr = { path = \"bodies.crank.points.A.0\" }\n" + fit);
+}
+
+// The motion of the shipped one, whose crank is 30 long, in time.
+MeasuredTable motion_of_law(const std::string& column, double late) {
+  RunSettings settings;
+  settings.in_time = settings.jerk = true;
+  settings.columns = {"time", column};
+  const Motion motion = shipped_model("start_stop_crank").run(settings).value();
+  const ColumnValues times = motion.column("time"), values = motion.column(column);
+  std::string text = "time," + column + "\n";
+  for (std::size_t k = 0; k < times.size(); k += 7)
+    text += fmt::format("{},{}\n", times[k] + late, values[k]);
+  return table_of(text);
+}
+
+TEST(Fit, ColumnsOfJerkTakeTheDriversJerkFromTheirLaw) {
+  const FitReport report = fitted(law_crank(), motion_of_law("piston.jx", 0));
+  EXPECT_NEAR(report.variables[0].after, 30, 1e-7);
+  EXPECT_EQ(report.columns[0].outliers, 0);
+}
+
+TEST(Fit, AnUnknownZeroOfTimeIsFoundFromAccelerationsUnderALaw) {
+  const FitReport report = fitted(law_crank("[[fit.columns]]\ncolumn = \"time\"\noffset = true\n"),
+                                  motion_of_law("crank.A.ax", 0.003));
+  EXPECT_TRUE(report.exact);
+  EXPECT_NEAR(report.variables[0].after, 30, 1e-7);
+  EXPECT_NEAR(report.measurement[0].after, 0.003, 1e-8);
+}
+
+TEST(Fit, ABodyCalledDriverIsMeasuredAsAnyOther) {
+  const std::string profile = R"([bodies.ground]
+points.O = [0, 0]
+[bodies.driver]
+points.O = [0, 0]
+points.A = [28, 0]
+[joints.main]
+type = "revolute"
+between = ["ground.O", "driver.O"]
+[driver]
+joint = "main"
+[design.variables]
+r = { path = "bodies.driver.points.A.0" }
+)";
+  std::string text = "driver,driver.A.x,driver.A.y,driver.velocity\n";
+  for (int k = 0; k < 12; ++k) {
+    const double theta = 30 * k * kPi / 180;
+    text += fmt::format("{},{},{},1\n", 30 * k, 30 * std::cos(theta), 30 * std::sin(theta));
+  }
+  const FitReport report = fitted(model_of(profile), table_of(text));
+  EXPECT_EQ(report.columns.size(), 2U);
+  EXPECT_NEAR(report.variables[0].after, 30, 1e-9);
+}
+
 TEST(Fit, NumbersThatOnlyTheirRatiosAreKnownOfAreNamed) {
   std::ostringstream text;
   text << std::ifstream(HIGHERPAIR_SOURCE_DIR "/profiles/sixbar_measured.toml").rdbuf();

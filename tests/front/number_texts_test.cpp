@@ -1,6 +1,8 @@
 // Formatted numbers are those of the standard library, character by character.
 #include "front/number_texts.hpp"
 
+#include "numeric/decimal.hpp"
+
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -67,6 +69,16 @@ TEST(NumberTexts, OfTheEndsOfTheRangeAreThoseOfTheStandardLibrary) {
     EXPECT_EQ(ours(value), standard(value));
     EXPECT_EQ(ours(-value), standard(-value));
   }
+}
+
+TEST(RoundedTo, IsTheNearestDecimalWithSoManyDigits) {
+  EXPECT_EQ(rounded_to(3 * 0.1, 12), 0.3);
+  EXPECT_EQ(rounded_to(-1234.5678, 6), -1234.57);
+  EXPECT_EQ(rounded_to(1.0 / 3, 17), 1.0 / 3);
+  EXPECT_EQ(rounded_to(6.02214076e23, 3), 6.02e23);
+  EXPECT_EQ(rounded_to(std::numeric_limits<double>::denorm_min(), 17),
+            std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(rounded_to(0, 5), 0);
 }
 
 }  // namespace

@@ -306,6 +306,44 @@ TEST(SensitivityOfResults, WhereTwoExtremesAreEqualTheResultHasAKink) {
   EXPECT_EQ(slope(off, 0, "bodies.ground.points.rail.1").kind, SlopeKind::kExact);
 }
 
+// An arm of two equal links that folds up within many turns: x = l cos θ + l cos(θ + 180° θ/E), the largest
+// at the start. The next one lies halfway between two of the places looked at first, the one after it on one
+// of them.
+TEST(SensitivityOfResults, TheRivalOfManyMaximaIsTheNextLargest) {
+  const double l = 50, end = 10939.79 * kPi / 180;
+  const Model arm = model_of(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.upper]
+points = { O = [0, 0], A = [50, 0] }
+[bodies.lower]
+pose = { x = 50 }
+points = { A = [0, 0], T = [50, 0] }
+[joints]
+shoulder = { type = "revolute", between = ["ground.O", "upper.O"] }
+elbow = { type = "revolute", between = ["upper.A", "lower.A"] }
+[drivers.shoulder]
+joint = "shoulder"
+start = 0
+end = 10939.79
+samples = 3001
+[drivers.elbow]
+joint = "elbow"
+start = 0
+end = 180
+samples = 3001
+)");
+  const auto x = [&](double theta) { return l * std::cos(theta) + l * std::cos(theta * (1 + kPi / end)); };
+  double low = 1.9 * kPi, high = 2 * kPi;  // around the second largest maximum
+  for (int i = 0; i < 100; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (x(a) < x(b) ? low : high) = x(a) < x(b) ? a : b;
+  }
+  const SensitivityReport report = report_of(arm, wanted({"lower.T.x:max"}));
+  EXPECT_NEAR(report.results[0].value, 2 * l, 1e-9);
+  ASSERT_TRUE(report.results[0].rival);
+  EXPECT_NEAR(*report.results[0].rival, x(low), 1e-8);
+}
+
 TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
   const std::vector<std::string> results = {"slider.x:range", "slider.ax:max", "rod.omega:max"};
   const SensitivityReport mm = report_of(model_of(kSlider, {}), wanted(results));

@@ -18,10 +18,9 @@ struct CheckOptions : ProfileOptions {
   CheckSettings settings;
 };
 
-// Events for which a path is not good.
-bool is_bad(EventType type) {
-  return type == EventType::kLimitPosition || type == EventType::kConforming || type == EventType::kOverlap ||
-         type == EventType::kContactOpen || type == EventType::kEnd;
+// Events that are printed beside the figures: those that end the path, and where accelerations are unbounded.
+bool is_printed(EventType type) {
+  return ends_path(type) || type == EventType::kConforming;
 }
 
 int write(const CheckOptions& options, const Model& model, const CheckReport& report) {
@@ -35,11 +34,11 @@ int write(const CheckOptions& options, const Model& model, const CheckReport& re
   }
   print_notes(report.notes, options.quiet);
   if (!options.quiet) {
-    std::vector<Event> bad;
+    std::vector<Event> printed;
     for (const Event& event : report.events) {
-      if (is_bad(event.type)) bad.push_back(event);
+      if (is_printed(event.type)) printed.push_back(event);
     }
-    print_events(bad, model);
+    print_events(printed, model);
   }
   return report.good ? kExitOk : kExitRows;
 }

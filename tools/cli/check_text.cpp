@@ -3,7 +3,6 @@
 #include "paragraph.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -23,10 +22,13 @@ std::string number(const std::optional<double>& value) {
 std::string line_of(const CheckFigure& figure) {
   const std::string verdict =
       figure.verdict == Verdict::kExceeded ? "EXCEEDED" : std::string(name_of(figure.verdict));
+  const std::string value = figure.value                            ? number(figure.value)
+                            : figure.verdict == Verdict::kUndecided ? "unknown"
+                                                                    : "unbounded";
   std::string line =
-      fmt::format("  {:<29} {:>11} {:<9} {:>9} {:>9} {}", words(figure.quantity),
-                  figure.value ? number(figure.value) : "unbounded", figure.unit == "1" ? "" : figure.unit,
-                  figure.at ? fmt::format("{:.6g}", *figure.at) : "", number(figure.limit), verdict);
+      fmt::format("  {:<29} {:>11} {:<9} {:>9} {:>9} {}", words(figure.quantity), value,
+                  figure.unit == "1" ? "" : figure.unit, figure.at ? fmt::format("{:.6g}", *figure.at) : "",
+                  number(figure.limit), verdict);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -60,7 +62,7 @@ std::string check_text(const CheckReport& report) {
           : exceeded + undecided == 0 ? fmt::format("\n{} limits, all kept\n", limited)
                                       : fmt::format("\n{} of {} limits exceeded\n", exceeded, limited);
   if (undecided > 0) text += fmt::format("{} undecided\n", undecided);
-  return report.good || exceeded > 0 ? text : text + "the path is not good\n";
+  return report.good || exceeded + undecided > 0 ? text : text + "the path is not good\n";
 }
 
 std::string check_csv(const CheckReport& report) {

@@ -68,7 +68,7 @@ void check_options(const DesignCommandOptions& options) {
                                "needs a regular file as --output: only beside it is kept what is done");
   }
   refuse_shared_files({{"FILE", options.profile}}, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
+  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
 }
 
 // Everything that the result of a single search depends on; their number is not part of it.
@@ -111,14 +111,18 @@ void end_journal(Journal& journal, bool goes_on) {
   }
 }
 
-// Writes the results; returns the exit code.
+// Writes the results; returns the exit code. A page that cannot be made keeps nothing else from being
+// written.
 int write_report(const Model& model, const DesignCommandOptions& options, const DesignReport& report) {
   std::vector<FileText> files = profiles_of(report, options);
   if (options.json) files.push_back({*options.json, design_json(report)});
+  std::optional<Error> no_page;
   if (options.page) {
-    auto page = design_page(model, report);
-    if (!page) return report_error(page.error());
-    files.push_back({*options.page, *std::move(page)});
+    if (auto page = design_page(model, report)) {
+      files.push_back({*options.page, *std::move(page)});
+    } else {
+      no_page = std::move(page.error());
+    }
   }
   const bool to_output = options.output == "-" || options.json == "-" || options.page == "-";
   if (!write_files(files)) {
@@ -126,6 +130,9 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
   }
   if (!to_output) {
     fmt::print("{}", design_text(report));
+  }
+  if (no_page) {
+    return report_error(*no_page);
   }
   if (report.end == DesignEnd::kStopped) {
     return kExitInterrupted;
@@ -188,10 +195,7 @@ Command add_design(CLI::App& app) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
   command->add_option("--starts", options->settings.starts, "searches (default 200)")
       ->check(CLI::Range(1, 100'000'000));
-  command
-      ->add_option("--threads", options->settings.threads,
-                   "threads (default: all); make no difference to the result")
-      ->check(CLI::Range(1, 100'000));
+  add_threads_option(*command, options->settings.threads);
   command->add_flag("--resume", options->resume,
                     "go on where an interrupted run of the same search has ended");
   command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");

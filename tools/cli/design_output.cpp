@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -107,8 +106,9 @@ std::string design_text(const DesignReport& report) {
   if (!report.as_found) {
     text +=
         "\nthe profile that was written does not start in the assembly that was found: poses that would lead "
-        "there are taken exactly, as for the fixed angle of a slide or the start of a driver. What stands "
-        "above is of the profile as written; give these numbers (angle, start) on their own, or the poses of "
+        "there are taken exactly, as for the fixed angle of a slide or the start of a driver. The numbers "
+        "above are of the profile as written; give these numbers (angle, start) on their own, or the poses "
+        "of "
         "the assembly that is wanted\n";
   } else if (!report.holds) {
     text += "\nno design was found in which all constraints hold: this is the one that violates them least\n";

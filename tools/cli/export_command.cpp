@@ -5,7 +5,6 @@
 #include "output_options.hpp"
 #include "run_command.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -48,7 +47,7 @@ void check_options(const ExportOptions& options) {
     throw CLI::ValidationError("--output",
                                options.output + ": a curve goes to a file that ends in .csv, .dxf or .svg");
   }
-  refuse_missing_folder({"--output", options.output});
+  refuse_unwritable({"--output", options.output});
   if (options.points && *format != Format::kCsv) {
     throw CLI::ValidationError("--points", "is for .csv; arcs are as many as --tolerance takes");
   }

@@ -53,7 +53,7 @@ void check_files(const FitCommandOptions& options) {
   std::vector<NamedFile> inputs = {{"FILE", options.input}};
   if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
   refuse_shared_files(inputs, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_missing_folder(output);
+  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
 }
 
 void refuse_with_curve(const FitCommandOptions& options) {
@@ -183,10 +183,7 @@ Command add_fit(CLI::App& app) {
       ->check(CLI::Range(1, 1'000'000));
   command->add_option("--seed", options->settings.seed,
                       "of the random starts (default 1): the same seed, the same result");
-  command
-      ->add_option("--threads", options->settings.threads,
-                   "threads (default: all); make no difference to the result")
-      ->check(CLI::Range(1, 100'000));
+  add_threads_option(*command, options->settings.threads);
   command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
   command->final_callback([options] {
     refuse_with_curve(*options);

@@ -1,5 +1,6 @@
 // The results of a fit, for people and for programs.
 #include "fit_report.hpp"
+#include "higherpair/front/motion.hpp"
 #include "json_text.hpp"
 #include "number_text.hpp"
 
@@ -19,11 +20,6 @@ constexpr std::size_t kMostOutliers = 10;  // largest number listed
 
 std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
-}
-
-// A column's title in a CSV header; names contain neither commas nor quotes.
-std::string head(std::string_view name, std::string_view unit) {
-  return fmt::format("{}[{}]", name, unit);
 }
 
 template <class Lines>
@@ -147,7 +143,7 @@ Json columns_json(const FitReport& report) {
                     {"outliers", column.outliers},
                     {"rms", number_or_null(column.rms)},
                     {"noise", number_or_null(column.noise)},
-                    {"deviation", column.deviation ? number_or_null(*column.deviation) : Json(nullptr)},
+                    {"deviation", number_or_null(column.deviation)},
                     {"largest", number_or_null(column.largest)},
                     {"largest_at", number_or_null(column.largest_at)},
                     {"r_squared", number_or_null(column.explained)},
@@ -200,7 +196,7 @@ std::string fit_json(const FitReport& report) {
 std::string fit_csv(const FitReport& report) {
   std::string text =
       fmt::format("line[1],{},column,unit,measured[1],fitted[1],residual[1],weight[1],outlier[1]\n",
-                  head(report.in_time ? "time" : "driver", report.where_unit));
+                  csv_head({report.in_time ? "time" : "driver", report.where_unit, {}}));
   for (const auto& residual : report.residuals) {
     const auto& column = report.columns[residual.column];
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", residual.line, cell(residual.where), column.name,
@@ -246,8 +242,8 @@ std::string fit_json(const CurveFitReport& report) {
 }
 
 std::string fit_csv(const CurveFitReport& report) {
-  std::string text = fmt::format("line[1],{},{},{}\n", head("x", report.unit), head("y", report.unit),
-                                 head("distance", report.unit));
+  std::string text = fmt::format("line[1],{},{},{}\n", csv_head({"x", report.unit, {}}),
+                                 csv_head({"y", report.unit, {}}), csv_head({"distance", report.unit, {}}));
   for (const auto& point : report.points) {
     text += fmt::format("{},{},{},{}\n", point.line, cell(point.x), cell(point.y), cell(point.distance));
   }

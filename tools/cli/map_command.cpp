@@ -88,7 +88,7 @@ Command add_map(CLI::App& app) {
       "every contact of the two curves over the driver's turn: branches, and where they begin and end");
   add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the branches", options->csv}, {"the map", options->json},
-                     &options->output);
+                     {.picture = &options->output});
   command->add_option("-o,--output", options->output,
                       "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
   command

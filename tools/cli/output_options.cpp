@@ -67,10 +67,16 @@ std::optional<Error> refused_output(const Model& model, const std::vector<NamedF
   return std::nullopt;
 }
 
-void refuse_missing_folder(const NamedFile& output) {
+void refuse_unwritable(const NamedFile& output) {
+  if (output.path == "-") {
+    return;
+  }
+  if (target_of(output.path).empty()) {
+    throw CLI::ValidationError(output.name, output.path + " is a link that leads round in a circle");
+  }
   const fs::path folder = fs::path(output.path).parent_path();
   std::error_code code;
-  if (output.path != "-" && !folder.empty() && !fs::is_directory(folder, code)) {
+  if (!folder.empty() && !fs::is_directory(folder, code)) {
     throw CLI::ValidationError(output.name, output.path + ": there is no folder " + folder.string() +
                                                 "; make it first (mkdir -p), or name another");
   }
@@ -89,25 +95,27 @@ void check_hdf5(const std::string& path) {
 
 }  // namespace
 
-void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
-                        const std::optional<std::string>* picture, const std::optional<std::string>* events,
-                        const std::optional<std::string>* hdf5) {
+void add_forms(CLI::App& command, const Output& csv, const Output& json) {
   command.add_option("--csv", csv.path, "write " + csv.what + " as CSV to this file (-: standard output)");
   command.add_option("--json", json.path,
                      "write " + json.what + " as JSON to this file (-: standard output)");
-  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, picture, events, hdf5] {
+}
+
+void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
+                        const OtherOutputs& others) {
+  add_forms(command, csv, json);
+  command.final_callback([&profile, &csv_path = csv.path, &json_path = json.path, others] {
+    const auto is_given = [](const std::optional<std::string>* path) { return path != nullptr && *path; };
     std::vector<NamedFile> outputs = given({{"--csv", csv_path}, {"--json", json_path}});
-    if (hdf5 != nullptr && *hdf5) {
-      check_hdf5(**hdf5);
-      outputs.push_back({"--hdf5", **hdf5});
+    if (is_given(others.hdf5)) {
+      check_hdf5(**others.hdf5);
+      outputs.push_back({"--hdf5", **others.hdf5});
     }
     if (outputs.empty()) outputs.push_back({"standard output", "-"});
-    if (picture != nullptr && *picture) {
-      outputs.push_back({"--output", **picture});
-    }
-    if (events != nullptr && *events) outputs.push_back({"--events", **events});
+    if (is_given(others.picture)) outputs.push_back({"--output", **others.picture});
+    if (is_given(others.events)) outputs.push_back({"--events", **others.events});
     refuse_shared_files({{"FILE", profile}}, outputs);
-    if (picture != nullptr && *picture) check_picture(**picture);
+    if (is_given(others.picture)) check_picture(**others.picture);
   });
 }
 
@@ -125,8 +133,11 @@ void add_tolerance_option(CLI::App& command, double& tolerance) {
 }
 
 void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "so many at a time; otherwise as many as there are cores")
-      ->check(CLI::Range(1, 4096));
+  command
+      .add_option(
+          "--threads", threads,
+          "so many at a time; otherwise as many as there are cores; they make no difference to the result")
+      ->check(CLI::Range(1, 100'000));
 }
 
 void add_unused_samples(CLI::App& command, const std::string& what_counts) {

@@ -22,13 +22,20 @@ struct Output {
   std::optional<std::string>& path;
 };
 
-/// Adds --csv and --json to a command that reads `profile`. Both into one file or both to standard output is
-/// refused, and so is overwriting the profile.
-/// \param picture, events, hdf5  paths of --output, --events and --hdf5, if the command has these options
+/// Adds --csv and --json, without any check.
+void add_forms(CLI::App& command, const Output& csv, const Output& json);
+
+/// Paths of further outputs: of --output, --events and --hdf5. Null: the command has no such option.
+struct OtherOutputs {
+  const std::optional<std::string>* picture = nullptr;
+  const std::optional<std::string>* events = nullptr;
+  const std::optional<std::string>* hdf5 = nullptr;
+};
+
+/// Adds --csv and --json to a command that reads `profile`, and a final callback that checks all its outputs:
+/// two into one file or to standard output are refused, and so is overwriting the profile.
 void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
-                        const std::optional<std::string>* picture = nullptr,
-                        const std::optional<std::string>* events = nullptr,
-                        const std::optional<std::string>* hdf5 = nullptr);
+                        const OtherOutputs& others = {});
 
 /// A file given on the command line, and the argument that gives it.
 struct NamedFile {
@@ -55,9 +62,9 @@ struct OptionalFile {
 /// The error if one of the outputs is a file that the profile reads (points, tables, outlines).
 [[nodiscard]] std::optional<Error> refused_output(const Model& model, const std::vector<NamedFile>& outputs);
 
-/// Throws CLI::ValidationError if the folder of an output does not exist, before hours are spent on computing
-/// it.
-void refuse_missing_folder(const NamedFile& output);
+/// Throws CLI::ValidationError if the folder of an output does not exist, or if it is a link that leads to
+/// itself, before hours are spent on computing it.
+void refuse_unwritable(const NamedFile& output);
 
 /// What the commands that analyse a profile have in common.
 struct ProfileOptions {

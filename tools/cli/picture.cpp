@@ -35,7 +35,7 @@ void check_picture(const std::string& path) {
         "--output", path + ": this higherpair was built without librsvg and cairo, which " + ending +
                         " needs; write an .svg, or install librsvg2-dev and libcairo2-dev and build again");
   }
-  refuse_missing_folder({"--output", path});
+  refuse_unwritable({"--output", path});
 }
 
 void add_picture_option(CLI::App& command, const std::string& profile, std::string& path) {

@@ -1,39 +1,26 @@
 #pragma once
 
+#include "status_line.hpp"
+
 #include <cstdint>
-#include <cstdio>
-#include <ctime>
-#include <unistd.h>
 
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 
-/// The percentage done, on standard error if that is a terminal, once a run has taken a second.
+/// The percentage of the rows done, once a run has taken a second.
 class Progress {
 public:
-  explicit Progress(bool wanted) : wanted_(wanted && isatty(STDERR_FILENO) == 1), start_(std::clock()) {}
-  ~Progress() {
-    if (shown_) {
-      fmt::print(stderr, "\r    \r");
-    }
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  explicit Progress(bool wanted) : line_(wanted) {}
 
   void at(std::int64_t row, std::int64_t size) {
-    if (!wanted_ || row % 4096 != 0 || std::clock() - start_ < CLOCKS_PER_SEC) {
-      return;
+    if (row % 4096 == 0 && line_.is_due() && line_.seconds() >= 1) {
+      line_.show(fmt::format("{:3}%", 100 * row / size));
     }
-    shown_ = true;
-    fmt::print(stderr, "\r{:3}%", 100 * row / size);
-    std::fflush(stderr);
   }
 
 private:
-  bool wanted_;
-  bool shown_ = false;
-  std::clock_t start_;
+  StatusLine line_;
 };
 
 }  // namespace higherpair::cli

@@ -155,10 +155,15 @@ private:
 // Runs the analysis and writes all rows; returns the exit code.
 int write_rows(const RunOptions& options, const Model& model, Analysis& analysis) {
   Outputs outputs(options, model, analysis);
+  std::optional<OutputFile> events;
+  if (options.events) events.emplace(*options.events);
   Progress progress(!options.quiet);
   bool written = outputs.good();
   if (!written) {
     outputs.print_failure();
+    return exit_unwritten();
+  }
+  if (events && report_failure(*events)) {
     return exit_unwritten();
   }
   run_blocks(
@@ -175,9 +180,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
   if (analysis.stopped()) {
     return kExitInterrupted;
   }
-  std::optional<OutputFile> events;
-  if (options.events) {
-    events.emplace(*options.events);
+  if (events) {
     events->write(events_csv(analysis.events(), model));
     events->finish();
   }

@@ -16,7 +16,8 @@ Command add_run(CLI::App& app, const std::string& name, const std::string& text,
   CLI::App* command = app.add_subcommand(name, text);
   add_profile_options(*command, *options);
   add_output_options(*command, options->profile, {"the table", options->csv},
-                     {"the table and the events", options->json}, nullptr, &options->events, &options->hdf5);
+                     {"the table and the events", options->json},
+                     {.events = &options->events, .hdf5 = &options->hdf5});
   command->add_option("--hdf5", options->hdf5, "write the table and the events as HDF5 to this file");
   command->add_option("--events", options->events,
                       "write the events as CSV to this file (-: standard output)");

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "number_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "run_command.hpp"
@@ -6,7 +7,6 @@
 #include "sweep/progress.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -27,8 +27,6 @@ struct SensitivityOptions : ProfileOptions {
   SensitivitySettings settings;
 };
 
-constexpr std::int64_t kMostVariants = 100'000'000;
-
 // Quantiles need more than one variant.
 constexpr std::int64_t kFewestVariants = 2;
 
@@ -46,7 +44,7 @@ public:
     columns_ = table.columns.size();
     std::string line;
     for (const Column& column : table.columns) {
-      line += fmt::format("{}{}[{}]", line.empty() ? "" : ",", column.name, column.unit);
+      line += (line.empty() ? "" : ",") + csv_head(column);
     }
     for (const SensitivityNumber& number : table.numbers) {
       for (std::size_t c = 1; c < columns_; ++c) {
@@ -60,9 +58,9 @@ public:
   // Leaves out derivatives of the first column, which is the driver position or time.
   bool take(const RowSlopes& row) {
     std::string line;
-    for (const double value : row.values) add(value, line);
+    for (const double value : row.values) line += cell(value) + ",";
     for (std::size_t k = 0; k < row.slopes.size(); ++k) {
-      if (k % columns_ != 0) add(row.slopes[k], line);
+      if (k % columns_ != 0) line += cell(row.slopes[k]) + ",";
     }
     line.back() = '\n';
     file_.write(line);
@@ -72,10 +70,6 @@ public:
   OutputFile& file() { return file_; }
 
 private:
-  static void add(double value, std::string& line) {
-    line += std::isfinite(value) ? fmt::format("{},", value == 0 ? 0.0 : value) : ",";
-  }
-
   OutputFile file_;
   std::size_t columns_ = 0;
 };
@@ -140,7 +134,7 @@ void check_outputs(const SensitivityOptions& options) {
   std::vector<NamedFile> outputs = outputs_of(options);
   if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
   refuse_shared_files({{"FILE", options.profile}}, outputs);
-  for (const NamedFile& output : outputs) refuse_missing_folder(output);
+  for (const NamedFile& output : outputs) refuse_unwritable(output);
   if (!options.rows && !options.columns.empty()) {
     throw CLI::ValidationError("--columns", "only --rows writes columns: add --rows FILE");
   }
@@ -222,8 +216,7 @@ Command add_sensitivity(CLI::App& app) {
       "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
       "tolerance to tighten");
   add_profile_options(*command, *options);
-  add_output_options(*command, options->profile, {"the derivatives", options->csv},
-                     {"the derivatives and bands", options->json});
+  add_forms(*command, {"the derivatives", options->csv}, {"the derivatives and bands", options->json});
   command
       ->add_option("--results", options->results,
                    "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
@@ -247,16 +240,13 @@ Command add_sensitivity(CLI::App& app) {
   command
       ->add_option("--variants", options->variants,
                    "check the bands of [tolerances] by so many random variants, such as 100000")
-      ->check(CLI::Range(kFewestVariants, kMostVariants));
+      ->check(CLI::Range(kFewestVariants, kMostToleranceVariants));
   command->add_option("--seed", options->seed, "other random variants (default 1)");
   command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   command->add_option("--samples", options->settings.samples, "number of rows");
   add_tolerance_option(*command, options->settings.tolerance);
-  command
-      ->add_option("--threads", options->settings.threads,
-                   "so many at a time; otherwise as many as there are cores")
-      ->check(CLI::Range(1, 4096));
+  add_threads_option(*command, options->settings.threads);
   command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
   command->final_callback([options] { check_outputs(*options); });
   return {command, [options] { return sensitivity_command(*options); }};

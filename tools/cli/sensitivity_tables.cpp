@@ -4,7 +4,6 @@
 #include "sensitivity_report.hpp"
 
 #include <array>
-#include <cmath>
 
 #include <fmt/core.h>
 

@@ -52,7 +52,7 @@ void print_contacts(const Analysis& analysis) {
                unit_of(analysis.columns(), "driver"));
   }
   const auto speed = analysis.highest_speed();
-  if (speed && std::isfinite(*speed)) {
+  if (speed && *speed > 0 && std::isfinite(*speed)) {
     fmt::print("contacts stay closed up to {:.6g} times the speed of the drivers\n",
                std::floor(*speed * 1e5) / 1e5);
   }

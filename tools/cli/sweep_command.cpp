@@ -66,7 +66,7 @@ void check_output(const SweepOptions& options) {
     }
     return;
   }
-  refuse_missing_folder({"--output", path});
+  refuse_unwritable({"--output", path});
   if (is_hdf5(path) && !has_hdf5()) {
     throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
   }

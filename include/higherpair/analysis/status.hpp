@@ -33,4 +33,15 @@ enum class EventType {
   kLawJump,  ///< velocity or acceleration of a driver's law jumps
 };
 
+/// Whether the motion cannot go on beyond such an event, or only in another way.
+[[nodiscard]] constexpr bool loses_motion(EventType type) {
+  return type == EventType::kLimitPosition || type == EventType::kEnd;
+}
+
+/// Whether the mechanism as described ends its path with such an event: the motion is lost, bodies overlap,
+/// or a contact would have to pull.
+[[nodiscard]] constexpr bool ends_path(EventType type) {
+  return loses_motion(type) || type == EventType::kOverlap || type == EventType::kContactOpen;
+}
+
 }  // namespace higherpair

@@ -123,7 +123,8 @@ struct DrawSettings {
   PictureUnit acceleration{"mm/s^2", 1e-3};
   PictureUnit force{"N", 1};
   PictureUnit torque{"N*m", 1};
-  std::string title;  ///< for screen readers
+  std::vector<Vector2d> targets;  ///< points marked by small circles, in ground [mm]
+  std::string title;              ///< for screen readers
 };
 
 /// The layers drawn if none are named: all but velocities, accelerations, forces and instant centres.

@@ -99,7 +99,7 @@ private:
 /// thread at a time may use it; the models that it makes are independent of it.
 class ModelVariants {
 public:
-  /// \param paths  of numbers that stand in the profile, as in a Setting. Fails for one that leads to no
+  /// \param paths  of numbers that the profile has, as in a Setting. Fails for one that leads to no
   ///               number, and for a model built in C++
   [[nodiscard]] static Result<ModelVariants> of(const Model& model, std::span<const std::string> paths);
   ModelVariants(ModelVariants&& other) noexcept;

@@ -69,6 +69,9 @@ struct Event {
 [[nodiscard]] std::string_view name_of(RowStatus status);
 [[nodiscard]] std::string_view name_of(EventType type);
 
+/// A column's name with its unit, as in the header of CSV: "crank.angle[deg]".
+[[nodiscard]] std::string csv_head(const Column& column);
+
 /// One line of CSV (with its line end) appended to `out`: the names with their units, or a row.
 void append_csv_header(const std::vector<Column>& columns, std::string& out);
 void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out);
@@ -112,7 +115,9 @@ public:
   /// With RunSettings::forces, after the last row: the smallest force of each contact on the whole path,
   /// between its rows too; only contacts whose force is defined somewhere.
   [[nodiscard]] std::vector<SmallestForce> smallest_forces() const;
-  /// Factor on the drivers' speed up to which no contact opens; none if dampers act or the factor is unknown.
+  /// Factor on the drivers' speed up to which no contact opens: 0 if one opens at rest already, infinite if
+  /// no speed opens one. None if it is not known: dampers act, a force is not defined on the whole path, or
+  /// falls below 0 next to a singular position.
   [[nodiscard]] std::optional<double> highest_speed() const;
   /// Whether the whole path so far is good: every row `ok`, and on the path no limit position (except at its
   /// very ends), no overlap and no contact that opens.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/drawing/picture.hpp"
-#include "higherpair/front/branches.hpp"
+#include "higherpair/front/map.hpp"
 #include "higherpair/front/model.hpp"
 
 #include <atomic>
@@ -40,17 +40,11 @@ struct Scenes {
 /// Settings for a picture in these units.
 [[nodiscard]] DrawSettings draw_settings(const Units& units);
 
-/// Whether there is anything that could load the joints: masses, loads or springs.
-[[nodiscard]] bool has_forces(const Mechanism& mechanism);
-
 /// The scenes of a model. The extent of the picture and the traces of points come from all rows of the
 /// profile's own run, thinned to a few hundred. With several drivers the row nearest to `at` is drawn. Fails
-/// as Model::run does, if a trace names no point, if forces are requested but has_forces() is false, and if
-/// `at` or `every` do not suit the drivers.
+/// as Model::run does, if a trace names no point, if forces are requested but has_forces() is false, if `at`
+/// or `every` do not suit the drivers, and, with kInput, once stopped.
 [[nodiscard]] Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings = {});
-
-/// The point that "BODY.POINT" names; the error suggests similar names.
-[[nodiscard]] Result<PointRef> find_point(const Model& model, const std::string& name);
 
 /// What is plotted against what.
 struct PlotSettings {
@@ -94,11 +88,9 @@ struct Polygons {
   std::vector<Event> passed;
 };
 
-/// Converts polygons from SI units to those of tables.
-void to_units(std::vector<Polygon>& polygons, const Units& units);
-
 /// The polygons where the driver, coming from its first position, is at `at`. With several drivers they are
-/// those of the row in which the first driver is nearest to it. Fails as Model::run does.
+/// those of the row in which the first driver is nearest to it. Fails as Model::run does, and, with kInput,
+/// once stopped.
 [[nodiscard]] Result<Polygons> polygons_of(const Model& model, const PolygonSettings& settings);
 
 /// What a report shows.

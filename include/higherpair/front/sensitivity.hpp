@@ -64,6 +64,8 @@ struct Slope {
 
   /// The one of larger absolute value, with its sign; NaN: none.
   [[nodiscard]] double steepest() const { return std::abs(down) > std::abs(up) ? down : up; }
+  /// How much the result changes with the number, along the slope on that side.
+  [[nodiscard]] double change(double of_number) const { return (of_number < 0 ? down : up) * of_number; }
 };
 
 /// A result and its derivatives.
@@ -184,8 +186,11 @@ struct ToleranceBand {
 [[nodiscard]] std::vector<ToleranceBand> tolerance_bands(const ToleranceTask& task,
                                                          const SensitivityReport& report);
 
+/// Largest number of variants for tolerances: all their results are kept in memory, for the quantiles.
+inline constexpr std::int64_t kMostToleranceVariants = 100'000'000;
+
 struct ToleranceVariantSettings {
-  std::int64_t count = 100'000;  ///< >= 1
+  std::int64_t count = 100'000;  ///< from 1 to kMostToleranceVariants
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: one for each available core
   std::optional<std::int64_t> samples;

@@ -202,6 +202,9 @@ struct Mechanism {
 
 inline constexpr int kGround = 0;
 
+/// Whether there is anything that could load the joints: masses, loads or springs.
+[[nodiscard]] bool has_forces(const Mechanism& mechanism);
+
 /// Adds a body whose frame is roughly at p_W, turned by theta, at the start; returns its index.
 int add_body(Mechanism& mechanism, const std::string& name, const Vector2d& p_W = Vector2d::Zero(),
              double theta = 0);

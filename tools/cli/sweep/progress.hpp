@@ -1,11 +1,10 @@
 #pragma once
 
-#include <chrono>
+#include "status_line.hpp"
+
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
-#include <unistd.h>
 
 #include <fmt/core.h>
 
@@ -20,47 +19,27 @@ namespace higherpair::cli {
   return fmt::format("{} s", whole);
 }
 
-/// The share done, the rate and the remaining time, on standard error if that is a terminal.
+/// The share done, the rate and the remaining time.
 class SweepProgress {
 public:
   /// \param done  variants that were done before
   SweepProgress(std::int64_t done, std::int64_t size, bool wanted)
-      : wanted_(wanted && isatty(STDERR_FILENO) == 1), before_(done), size_(size), start_(Clock::now()) {}
-  ~SweepProgress() { clear(); }
-  SweepProgress(const SweepProgress&) = delete;
-  SweepProgress& operator=(const SweepProgress&) = delete;
+      : line_(wanted), before_(done), size_(size) {}
 
   void at(std::int64_t done) {
-    const auto now = Clock::now();
-    if (!wanted_ || now - shown_ < std::chrono::milliseconds(500)) {
-      return;
-    }
-    shown_ = now;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double rate = static_cast<double>(done - before_) / seconds;
-    const std::string text =
-        fmt::format("{:3} %  {:.0f} variants/s  {} left",
-                    static_cast<int>(100.0 * static_cast<double>(done) / static_cast<double>(size_)), rate,
-                    duration_text(static_cast<double>(size_ - done) / rate));
-    fmt::print(stderr, "\r{:<{}}", text, length_);
-    std::fflush(stderr);
-    length_ = text.size();
+    if (!line_.is_due()) return;
+    const double rate = static_cast<double>(done - before_) / line_.seconds();
+    line_.show(fmt::format("{:3} %  {:.0f} variants/s  {} left",
+                           static_cast<int>(100.0 * static_cast<double>(done) / static_cast<double>(size_)),
+                           rate, duration_text(static_cast<double>(size_ - done) / rate)));
   }
 
-  void clear() {
-    if (length_ > 0) fmt::print(stderr, "\r{:{}}\r", "", length_);
-    length_ = 0;
-  }
+  void clear() { line_.clear(); }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  bool wanted_;
+  StatusLine line_;
   std::int64_t before_;
   std::int64_t size_;
-  Clock::time_point start_;
-  Clock::time_point shown_ = start_;
-  std::size_t length_ = 0;
 };
 
 }  // namespace higherpair::cli

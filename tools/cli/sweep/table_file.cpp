@@ -8,10 +8,7 @@
 #include <filesystem>
 #include <future>
 #include <thread>
-#include <unistd.h>
 #include <vector>
-
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -64,22 +61,23 @@ std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep
 
 std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep, const SweepTitle& title,
                                     const EachBlock& each) {
-  const std::string target = target_of(path);
-  const std::string temporary = fmt::format("{}.part{}", target, getpid());
-  Hdf5File file(temporary);
-  file.set_attribute("title", title.title);
-  file.set_attribute("profile", title.profile);
-  const std::size_t table = file.add_table("", {sweep.columns(), {"variant"}, {"cause"}, sweep.size()});
-  const bool all = each([&](const SweepBlock& block) { file.append(table, block.values, {block.causes}); });
-  file.close();
-  std::string failure = all ? file.error() : "not all blocks can be read";
-  std::error_code code;
-  if (failure.empty()) {
-    fs::rename(temporary, target, code);
-    failure = code ? code.message() : "";
+  OutputFile file(path);
+  if (!file.good()) {
+    return file.error();
   }
-  fs::remove(temporary, code);
-  return failure.empty() ? std::nullopt : std::optional(fmt::format("cannot write {}: {}", path, failure));
+  Hdf5File data(file.place());
+  data.set_attribute("title", title.title);
+  data.set_attribute("profile", title.profile);
+  const std::size_t table = data.add_table("", {sweep.columns(), {"variant"}, {"cause"}, sweep.size()});
+  const bool all = each([&](const SweepBlock& block) { data.append(table, block.values, {block.causes}); });
+  data.close();
+  if (!data.error().empty()) file.fail_because(data.error());
+  file.finish();
+  if (all) file.commit();
+  if (file.good()) {
+    return all ? std::nullopt : std::optional(std::string());
+  }
+  return file.error();
 }
 
 }  // namespace

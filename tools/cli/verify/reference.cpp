@@ -90,16 +90,12 @@ Or<Expected> read_table(std::string_view text) {
   return table;
 }
 
-std::string head_of(const Column& column) {
-  return column.unit.empty() ? column.name : column.name + "[" + column.unit + "]";
-}
-
 // The indices of the expected columns among those of the run.
 Or<std::vector<std::size_t>> match(const Expected& expected, const std::vector<Column>& columns) {
   std::vector<std::size_t> places;
   for (const std::string& head : expected.head) {
     const auto found =
-        std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return head_of(c) == head; });
+        std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return csv_head(c) == head; });
     if (found == columns.end()) {
       return tl::unexpected(fmt::format("there is no column {}", head));
     }

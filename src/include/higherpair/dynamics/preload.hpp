@@ -42,9 +42,9 @@ struct PreloadRounding {
                                                                    const PreloadRounding* rounding = nullptr);
 
 /// The factor on all velocities of the drivers (its square on their accelerations) up to which every contact
-/// stays closed along the whole path: least sqrt(-rest/inertia). Infinite where no speed opens one; none
-/// where one opens at rest already, where dampers act, and where a force falls below 0 next to a singular
-/// position.
+/// stays closed along the whole path: least sqrt(-rest/inertia). Infinite where no speed opens one, 0 where
+/// one opens at rest already. None where it is not known: dampers act, a force is not defined on the whole
+/// path, or falls below 0 next to a singular position.
 [[nodiscard]] std::optional<double> highest_speed(const ContactForces& forces);
 
 }  // namespace higherpair

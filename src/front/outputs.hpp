@@ -1,0 +1,25 @@
+#pragma once
+
+#include "higherpair/mechanism/description.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace higherpair {
+
+/// The joints by which the motion leaves the mechanism: revolute and prismatic ones to ground that are not
+/// driven.
+[[nodiscard]] inline std::vector<const Joint*> outputs_of(const Mechanism& mechanism) {
+  std::vector<const Joint*> joints;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    const bool on_ground = joint.first.body == kGround || joint.second.body == kGround;
+    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, static_cast<int>(i))) {
+      joints.push_back(&joint);
+    }
+  }
+  return joints;
+}
+
+}  // namespace higherpair
