@@ -52,7 +52,7 @@ std::vector<std::size_t> jumps_of(std::span<const double> values, const std::vec
     const std::size_t row = index_of(event.row);
     if (!growth || row == 0 || row >= values.size() || contains(jumps, row)) continue;
     const double usual = std::max(step_to(values, row - 1), step_to(values, row + 1));
-    if (step_to(values, row) > std::max(*growth * usual, kNoJump * largest)) jumps.push_back(row);
+    if (step_to(values, row) > std::max(*growth * usual, kNoColumnJump * largest)) jumps.push_back(row);
   }
   std::sort(jumps.begin(), jumps.end());
   return jumps;

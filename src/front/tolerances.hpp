@@ -47,7 +47,7 @@ inline constexpr double kResultRounding = 1e-12;
 inline constexpr double kSameResult = 1e-9;
 /// Fraction of the largest value of a column: a change of it from one row to the next that is smaller is no
 /// jump.
-inline constexpr double kNoJump = 1e-6;
+inline constexpr double kNoColumnJump = 1e-6;
 /// An extreme is tested for smoothness at this fraction of the whole path to either side; there a smooth
 /// column is lower by at most kSmoothFall times its spread.
 inline constexpr double kBesideExtreme = 1e-5;
