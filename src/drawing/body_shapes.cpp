@@ -29,10 +29,11 @@ void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
   sketch.add(Role::kJoint, sketch.mechanism.bodies[body].name, body, path, true);
 }
 
-// A chain that is not a plate is drawn as a strip of material behind it.
+// A chain that is not a plate is drawn as a strip, or a ring, of material behind it.
 void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
   std::vector<double> path;
   for (const Vector2d& p : outline_of(*named.boundary)) append(path, p);
+  if (is_ring(named)) append_break(path);
   if (!is_plate(named)) {
     const auto& samples = named.boundary->samples();
     for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {

@@ -3,6 +3,7 @@
 #include "higherpair/numeric/contains.hpp"
 #include "labels.hpp"
 #include "svg_writer.hpp"
+#include "ticks.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -15,8 +16,9 @@ namespace {
 
 constexpr double kFont = 14;  // [px]
 constexpr double kTargetRadius = 3.5;
-constexpr double kInkEvery = 5;     // distance of the points that labels keep clear of [px]
-constexpr double kNarrowest = 240;  // least width of a picture, including room on both sides [px]
+constexpr double kInkEvery = 5;        // distance of the points that labels keep clear of [px]
+constexpr double kNarrowest = 240;     // least width of a picture, including room on both sides [px]
+constexpr double kWidestStrip = 4000;  // of pictures side by side; more of them are in several lines [px]
 
 // Widths in px; dashes distinguish the lines where there are no colours.
 constexpr const char* kStyle = R"(
@@ -46,6 +48,15 @@ text.name { font-style: italic; }
 )";
 
 using Kind = Shape::Kind;
+
+// How many pictures of a strip are side by side: all of them, or as many as make about a square.
+std::size_t pictures_in_line(std::size_t count, double width, double height) {
+  const double shown = static_cast<double>(count);
+  const double most =
+      std::max(std::floor(kWidestStrip / width), std::ceil(std::sqrt(shown * height / width)));
+  const double lines = std::ceil(shown / std::clamp(most, 1.0, shown));
+  return static_cast<std::size_t>(std::ceil(shown / lines));
+}
 
 // Maps millimetres of the mechanism to px.
 struct Screen {
@@ -94,7 +105,7 @@ std::string colour_of(const Shape& shape, bool ghost) {
 }
 
 std::string length_text(double length_mm, const PictureUnit& unit) {
-  return fmt::format("{:.4g} {}", length_mm / kMillimetres / unit.si, unit.name);
+  return printed_significant(length_mm / kMillimetres / unit.si, 4) + " " + unit.name;
 }
 
 class Picture {
@@ -227,10 +238,13 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
   fitted.width = std::max(scale * size.x(), std::min(settings.width, kNarrowest));
   const double width = fitted.width, drawn = scale * size.y();
   const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
-  const double count = settings.strip ? static_cast<double>(scenes.size()) : 1;
-  const DrawFoot foot(scenes.front(), fitted, layers, scale, width * count);
+  const std::size_t count = settings.strip ? scenes.size() : 1;
+  const std::size_t columns = pictures_in_line(count, width, drawn);
+  const double whole_width = width * static_cast<double>(columns);
+  const double whole_height = drawn * static_cast<double>((count + columns - 1) / columns);
+  const DrawFoot foot(scenes.front(), fitted, layers, scale, whole_width);
   const Screen screen{scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
-  SvgWriter svg({width * count, drawn + foot.height(), settings.title, kStyle},
+  SvgWriter svg({whole_width, whole_height + foot.height(), settings.title, kStyle},
                 {{"data-scale", fmt::format("{:.12g}", scale * kMillimetres * settings.length.si)},
                  {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -238,9 +252,12 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
     if (!scenes[i].defined) {
       continue;
     }
-    const double shift = settings.strip ? width * static_cast<double>(i) : 0;
-    svg.open("svg",
-             {{"class", ghost ? "ghost" : "scene"}, {"x", shift}, {"width", width}, {"height", drawn}});
+    const std::size_t place = settings.strip ? i : 0;
+    svg.open("svg", {{"class", ghost ? "ghost" : "scene"},
+                     {"x", width * static_cast<double>(place % columns)},
+                     {"y", drawn * static_cast<double>(place / columns)},
+                     {"width", width},
+                     {"height", drawn}});
     Picture picture(svg, screen, layers, settings.length);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
@@ -249,7 +266,7 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
     }
     svg.close();
   }
-  foot.draw(svg, drawn);
+  foot.draw(svg, whole_height);
   return std::move(svg).finish();
 }
 

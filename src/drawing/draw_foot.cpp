@@ -30,7 +30,7 @@ double round_down(double value) {
 }
 
 std::string quantity(double value, const PictureUnit& unit) {
-  return fmt::format("{:g} {}", value, printed_unit(unit.name));
+  return printed_significant(value, 6) + " " + printed_unit(unit.name);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "outline.hpp"
@@ -13,8 +14,10 @@ namespace {
 constexpr double kHatch = 1.1;  // distance between hatch lines
 constexpr double kBlock = 5.5;  // length of a sliding block
 constexpr double kBlockWidth = 3.6;
-constexpr double kGuide = 3;           // length of the guide around a rod
+constexpr double kGuide = 3;           // half the length of the guide around a rod
+constexpr double kGuideBeyond = 9;     // least distance from the joint's point to the middle of the guide
 constexpr double kRod = 1.1;           // half the width of a rod
+constexpr double kWall = 2.4;          // half the length of what a spring pushes against
 constexpr double kBesideSlot = 4.5;    // of a spring along a slot from its middle
 constexpr double kShortestSpring = 6;  // length of a spring along a slide where it is shortest
 
@@ -57,11 +60,15 @@ void add_pin(Sketch& sketch, const Joint& joint) {
                     kPinRadius * sketch.unit);
 }
 
-// Whether the body takes part in a contact. Such a body slides by a rod in a guide, any other one is a block.
-bool has_curves(const Sketch& sketch, int body) {
-  const auto is_of = [&](const CurveRef& ref) { return ref.body == body; };
-  return std::any_of(sketch.mechanism.contacts.begin(), sketch.mechanism.contacts.end(),
-                     [&](const Contact& contact) { return is_of(contact.first) || is_of(contact.second); });
+// Whether the symbol of a pivot on ground is at this point.
+bool has_pivot(const Sketch& sketch, const Vector2d& p) {
+  const auto is_here = [&](const PointRef& ref) {
+    return ref.body == 0 && (point_of(sketch.mechanism, ref) - p).norm() < kPinRadius * sketch.unit;
+  };
+  const auto& joints = sketch.mechanism.joints;
+  return std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::kRevolute && (is_here(joint.first) || is_here(joint.second));
+  });
 }
 
 // 1 or -1: the sense along the slide's direction in which the rod extends, away from the contact point.
@@ -90,6 +97,17 @@ double spring_room(const Sketch& sketch, const Joint& joint) {
   return has ? kShortestSpring * sketch.unit : 0;
 }
 
+// How far the curves of a body extend from a point of it in a direction [m].
+double reach_along(const Sketch& sketch, int body, const Vector2d& p_B, const Vector2d& d_B) {
+  double reach = 0;
+  for (const NamedCurve& named : sketch.mechanism.bodies[body].curves) {
+    const auto middle = middle_of(named.curve);
+    const auto radius = middle ? reach_from(named.curve, *middle) : std::nullopt;
+    if (radius) reach = std::max(reach, (*middle - p_B).dot(d_B) + *radius);
+  }
+  return reach;
+}
+
 // How a rod lies in its guide, along the slide in the sense in which the rod extends.
 struct RodLayout {
   double sense = 1;
@@ -102,7 +120,11 @@ RodLayout rod_layout(const Sketch& sketch, const Joint& joint) {
   const auto [low, high] = travelled_range(sketch, joint);
   const double sense = away_from_contact(sketch, joint);
   const double nearest = sense > 0 ? low : -high;
-  const double guide = (sense > 0 ? high : -low) + 9 * sketch.unit;
+  const Vector2d d_B =
+      Rotation<double>::from_angle(-joint.relative_angle) * Vector2d(sense * joint.direction_A);
+  const double reach = reach_along(sketch, joint.second.body, point_of(sketch.mechanism, joint.second), d_B);
+  const double beyond = std::max(kGuideBeyond * sketch.unit, reach + (kGuide + 1) * sketch.unit);
+  const double guide = (sense > 0 ? high : -low) + beyond;
   const double room = std::max(2 * sketch.unit, spring_room(sketch, joint));
   return {sense, nearest, guide, guide - nearest + kGuide * sketch.unit + room};
 }
@@ -130,15 +152,13 @@ void add_rod(Sketch& sketch, const Joint& joint) {
 
 void add_block(Sketch& sketch, const Joint& joint) {
   const double u = sketch.unit;
-  const auto [low, high] = travelled_range(sketch, joint);
+  const auto [from, to] = rail_ends(sketch, joint);
   const Vector2d p_A = point_of(sketch.mechanism, joint.first),
                  p_B = point_of(sketch.mechanism, joint.second);
   const Rotation<double> R_BA = Rotation<double>::from_angle(-joint.relative_angle);
   const Vector2d& d = joint.direction_A;
-  const double room = (kBlock / 2 + 2) * u;
-  const double before = std::max(room, kBlock / 2 * u + spring_room(sketch, joint));
   const Vector2d below = -kBlockWidth / 2 * u * perp(d);
-  const Vector2d a = p_A + (low - before) * d, b = p_A + (high + room) * d;
+  const Vector2d a = p_A + from * d, b = p_A + to * d;
   if (joint.first.body == 0) {
     sketch.add(Role::kFixed, joint.name, 0, hatched(a + below, b + below, u));
   } else {
@@ -150,9 +170,9 @@ void add_block(Sketch& sketch, const Joint& joint) {
 
 void add_slot(Sketch& sketch, const Joint& joint) {
   const double u = sketch.unit;
-  const auto [low, high] = travelled_range(sketch, joint);
+  const auto [from, to] = rail_ends(sketch, joint);
   const Vector2d p_A = point_of(sketch.mechanism, joint.first);
-  const Vector2d a = p_A + (low - u) * joint.direction_A, b = p_A + (high + u) * joint.direction_A;
+  const Vector2d a = p_A + from * joint.direction_A, b = p_A + to * joint.direction_A;
   sketch.add(Role::kLink, joint.name, joint.first.body, rounded_hull({a, b}, (kSlotHalf + 0.9) * u), true);
   sketch.add(Role::kJoint, joint.name, joint.first.body, rounded_hull({a, b}, kSlotHalf * u), true);
   sketch.add_circle(Role::kJoint, joint.name, joint.second.body, point_of(sketch.mechanism, joint.second),
@@ -189,6 +209,23 @@ std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) 
   return {low, high};
 }
 
+std::array<double, 2> rail_ends(const Sketch& sketch, const Joint& joint) {
+  const double u = sketch.unit;
+  const auto [low, high] = travelled_range(sketch, joint);
+  if (joint.type == JointType::kSlot) {
+    return {low - u, high + u};
+  }
+  const double room = (kBlock / 2 + 2) * u;
+  return {low - std::max(room, kBlock / 2 * u + spring_room(sketch, joint)), high + room};
+}
+
+bool is_rod(const Sketch& sketch, const Joint& joint) {
+  const auto is_of = [&](const CurveRef& ref) { return ref.body == joint.second.body; };
+  return joint.type == JointType::kPrismatic &&
+         std::any_of(sketch.mechanism.contacts.begin(), sketch.mechanism.contacts.end(),
+                     [&](const Contact& contact) { return is_of(contact.first) || is_of(contact.second); });
+}
+
 StraightSpring spring_along(const Sketch& sketch, const Joint& joint) {
   const double u = sketch.unit;
   const double low = travelled_range(sketch, joint)[0];
@@ -199,7 +236,7 @@ StraightSpring spring_along(const Sketch& sketch, const Joint& joint) {
   if (joint.type == JointType::kSlot) {
     spring.first += (low - kShortestSpring * u) * joint.direction_A;
     spring.shift = kBesideSlot * u * perp(joint.direction_A);
-  } else if (has_curves(sketch, joint.second.body)) {
+  } else if (is_rod(sketch, joint)) {
     const RodLayout rod = rod_layout(sketch, joint);
     const Vector2d d_A = rod.sense * joint.direction_A;
     spring.first += (rod.guide + kGuide * u) * d_A;
@@ -209,6 +246,25 @@ StraightSpring spring_along(const Sketch& sketch, const Joint& joint) {
     spring.second -= R_BA * (kBlock / 2 * u * joint.direction_A);
   }
   return spring;
+}
+
+void add_spring_walls(Sketch& sketch, const std::vector<std::optional<StraightSpring>>& springs) {
+  const MotionRow& row = *sketch.rows.front();
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    if (!springs[i]) continue;
+    const StraightSpring& spring = *springs[i];
+    const Vector2d shift = body_in(row, spring.first_body).X_WB.R_WB * spring.shift;
+    const Vector2d first = body_in(row, spring.first_body).X_WB * spring.first + shift;
+    const Vector2d second = body_in(row, spring.second_body).X_WB * spring.second + shift;
+    const Vector2d outwards = kWall * sketch.unit * (first - second).normalized();
+    const std::string& name = sketch.mechanism.springs[i].name;
+    const auto add_wall = [&](const Vector2d& p, const Vector2d& away) {
+      if (has_pivot(sketch, p)) return;
+      sketch.add(Role::kFixed, name, 0, hatched(p - perp(away), p + perp(away), sketch.unit));
+    };
+    if (spring.first_body == 0) add_wall(first, outwards);
+    if (spring.second_body == 0) add_wall(second, -outwards);
+  }
 }
 
 std::array<double, 2> wheel_radii(const Joint& joint, double distance) {
@@ -229,7 +285,7 @@ void add_joints(Sketch& sketch) {
         add_pin(sketch, joint);
         break;
       case JointType::kPrismatic:
-        if (has_curves(sketch, joint.second.body)) {
+        if (is_rod(sketch, joint)) {
           add_rod(sketch, joint);
         } else {
           add_block(sketch, joint);

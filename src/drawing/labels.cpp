@@ -15,8 +15,9 @@ constexpr int kDirections = 12;
 constexpr std::array kDistances{0.9, 1.4, 2.0, 2.8,
                                 4.0};  // relative to the font size, from the position to the text's edge
 constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
-constexpr double kFar = 2.5, kFarClose = 5;                            // per font size of distance
-constexpr double kTurned = 1.5;                                        // against the preferred direction
+constexpr double kNoRoom = 1e4;              // from this cost on a label is left out
+constexpr double kFar = 2.5, kFarClose = 5;  // per font size of distance
+constexpr double kTurned = 1.5;              // against the preferred direction
 
 struct InkBox {
   Vector2d middle, half;
@@ -55,6 +56,7 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
   remove_repeated(labels);
   std::stable_partition(labels.begin(), labels.end(), [](const Label& label) { return label.stays_close; });
   std::vector<InkBox> boxes;
+  std::vector<Label> shown;
   for (Label& label : labels) {
     const Vector2d half = half_size(label, font);
     const Vector2d away = label.away.norm() > 0 ? Vector2d(label.away.normalized()) : Vector2d(0.7, -0.7);
@@ -83,9 +85,12 @@ void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, 
                  (label.stays_close ? kFarClose : kFar) * distance + kTurned * (1 - d.dot(away)));
       }
     }
+    if (least >= kNoRoom) continue;
     label.placed = best.middle;
     boxes.push_back(best);
+    shown.push_back(std::move(label));
   }
+  labels = std::move(shown);
 }
 
 }  // namespace higherpair

@@ -18,8 +18,9 @@ struct Label {
   bool stays_close = false;  ///< farther away it would be mistaken for the label of something else
 };
 
-/// Places the labels so that they do not cover each other and, as far as there is room, no lines either. Of
-/// several labels at one position only the first is kept.
+/// Places the labels so that they do not cover each other and, as far as there is room, no lines either. A
+/// label for which there is no room is left out, and of several labels at one position only the first is
+/// kept.
 /// \param ink   points on the lines of the picture
 /// \param size  of the picture [px]
 void place_labels(std::vector<Label>& labels, const std::vector<Vector2d>& ink, const Vector2d& size,

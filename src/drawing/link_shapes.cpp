@@ -15,6 +15,10 @@ constexpr double kBar = 1.6;  // half the width of a bar [units]
 constexpr double kTurnOfLine =
     2 * kPi / 96;  // most that an outline turns from one of its lines to the next [rad]
 
+bool is_closed_chain(const NamedCurve& named) {
+  return named.curve.kind == CurveKind::kChain && named.boundary && named.boundary->is_closed();
+}
+
 // Sign of the direction along a face's axis that points into its material.
 double material_sense(const Curve& curve) {
   return curve.side == Side::kOutside ? -1 : 1;
@@ -72,28 +76,63 @@ Vector2d behind_faces(const Sketch& sketch, int index, const Vector2d& p_B) {
   return behind;
 }
 
+// The distance from the middle of a ring to its inner side in the direction d.
+double radius_of(const NamedCurve& ring, const Vector2d& middle, const Vector2d& d) {
+  if (is_conic(ring.curve)) {
+    const auto [a, b] = semi_axes(ring.curve);
+    return 1 / std::hypot(d.dot(ring.curve.axis_B) / a, d.dot(perp(ring.curve.axis_B)) / b);
+  }
+  double radius = 0;  // that of the last crossing
+  const std::vector<Vector2d> outline = outline_of(*ring.boundary);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d a = outline[i] - middle, b = outline[(i + 1) % outline.size()] - middle;
+    const double before = cross(d, a), after = cross(d, b);
+    if ((before > 0) == (after > 0)) continue;
+    radius = std::max(radius, d.dot(a + before / (before - after) * (b - a)));
+  }
+  return radius;
+}
+
 // The ends of bars at a ring: one towards each point outside of it, and for a point in its hollow one where
 // the ring is least touched.
 std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t curve,
                                   const Vector2d& middle) {
   const Body& body = sketch.mechanism.bodies[index];
-  const Curve& ring = body.curves[curve].curve;
+  const NamedCurve& ring = body.curves[curve];
   const double thickness = kFace * sketch.unit;
-  const auto [a, b] = semi_axes(ring);
-  const auto on_rim = [&, a = a, b = b](const Vector2d& d) {
-    const double radius = 1 / std::hypot(d.dot(ring.axis_B) / a, d.dot(perp(ring.axis_B)) / b);
-    return Vector2d(middle + (radius + 0.6 * thickness) * d);
+  // At this depth the round end of a bar is within the ring.
+  const double from_outside = kBar * sketch.unit, from_inside = thickness - from_outside;
+  const auto on_rim = [&](const Vector2d& d, double depth) {
+    return Vector2d(middle + (radius_of(ring, middle, d) + depth) * d);
   };
   std::vector<Vector2d> rim;
   for (const NamedPoint& point : body.points) {
     const Vector2d way = point.p_B - middle;
-    if (way.norm() > a + thickness) {
-      rim.push_back(on_rim(way.normalized()));
-    } else if (way.norm() < b - thickness) {
-      rim.push_back(on_rim(-edge_direction(sketch, index, curve)));
+    const Vector2d d = way.norm() > 0 ? Vector2d(way.normalized()) : Vector2d(Vector2d::UnitX());
+    const double radius = radius_of(ring, middle, d);
+    if (way.norm() > radius + thickness) {
+      rim.push_back(on_rim(d, from_outside));
+    } else if (way.norm() < radius - thickness) {
+      rim.push_back(on_rim(-edge_direction(sketch, index, curve), from_inside));
     }
   }
   return rim;
+}
+
+// Where the rails and slots of the body begin, as seen from their points on it; none for one that contains
+// its point.
+std::vector<Vector2d> ends_of_rails(const Sketch& sketch, int index) {
+  std::vector<Vector2d> ends;
+  for (const Joint& joint : sketch.mechanism.joints) {
+    const bool guides = joint.type == JointType::kPrismatic || joint.type == JointType::kSlot;
+    if (!guides || joint.first.body != index || is_rod(sketch, joint)) continue;
+    const auto [low, high] = rail_ends(sketch, joint);
+    const double nearest = std::clamp(0.0, low, high);
+    if (std::abs(nearest) > sketch.unit) {
+      ends.emplace_back(point_of(sketch.mechanism, joint.first) + nearest * joint.direction_A);
+    }
+  }
+  return ends;
 }
 
 // Whether a closed curve of the body contains all of its anchors, so that the body needs no bar.
@@ -136,8 +175,12 @@ std::vector<Vector2d> outline_of(const Boundary& boundary) {
   return points;
 }
 
+bool is_ring(const NamedCurve& named) {
+  return is_closed_chain(named) && !is_plate(named);
+}
+
 bool is_plate(const NamedCurve& named) {
-  if (named.curve.kind != CurveKind::kChain || !named.boundary || !named.boundary->is_closed()) {
+  if (!is_closed_chain(named)) {
     return false;
   }
   const std::vector<Vector2d> polygon = outline_of(*named.boundary);
@@ -171,8 +214,13 @@ std::vector<Vector2d> anchors_of(const Sketch& sketch, int index) {
     } else if (middle) {
       const std::vector<Vector2d> rim = rim_towards(sketch, index, i, *middle);
       anchors.insert(anchors.end(), rim.begin(), rim.end());
+    } else if (is_ring(body.curves[i])) {
+      const std::vector<Vector2d> rim = rim_towards(sketch, index, i, body.curves[i].boundary->middle_B());
+      anchors.insert(anchors.end(), rim.begin(), rim.end());
     }
   }
+  const std::vector<Vector2d> rails = index > 0 ? ends_of_rails(sketch, index) : std::vector<Vector2d>();
+  anchors.insert(anchors.end(), rails.begin(), rails.end());
   return anchors;
 }
 

@@ -101,7 +101,8 @@ void append_link(std::vector<double>& path, Shape& length, const Box& box, const
   std::optional<Vector2d> broken;
   const Vector2d low = from > 0 ? Vector2d(a + from * (b - a)) : a;
   const Vector2d high = to < 1 ? Vector2d(a + to * (b - a)) : b;
-  const bool has_room = (high - low).norm() > 3 * kMark * unit;
+  // Where little of the link is in the picture, its marks are smaller.
+  const double size = std::min(unit, (high - low).norm() / (3 * kMark));
   const auto goes_on = [&] {
     const std::size_t n = path.size();
     return n >= 2 && path[n - 2] == low.x() && path[n - 1] == low.y();
@@ -110,13 +111,13 @@ void append_link(std::vector<double>& path, Shape& length, const Box& box, const
     if (!path.empty()) append_break(path);
     append(path, low);
   }
-  if (from > 0 && has_room) {
-    const BreakMark mark = mark_at(low, -d, unit);
+  if (from > 0) {
+    const BreakMark mark = mark_at(low, -d, size);
     for (std::size_t i = 4; i-- > 0;) append(path, mark.points[i]);
     broken = mark.middle;
   }
-  if (to < 1 && has_room) {
-    const BreakMark mark = mark_at(high, d, unit);
+  if (to < 1) {
+    const BreakMark mark = mark_at(high, d, size);
     for (std::size_t i = 0; i < 4; ++i) append(path, mark.points[i]);
     broken = mark.middle;
   }

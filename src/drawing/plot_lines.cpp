@@ -23,6 +23,12 @@ bool is_defined(const PlotSeries& series, std::size_t i) {
   return i < series.x.size() && std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
 }
 
+// Whether a line leads from the point before to this one.
+bool is_joined(const PlotSeries& series, std::size_t i) {
+  return i > 0 && is_defined(series, i - 1) && is_defined(series, i) &&
+         !std::binary_search(series.breaks.begin(), series.breaks.end(), i);
+}
+
 }  // namespace
 
 Stroke stroke_of(const PlotPanel& panel, const PlotSeries& series) {
@@ -50,11 +56,11 @@ SvgPath path_of(const PlotSeries& series, const PlotScale& x_scale, const PlotSc
     if (!is_defined(series, i)) continue;
     const double x = rounded(x_scale.px(series.x[i]));
     const double y = rounded(y_scale.px(series.y[i]));
-    const bool first = i == 0 || !is_defined(series, i - 1);
-    const bool last = !is_defined(series, i + 1);
+    const bool first = !is_joined(series, i);
+    const bool last = !is_joined(series, i + 1);
     if (first) {
       path.move_to(x, y);
-      if (last) path.line_to(x + 1, y);
+      if (last) path.line_to(x, y);
     } else if (last || std::hypot(x - x_last, y - y_last) >= kShortestPiece) {
       path.line_to(x, y);
     } else {
@@ -64,6 +70,16 @@ SvgPath path_of(const PlotSeries& series, const PlotScale& x_scale, const PlotSc
     y_last = y;
   }
   return path;
+}
+
+std::vector<Vector2d> isolated_points(const PlotSeries& series, const PlotScale& x_scale,
+                                      const PlotScale& y_scale) {
+  std::vector<Vector2d> points;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!is_defined(series, i) || is_joined(series, i) || is_joined(series, i + 1)) continue;
+    points.emplace_back(x_scale.px(series.x[i]), y_scale.px(series.y[i]));
+  }
+  return points;
 }
 
 std::vector<TextBox> ink_of(const PlotPanel& panel, const PlotScale& x) {

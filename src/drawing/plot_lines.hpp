@@ -18,8 +18,12 @@ struct Stroke {
 [[nodiscard]] Stroke stroke_of(const PlotPanel& panel, const PlotSeries& series);
 
 /// A series as a path on the screen. Points that coincide there are left out, except the ends of a piece; an
-/// isolated point becomes a short line.
+/// isolated point becomes a line without length.
 [[nodiscard]] SvgPath path_of(const PlotSeries& series, const PlotScale& x, const PlotScale& y);
+
+/// The isolated points of a series on the screen [px]: no line leads to them, so that they need a dot.
+[[nodiscard]] std::vector<Vector2d> isolated_points(const PlotSeries& series, const PlotScale& x,
+                                                    const PlotScale& y);
 
 /// Boxes along the lines of a panel, for labels to keep clear of.
 [[nodiscard]] std::vector<TextBox> ink_of(const PlotPanel& panel, const PlotScale& x);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kTickLength = 4;     // [px]
 constexpr double kPointRadius = 3.2;  // [px]
+constexpr double kDotRadius = 2.6;    // of a point of a line that is joined to no other [px]
 
 constexpr const char* kPlotStyle = R"(
 .hp-plot { background: #fff; }
@@ -152,6 +153,14 @@ private:
                           {"stroke-dasharray", stroke.dash},
                           {"style", "stroke-width: " + svg_number(stroke.width)},
                           {"d", path}});
+    for (const Vector2d& point : isolated_points(series, layout_.x, panel.y)) {
+      svg_.element("circle", {{"data-role", "dot"},
+                              {"data-name", series.name},
+                              {"cx", point.x()},
+                              {"cy", point.y()},
+                              {"r", kDotRadius},
+                              {"fill", stroke.color}});
+    }
   }
 
   void write_points(const PlotPanel& panel) {

@@ -26,6 +26,7 @@ public:
       : mechanism_(mechanism), row_(row), accelerations_(accelerations) {
     polygon_.kind = accelerations ? Polygon::Kind::kAcceleration : Polygon::Kind::kVelocity;
     polygon_.title = accelerations ? "Accelerations" : "Velocities";
+    polygon_.pole = accelerations ? "o_{a}" : "o_{v}";
   }
 
   Polygon make() {

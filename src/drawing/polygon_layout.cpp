@@ -71,7 +71,7 @@ std::vector<TextBox> ink_of(const PolygonLayout& layout) {
 
 std::vector<PolygonPoint> merged_points(const PolygonLayout& layout) {
   std::vector<PolygonPoint> merged;
-  if (layout.polygon->kind != Polygon::Kind::kForce) merged.push_back({"o", Vector2d::Zero()});
+  if (!layout.polygon->pole.empty()) merged.push_back({layout.polygon->pole, Vector2d::Zero()});
   for (const PolygonPoint& point : layout.polygon->points) {
     const auto same = std::find_if(merged.begin(), merged.end(), [&](const PolygonPoint& other) {
       return (other.at - point.at).norm() < kSameLabelledPoint * layout.longest;

@@ -1,6 +1,7 @@
 #include "polygon_nodes.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
@@ -21,11 +22,8 @@ const NamedPoint& named(const Mechanism& mechanism, const PointRef& ref) {
 
 class GraphMaker {
 public:
-  GraphMaker(const Mechanism& mechanism, const MotionRow& row) : mechanism_(mechanism), row_(row) {
-    for (const Body& body : mechanism.bodies) {
-      for (const NamedPoint& point : body.points) size_ = std::max(size_, point.p_B.norm());
-    }
-  }
+  GraphMaker(const Mechanism& mechanism, const MotionRow& row)
+      : mechanism_(mechanism), row_(row), size_(size_of(mechanism)) {}
 
   NodeGraph make() {
     order_bodies();
@@ -214,7 +212,7 @@ private:
 
   const Mechanism& mechanism_;
   const MotionRow& row_;
-  double size_ = 0;
+  double size_;  // of the mechanism [m]
   std::vector<int> order_;
   NodeGraph graph_;
 };

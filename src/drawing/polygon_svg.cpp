@@ -50,7 +50,7 @@ ArrowLook look_of(ArrowKind kind) {
     case ArrowKind::kSliding:
       return {"sliding", "#b0528c", "9 3 2 3", 1.6};
     case ArrowKind::kCoriolis:
-      return {"coriolis", "#a87000", "4 2", 1.6};
+      return {"coriolis", "#a87000", "14 4", 1.6};
     case ArrowKind::kForce:
       break;
   }

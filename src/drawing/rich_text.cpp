@@ -7,7 +7,7 @@
 namespace higherpair {
 namespace {
 
-constexpr double kSmaller = 0.75;  // relative size of subscripts and superscripts
+constexpr double kSmaller = 0.84;  // relative size of subscripts and superscripts
 constexpr double kLowered = 0.28;  // relative to the size
 constexpr double kRaised = -0.40;
 

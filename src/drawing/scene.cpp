@@ -220,6 +220,10 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   sketch.unit = (diagonal > 0 ? diagonal : 1) / kUnitsAcross;
   add_bodies(sketch);
   add_joints(sketch);
+  for (const Spring& spring : mechanism.springs) {
+    springs_.push_back(straight_spring(sketch, spring));
+  }
+  add_spring_walls(sketch, springs_);
   add_traces(sketch, traces);
   // Draw pins over blocks, and short bars over long ones.
   const auto rank = [](const Shape& shape) {
@@ -244,9 +248,6 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
     }
   }
   scene_.places.resize(mechanism.bodies.size());
-  for (const Spring& spring : mechanism.springs) {
-    springs_.push_back(straight_spring(sketch, spring));
-  }
   set_arrow_scales(sketch, scene_);
   set_force_scales(mechanism, reactions, scene_);
   const auto first = static_cast<std::size_t>(sketch.rows.front() - rows.data());

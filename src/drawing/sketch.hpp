@@ -6,6 +6,7 @@
 #include "higherpair/dynamics/reactions.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace higherpair {
@@ -43,6 +44,13 @@ struct Sketch {
 /// Smallest and largest coordinate of a slide or slot in the rows [m].
 [[nodiscard]] std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint);
 
+/// The ends of the rail of a block, or of a slot, as coordinates along it [m].
+[[nodiscard]] std::array<double, 2> rail_ends(const Sketch& sketch, const Joint& joint);
+
+/// Whether the joint is a slide by a rod in a guide: a body that takes part in a contact slides so, any other
+/// one as a block on a rail.
+[[nodiscard]] bool is_rod(const Sketch& sketch, const Joint& joint);
+
 /// Adds the bodies within their curves, bars and plates between their points, and names.
 void add_bodies(Sketch& sketch);
 
@@ -58,6 +66,9 @@ struct LargestForces {
 /// Sets the scales of arrows so that the longest arrow of all rows fits.
 void set_arrow_scales(const Sketch& sketch, Scene& scene);
 void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene);
+
+/// Adds what springs that are attached to ground push against.
+void add_spring_walls(Sketch& sketch, const std::vector<std::optional<StraightSpring>>& springs);
 
 /// Where a spring on the coordinate of a slide or slot is drawn: behind the block, beside the slot, or
 /// between the guide of a rod and the rod's end.

@@ -14,6 +14,8 @@ namespace {
 constexpr double kValueMargin = 0.05;  // fraction of the span of the values, added above and below
 constexpr int kLargestExponent = 5;    // numbers up to 99 999 are written out
 constexpr int kSmallestExponent = -3;
+constexpr int kLongestNumber = 7;    // exponent from which a single number has a power of ten
+constexpr int kSmallestNumber = -4;  // the same for small numbers: below
 
 double round_step(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
@@ -67,6 +69,18 @@ std::string printed_number(double value, int decimals) {
   }
   if (text == "-0") text = "0";
   return text.front() == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string printed_significant(double value, int digits) {
+  const std::string rounded = fmt::format("{:.{}e}", std::abs(value), digits - 1);
+  const std::size_t split = rounded.find('e');
+  const int exponent = std::stoi(rounded.substr(split + 1));
+  const double size = std::stod(rounded);
+  const std::string sign = value < 0 && size > 0 ? "−" : "";
+  if (size > 0 && (exponent >= kLongestNumber || exponent < kSmallestNumber)) {
+    return sign + fmt::format("{}·10{}", std::stod(rounded.substr(0, split)), raised(exponent));
+  }
+  return sign + fmt::format("{}", size);
 }
 
 std::string Ticks::label(double value) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/drawing/printed_number.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,10 +32,7 @@ struct AxisRange {
 };
 [[nodiscard]] AxisRange padded_range(double lowest, double highest);
 
-/// "deg/s^2" in print: "deg/s²"; products with a dot; empty for a pure number.
-[[nodiscard]] std::string printed_unit(std::string_view unit);
-
-/// The same after a factor: "×10⁶ mm", "×10⁶"; without it if the exponent is 0.
+/// A unit in print after a factor: "×10⁶ mm", "×10⁶"; without it if the exponent is 0.
 [[nodiscard]] std::string printed_unit(std::string_view unit, int exponent);
 
 /// A number with a true minus sign and at most `decimals` decimals, without trailing zeros.

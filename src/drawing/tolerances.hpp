@@ -25,8 +25,7 @@ inline constexpr double kNegligibleForce = 1e-9;
 /// Relative to the largest arrow of all rows: if the median of the rows is smaller, most rows are at rest and
 /// the largest arrow alone sets the scale.
 inline constexpr double kOutOfProportion = 1e-4;
-/// Relative to the largest distance of a point from the origin of its body: points of a body that are closer
-/// to each other are one.
+/// Relative to the size of the mechanism: points of a body that are closer to each other are one.
 inline constexpr double kSameNode = 1e-9;
 /// Relative to the longest arrow: points that are closer to each other share a label.
 inline constexpr double kSameLabelledPoint = 1e-6;

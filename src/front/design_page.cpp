@@ -1,4 +1,5 @@
 // A page that shows a design: the mechanism before and after, and what was asked and found.
+#include "higherpair/drawing/printed_number.hpp"
 #include "higherpair/drawing/xml.hpp"
 #include "higherpair/front/design.hpp"
 #include "higherpair/front/pictures.hpp"
@@ -27,7 +28,11 @@ th { background: #f3f5f7; } th:first-child, td:first-child { text-align: left; }
 )";
 
 std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "&ndash;";
+  return std::isfinite(value) ? printed_significant(value, 9) : "&ndash;";
+}
+
+std::string unit(const std::string& name) {
+  return xml_escaped(printed_unit(name));
 }
 
 // Cells are escaped already.
@@ -51,7 +56,7 @@ std::string objectives_table(const DesignReport& report) {
   std::string table = "<table>\n" + row_of({"objective", "before", "after", "target", "unit"}, "th");
   for (const auto& objective : report.objectives) {
     table += row_of({xml_escaped(objective.what), number(objective.before), number(objective.after),
-                     objective.target ? number(*objective.target) : "least", xml_escaped(objective.unit)});
+                     objective.target ? number(*objective.target) : "least", unit(objective.unit)});
   }
   table += row_of({"altogether", number(report.before), number(report.after), "", ""});
   return table + "</table>\n";
@@ -66,9 +71,9 @@ std::string constraints_table(const DesignReport& report) {
   if (!report.as_found) table += row_of({"starts as it was found", "", "no", "", "", ""}, "td", "violated");
   for (const auto& constraint : report.constraints) {
     const std::string cost =
-        constraint.cost > 0 ? number(constraint.cost) + " " + xml_escaped(constraint.cost_unit) : "";
+        constraint.cost > 0 ? number(constraint.cost) + " " + unit(constraint.cost_unit) : "";
     table += row_of({xml_escaped(constraint.what), number(constraint.before), number(constraint.after),
-                     xml_escaped(constraint.unit), number(constraint.margin), cost},
+                     unit(constraint.unit), number(constraint.margin), cost},
                     "td", constraint.margin < 0 ? "violated" : "");
   }
   return table + "</table>\n";
@@ -78,13 +83,16 @@ std::string search_table(const DesignReport& report) {
   std::vector<std::string> heads = {"", "objective"};
   for (const auto& variable : report.variables) heads.push_back(xml_escaped(variable.name));
   std::string table =
-      fmt::format("<p>{} searches by {}, {} candidates; {} different optima, the best of which are:</p>\n",
-                  report.starts, xml_escaped(report.method), report.evaluations, report.different) +
+      fmt::format("<p>{} {} by {}, {} candidates; {}:</p>\n", report.starts,
+                  report.starts == 1 ? "search" : "searches", xml_escaped(report.method), report.evaluations,
+                  report.different == 1
+                      ? "one optimum"
+                      : fmt::format("{} different optima, the best of which are", report.different)) +
       "<table>\n" + row_of(heads, "th");
   for (std::size_t k = 0; k < report.optima.size(); ++k) {
     const auto& optimum = report.optima[k];
     std::vector<std::string> cells = {fmt::format("{}", k + 1), number(optimum.objective)};
-    for (const double value : optimum.variables) cells.push_back(fmt::format("{:.6g}", value));
+    for (const double value : optimum.variables) cells.push_back(printed_significant(value, 6));
     table += row_of(cells, "td", optimum.holds ? "" : "violated");
   }
   return table + "</table>\n";
@@ -113,24 +121,36 @@ std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report)
   return targets;
 }
 
-Result<std::string> picture_of(const Model& model, const DesignReport& report) {
+Result<Scenes> scenes_with_paths(const Model& model) {
   SceneSettings settings;
   for (const DesignTask::Objective& objective : model.profile().design->objectives) {
     if (objective.path) settings.traces.push_back(objective.path->point);
   }
-  const auto scenes = scenes_of(model, settings);
-  if (!scenes) {
-    return tl::unexpected(scenes.error());
+  return scenes_of(model, settings);
+}
+
+// One frame for both, so that they are drawn to the same scale.
+void share_view(std::vector<Scene>& first, std::vector<Scene>& second) {
+  const Box& a = first.front().view;
+  const Box& b = second.front().view;
+  const Box both{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+  for (std::vector<Scene>* scenes : {&first, &second}) {
+    for (Scene& scene : *scenes) scene.view = both;
   }
+}
+
+std::string picture_of(const Model& model, const std::vector<Scene>& scenes, const DesignReport& report) {
   DrawSettings draw = draw_settings(model.units());
   draw.title = model.mechanism().title;
   draw.targets = targets_of(model, report);
-  const std::string svg = draw_svg(scenes->scenes, draw);
+  const std::string svg = draw_svg(scenes, draw);
   return svg.substr(svg.find("<svg"));
 }
 
-std::string figure_of(const Result<std::string>& picture, std::string_view caption) {
-  const std::string shown = picture ? *picture : "<p>It cannot be drawn: it cannot be put together.</p>";
+std::string figure_of(const Model& model, const Result<Scenes>& scenes, const DesignReport& report,
+                      std::string_view caption) {
+  const std::string shown = scenes ? picture_of(model, scenes->scenes, report)
+                                   : "<p>It cannot be drawn: it cannot be put together.</p>";
   return fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", caption, shown);
 }
 
@@ -144,18 +164,19 @@ Result<std::string> design_page(const Model& before, const DesignReport& report)
   if (!after) {
     return tl::unexpected(after.error());
   }
-  const auto first = picture_of(before, report);
-  const auto second = picture_of(*after, report);
+  auto first = scenes_with_paths(before);
+  auto second = scenes_with_paths(*after);
   if (!first && !second) {
     return tl::unexpected(second.error());
   }
+  if (first && second) share_view(first->scenes, second->scenes);
   const std::string title = report.title.empty() ? "Design" : xml_escaped(report.title);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
       title, kStyle);
-  page += figure_of(first, "Before") + figure_of(second, "After");
+  page += figure_of(before, first, report, "Before") + figure_of(*after, second, report, "After");
   if (!report.holds) {
     page +=
         "<p class=\"violated\">No design was found in which all constraints hold: this is the one that "

@@ -11,7 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -51,10 +55,37 @@ Result<DrawnRows> rows_of(const Model& model, const RunSettings& settings) {
   return rows;
 }
 
-// As many rows as a picture needs.
+// The positions with equally many more between each two of them.
+std::vector<double> with_more_between(const std::vector<double>& positions, std::size_t parts) {
+  std::vector<double> all = {positions.front()};
+  for (std::size_t i = 1; i < positions.size(); ++i) {
+    for (std::size_t k = 1; k < parts; ++k) {
+      all.push_back(
+          std::lerp(positions[i - 1], positions[i], static_cast<double>(k) / static_cast<double>(parts)));
+    }
+    all.push_back(positions[i]);
+  }
+  return all;
+}
+
+// As many rows as a picture needs: between a few given positions the points move on curves, not on chords.
 Result<DrawnRows> rows_of_run(const Model& model, RunSettings settings) {
   const auto schedule = first_schedule(model.data());
-  if (schedule && schedule->size() > 1 && model.profile().programs.front().positions.empty()) {
+  if (!schedule || schedule->size() < 2) {
+    return rows_of(model, settings);
+  }
+  std::vector<DriverProgram> programs = model.profile().programs;
+  const bool listed = std::all_of(programs.begin(), programs.end(), [](const DriverProgram& program) {
+    return program.positions.size() > 1 && !program.law;
+  });
+  if (listed && schedule->size() < kLeastDrawnRows) {
+    const auto parts = static_cast<std::size_t>((kLeastDrawnRows - 1) / (schedule->size() - 1)) + 1;
+    for (DriverProgram& program : programs) program.positions = with_more_between(program.positions, parts);
+    const auto denser = Model::from(model.mechanism(), model.units(), programs);
+    if (denser) {
+      if (auto rows = rows_of(*denser, settings)) return rows;
+    }
+  } else if (programs.front().positions.empty()) {
     settings.samples = std::clamp(schedule->size(), kLeastDrawnRows, kMostDrawnRows);
   }
   return rows_of(model, settings);

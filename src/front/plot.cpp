@@ -97,6 +97,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   const ColumnValues driver = motion.column(driver_column);
   const XColumn column = x_column(x);
   add_ranges(motion, column, driver, plot.data);
+  add_breaks(motion, column, plot.data);
   add_events(motion, column, driver, plot.data);
   return plot;
 }

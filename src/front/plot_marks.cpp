@@ -1,9 +1,13 @@
 #include "plot_marks.hpp"
 
+#include "higherpair/numeric/contains.hpp"
+#include "jumps.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -51,6 +55,11 @@ struct Between {
     return before == after ? values[after] : values[before] + share * (values[after] - values[before]);
   }
 };
+
+// The end of the drawn line that leads to the event, where it is interrupted between these rows.
+Between on_line(const PlotSeries& series, Between place) {
+  return contains(series.breaks, place.after) ? Between{place.before, place.before, 0} : place;
+}
 
 Between place_of(const Event& event) {
   const auto row = static_cast<std::size_t>(event.row);
@@ -118,6 +127,15 @@ void add_ranges(const Motion& motion, const XColumn& x, const ColumnValues& driv
   }
 }
 
+void add_breaks(const Motion& motion, const XColumn& x, PlotData& data) {
+  const auto at = [](std::int64_t row) { return static_cast<std::size_t>(row); };
+  const std::vector<std::size_t> of_x = jumps_of(x.values, motion.events(), at);
+  for (PlotSeries& series : data.series) {
+    const std::vector<std::size_t> of_y = jumps_of(series.y, motion.events(), at);
+    std::set_union(of_x.begin(), of_x.end(), of_y.begin(), of_y.end(), std::back_inserter(series.breaks));
+  }
+}
+
 void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driver, PlotData& data) {
   const bool name_items = several_items(motion.events());
   for (const Happening& happening : happenings(motion.events())) {
@@ -138,9 +156,11 @@ void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driv
     }
     bool labelled = false;
     for (const PlotSeries& series : data.series) {
-      const double y = place.of(series.y);
-      if (std::isnan(y)) continue;
-      data.points.push_back({at, y, series.unit, labelled ? "" : label, happening.items, detail});
+      const Between shown = on_line(series, place);
+      const double x_shown = shown.before == shown.after ? shown.of(x.values) : at;
+      const double y = shown.of(series.y);
+      if (std::isnan(x_shown) || std::isnan(y)) continue;
+      data.points.push_back({x_shown, y, series.unit, labelled ? "" : label, happening.items, detail});
       labelled = true;
     }
   }

@@ -19,8 +19,11 @@ struct XColumn {
 /// \param driver  the first driver
 void add_ranges(const Motion& motion, const XColumn& x, const ColumnValues& driver, PlotData& data);
 
-/// Adds the events: as lines at x, or, where x is not monotone, as points on the series, which must be
-/// present.
+/// Interrupts the series, which must be present, where an event says that they or x jump.
+void add_breaks(const Motion& motion, const XColumn& x, PlotData& data);
+
+/// Adds the events: as lines at x, or, where x is not monotone, as points on the series with their breaks,
+/// which must be present.
 void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driver, PlotData& data);
 
 }  // namespace higherpair

@@ -4,6 +4,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "jumps.hpp"
 #include "packed_series.hpp"
 #include "report_data.hpp"
 #include "report_parts.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 namespace higherpair {
@@ -31,6 +33,18 @@ void write_values(JsonWriter& json, const ReportData& data, std::size_t column) 
   write_packed(json, values, words ? 1 : largest / kValueSteps);
 }
 
+// The rows that no line of a plot may join to the row before.
+void write_breaks(JsonWriter& json, const ReportData& data, std::size_t column) {
+  if (!data.columns[column].words.empty()) return;
+  std::vector<double> values;
+  for (const Row& row : data.rows) values.push_back(row.values[column]);
+  const auto jumps = jumps_of(values, data.events, [&](std::int64_t row) { return page_row(data, row); });
+  if (jumps.empty()) return;
+  json.key("breaks").open('[');
+  for (const std::size_t row : jumps) json.integer(static_cast<long long>(row));
+  json.close(']');
+}
+
 void write_columns(JsonWriter& json, const ReportData& data) {
   json.key("columns").open('[');
   for (std::size_t k = 0; k < data.columns.size(); ++k) {
@@ -43,6 +57,7 @@ void write_columns(JsonWriter& json, const ReportData& data) {
       json.close(']');
     }
     write_values(json, data, k);
+    write_breaks(json, data, k);
     json.close('}');
   }
   json.close(']');

@@ -30,9 +30,11 @@ struct Track {
 
 // One polygon over all rows. Its parts are identified by name, since not all of them are in every row.
 struct MovingPolygon {
-  Polygon richest;            ///< that of the row with the most arrows
-  std::vector<double> sizes;  ///< in each of its rows
-  bool flat = true;           ///< in every row all arrows are on one line
+  Polygon first;  ///< that of the first row which has arrows: its title, unit and pole are those of all rows
+  std::vector<std::vector<std::string>> equations;  ///< the different sets of equations
+  std::vector<double> set_of_row;                   ///< the index of its set
+  std::vector<double> sizes;                        ///< in each of its rows
+  bool flat = true;                                 ///< in every row all arrows are on one line
   struct Part {
     PolygonArrow arrow;
     Track from, to;
@@ -62,9 +64,12 @@ public:
   void add(const Polygon& polygon, std::size_t row) {
     if (polygon.arrows.empty()) return;
     const auto [known, is_new] = known_.try_emplace(polygon.title, all.size());
-    if (is_new) all.emplace_back();
+    if (is_new) {
+      all.emplace_back().first = polygon;
+      all.back().set_of_row.assign(rows_, kNoValue);
+    }
     MovingPolygon& moving = all[known->second];
-    if (polygon.arrows.size() > moving.richest.arrows.size()) moving.richest = polygon;
+    moving.set_of_row[row] = static_cast<double>(set_with(moving, polygon.equations));
     double size = 0;
     for (const PolygonArrow& arrow : polygon.arrows) {
       MovingPolygon::Part& part = part_for(moving, arrow);
@@ -80,6 +85,13 @@ public:
   std::vector<MovingPolygon> all;
 
 private:
+  static std::size_t set_with(MovingPolygon& moving, const std::vector<std::string>& equations) {
+    auto& sets = moving.equations;
+    const auto known = std::find(sets.begin(), sets.end(), equations);
+    const auto index = static_cast<std::size_t>(known - sets.begin());
+    if (known == sets.end()) sets.push_back(equations);
+    return index;
+  }
   MovingPolygon::Part& part_for(MovingPolygon& moving, const PolygonArrow& arrow) {
     const std::string key = std::to_string(static_cast<int>(arrow.kind)) + arrow.name + " " + arrow.item;
     const auto [known, is_new] = moving.part_of_name.try_emplace(key, moving.parts.size());
@@ -171,15 +183,22 @@ std::string_view name_of(PolygonArrow::Kind kind) {
 
 void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
   const double limit = largest_shown(polygon.sizes);
-  const bool forces = polygon.richest.kind == Polygon::Kind::kForce;
+  const bool forces = polygon.first.kind == Polygon::Kind::kForce;
   Vectors vectors;
-  json.open('{').key("title").string((forces ? "Forces on " : "") + polygon.richest.title);
-  json.key("forces").boolean(forces).key("unit").string(polygon.richest.unit);
+  json.open('{').key("title").string((forces ? "Forces on " : "") + polygon.first.title);
+  json.key("forces").boolean(forces).key("unit").string(polygon.first.unit);
+  json.key("pole").string(polygon.first.pole);
   json.key("flat").boolean(polygon.flat);
   write_view(json, polygon, limit);
   json.key("equations").open('[');
-  for (const std::string& equation : polygon.richest.equations) json.string(equation);
-  json.close(']').key("points").open('[');
+  for (const std::vector<std::string>& equations : polygon.equations) {
+    json.open('[');
+    for (const std::string& equation : equations) json.string(equation);
+    json.close(']');
+  }
+  json.close(']').key("equationsOf");
+  write_packed(json, polygon.set_of_row, 1);
+  json.key("points").open('[');
   for (const auto& [name, track] : polygon.points) {
     json.open('{').key("name").string(name).key("at");
     json.integer(static_cast<long long>(vectors.number_of(track))).close('}');

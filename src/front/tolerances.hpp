@@ -45,6 +45,9 @@ inline constexpr double kUnitDirection = 1e-9;
 inline constexpr double kResultRounding = 1e-12;
 /// Fraction of the spread of a column: extremes that differ by less are equal.
 inline constexpr double kSameResult = 1e-9;
+/// Fraction of the largest value of a column: a change of it from one row to the next that is smaller is no
+/// jump.
+inline constexpr double kNoColumnJump = 1e-6;
 /// An extreme is tested for smoothness at this fraction of the whole path to either side; there a smooth
 /// column is lower by at most kSmoothFall times its spread.
 inline constexpr double kBesideExtreme = 1e-5;

@@ -4,11 +4,17 @@
 #include "front/analysis_impl.hpp"
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/higherpair.hpp"
+#include "higherpair/io/design_task.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -144,6 +150,56 @@ TEST(Scenes, AreAsManyAsTheStepsOfTheDriver) {
   draw.strip = true;
   draw.width = 200;
   EXPECT_EQ(read_back(draw_svg(scenes->scenes, draw)).front().number("width"), 2600);
+}
+
+// A strip of many pictures has several lines, so that it does not become too wide to be converted.
+TEST(Scenes, OfALongStripAreInSeveralLines) {
+  SceneSettings every;
+  every.every = 22.5;
+  const auto scenes = scenes_of(shipped("four_bar"), every).value();
+  ASSERT_EQ(scenes.scenes.size(), 17U);
+  DrawSettings draw;
+  draw.strip = true;
+  const auto drawn = read_back(draw_svg(scenes.scenes, draw));
+  EXPECT_LE(drawn.front().number("width"), 5 * 900);
+  std::set<std::pair<double, double>> places;
+  for (const Element& element : drawn) {
+    if (element.tag != "svg" || !element.attributes.contains("x")) continue;
+    places.emplace(element.number("x"), element.number("y"));
+    EXPECT_LE(element.number("x") + element.number("width"), drawn.front().number("width") + 1e-3);
+    EXPECT_LE(element.number("y") + element.number("height"), drawn.front().number("height"));
+  }
+  EXPECT_EQ(places.size(), 17U);
+}
+
+// The path through a few given positions is the point's curve, not a chain of chords.
+TEST(Scenes, HavePathsBetweenTheGivenPositions) {
+  for (const char* name : {"design_arch_path", "design_five_points"}) {
+    const Model model = shipped(name);
+    SceneSettings settings;
+    settings.traces = {model.profile().design->objectives.front().path->point};
+    const PointRef point = find_point(model, settings.traces.front()).value();
+    const Vector2d p_B = model.mechanism().bodies[point.body].points[point.point].p_B;
+    const auto scenes = scenes_of(model, settings).value();
+    const auto& fixed = scenes.scenes.front().fixed;
+    const auto trace = std::find_if(fixed.begin(), fixed.end(),
+                                    [](const Shape& shape) { return shape.role == Role::kTrace; });
+    ASSERT_NE(trace, fixed.end()) << name;
+    const auto& n = trace->numbers;
+    for (std::size_t i = 0; i + 5 < n.size(); i += 2) {
+      const Vector2d a(n[i + 2] - n[i], n[i + 3] - n[i + 1]), b(n[i + 4] - n[i + 2], n[i + 5] - n[i + 3]);
+      EXPECT_LE(std::abs(std::atan2(cross(a, b), a.dot(b))), 10 * kPi / 180) << name << ' ' << i;
+    }
+    // It goes through the positions of the rows.
+    for (const MotionRow& row : rows_of(model)) {
+      const Vector2d p = 1000 * (row.bodies[point.body].X_WB * p_B);
+      double nearest = 1e9;
+      for (std::size_t i = 0; i < n.size(); i += 2) {
+        nearest = std::min(nearest, (Vector2d(n[i], n[i + 1]) - p).norm());
+      }
+      EXPECT_LE(nearest, 1e-6) << name;
+    }
+  }
 }
 
 TEST(Scenes, RefuseWhatDoesNotSuit) {
@@ -348,6 +404,41 @@ TEST(Drawing, BreaksLinksOffThatLeaveIt) {
   }
 }
 
+// A link of which little is in the picture, since its pivot is near the edge, is broken off as well.
+TEST(Drawing, BreaksAShortPieceOfALinkOff) {
+  const Model model = Model::from_text(R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [30, -5]
+[bodies.cam]
+points.O     = [0, 0]
+curves.flank = { type = "hyperbola", center = [-20, 0], semi_axes = [10, 14], side = "outside" }
+[bodies.arm]
+pose          = { x = 30, y = -5, angle = 180 }
+points.O      = [0, 0]
+curves.roller = { type = "circle", center = [30, 0], radius = 4 }
+[joints]
+cam = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm = { type = "revolute", between = ["ground.O2", "arm.O"] }
+[contacts.touch]
+between = ["cam.flank", "arm.roller"]
+[driver]
+joint   = "cam"
+start   = 10
+end     = 60
+samples = 121
+)")
+                          .value();
+  const auto scenes = scenes_of(model).value();
+  const Motion motion = model.run().value();
+  std::map<std::string, double> lengths;
+  for (const Shape& shape : linkage_of(scenes.scenes.front())) {
+    if (shape.kind == Shape::Kind::kText) lengths[shape.text] = shape.numbers[4];
+  }
+  ASSERT_TRUE(lengths.contains("r2"));
+  EXPECT_NEAR(lengths["r2"], motion.column("touch.r2")[0], 1e-9 * lengths["r2"]);
+}
+
 // The second wheel's centre of curvature, the foot of the common tangent on its base circle, lies above all
 // bodies.
 TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
@@ -416,6 +507,223 @@ TEST(Drawing, JoinsCurvesToTheirPivots) {
     EXPECT_TRUE(std::any_of(fixed.begin(), fixed.end(), [&, name = body](const Shape& shape) {
       return shape.role == Role::kLink && shape.name == name;
     })) << body;
+  }
+}
+
+// Points [mm] are within closed shapes of a body.
+bool is_covered(const Scene& scene, int body, const Vector2d& p) {
+  for (const Shape& shape : scene.fixed) {
+    if (shape.body != body || !shape.closed || shape.kind != Shape::Kind::kPath) continue;
+    bool within = false;
+    const auto& n = shape.numbers;
+    for (std::size_t i = 0, j = n.size() - 2; i < n.size(); j = i, i += 2) {
+      if ((n[i + 1] > p.y()) != (n[j + 1] > p.y()) &&
+          p.x() < n[i] + (p.y() - n[i + 1]) / (n[j + 1] - n[i + 1]) * (n[j] - n[i])) {
+        within = !within;
+      }
+    }
+    if (within) return true;
+  }
+  return false;
+}
+
+// A lever whose only point is its pivot reaches from there to the slot, or to the rail, that it guides with.
+TEST(Drawing, JoinsSlotsAndRailsToTheirBodies) {
+  for (const char* pair :
+       {R"(slide = { type = "slot", between = ["lever.Q", "crank.A"], direction = [1, 0] })",
+        R"(pin = { type = "revolute", between = ["crank.A", "block.A"] }
+slide = { type = "prismatic", between = ["lever.Q", "block.A"], direction = [1, 0] })"}) {
+    const bool has_block = std::string(pair).find("block") != std::string::npos;
+    const Model model =
+        Model::from_text(fmt::format(R"(
+[bodies.ground]
+points.O = [0, 0]
+points.Q = [60, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [20, 0]
+[bodies.lever]
+pose     = {{ x = 60, angle = 180 }}
+points.Q = [0, 0]
+{}
+[joints]
+crank = {{ type = "revolute", between = ["ground.O", "crank.O"] }}
+lever = {{ type = "revolute", between = ["ground.Q", "lever.Q"] }}
+{}
+[driver]
+joint = "crank"
+)",
+                                     has_block ? "[bodies.block]\npose = { x = 20 }\npoints.A = [0, 0]" : "",
+                                     pair))
+            .value();
+    const auto scenes = scenes_of(model).value();
+    for (double x = 0.3; x < 80; x += 1) {  // the pin is between 40 and 80 from the pivot
+      EXPECT_TRUE(is_covered(scenes.scenes.front(), 2, {x, 0.1})) << pair << ' ' << x;
+    }
+  }
+}
+
+// A ring that is a chain is joined to its pivot as a round one is, and has no seam.
+TEST(Drawing, JoinsRingsOfChainsToTheirPivots) {
+  const Model model = Model::from_text(R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [5, 0]
+[bodies.cam]
+points.O = [0, 0]
+[bodies.cam.curves.track]
+type  = "chain"
+side  = "outside"
+spans = [
+  { type = "segment", from = [-40, -20], to = [40, -20] },
+  { type = "arc", center = [40, 0], radius = 20, from = -90, to = 90 },
+  { type = "segment", from = [40, 20], to = [-40, 20] },
+  { type = "arc", center = [-40, 0], radius = 20, from = 90, to = 270 },
+]
+[bodies.arm]
+pose          = { x = 5, y = 0, angle = 80 }
+points.O      = [0, 0]
+curves.roller = { type = "circle", center = [20, 0], radius = 6 }
+[joints]
+cam = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm = { type = "revolute", between = ["ground.O2", "arm.O"] }
+[contacts.touch]
+between = ["cam.track", "arm.roller"]
+[driver]
+joint   = "cam"
+end     = 40
+samples = 41
+)")
+                          .value();
+  const auto scenes = scenes_of(model).value();
+  const Scene& scene = scenes.scenes.front();
+  EXPECT_TRUE(is_covered(scene, 1, {0.1, 0.1}));
+  const auto ring = std::find_if(scene.fixed.begin(), scene.fixed.end(), [](const Shape& shape) {
+    return shape.role == Role::kBody && shape.body == 1;
+  });
+  ASSERT_NE(ring, scene.fixed.end());
+  // The inner boundary and the outer one, each closed: no line leads from one to the other.
+  EXPECT_EQ(std::count_if(ring->numbers.begin(), ring->numbers.end(), [](double x) { return std::isnan(x); }),
+            2);
+  for (std::size_t i = 0; i < ring->numbers.size(); i += 2) {
+    const Vector2d p(ring->numbers[i], ring->numbers[i + 1]);
+    if (std::isnan(p.x())) continue;
+    const double from_middle = Vector2d(std::max(std::abs(p.x()) - 40, 0.0), p.y()).norm();
+    EXPECT_GE(from_middle, 20 - 1e-6);
+  }
+  const auto bar = std::find_if(scene.fixed.begin(), scene.fixed.end(), [](const Shape& shape) {
+    return shape.role == Role::kLink && shape.body == 1;
+  });
+  ASSERT_NE(bar, scene.fixed.end());
+  double farthest = 0;
+  for (std::size_t i = 0; i < bar->numbers.size(); i += 2) {
+    const Vector2d p(bar->numbers[i], bar->numbers[i + 1]);
+    farthest = std::max(farthest, Vector2d(std::max(std::abs(p.x()) - 40, 0.0), p.y()).norm());
+  }
+  EXPECT_GE(farthest, 20);
+}
+
+// The guide of a rod is outside of the roller at its end.
+TEST(Drawing, HasGuidesBeyondTheRoller) {
+  const Model model = Model::from_text(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.wedge]
+points.P    = [0, 0]
+curves.face = { type = "line", point = [0, 10], normal = [-1, 3] }
+[bodies.lifter]
+pose          = { x = 0, y = 30 }
+points.Q      = [0, 0]
+curves.roller = { type = "circle", center = [0, 0], radius = 5 }
+[joints]
+rail  = { type = "prismatic", between = ["ground.O", "wedge.P"], direction = [1, 0] }
+guide = { type = "prismatic", between = ["ground.O", "lifter.Q"], direction = [0, 1] }
+[contacts.touch]
+between = ["wedge.face", "lifter.roller"]
+[driver]
+joint   = "rail"
+start   = 0
+end     = 30
+samples = 31
+)")
+                          .value();
+  const auto scenes = scenes_of(model);
+  ASSERT_TRUE(scenes) << to_string(scenes.error());
+  const Scene& scene = scenes->scenes.front();
+  double roller = 0;
+  for (const Shape& shape : scene.fixed) {
+    if (shape.role == Role::kBody && shape.name == "lifter") roller = shape.numbers[2];
+  }
+  ASSERT_GT(roller, 0);
+  const Scene::Place& place = scene.places[2];
+  for (const Shape& shape : scene.fixed) {
+    if (shape.role != Role::kFixed || shape.name != "guide") continue;
+    for (std::size_t i = 0; i < shape.numbers.size(); i += 2) {
+      if (std::isnan(shape.numbers[i])) continue;
+      EXPECT_GT(std::hypot(shape.numbers[i] - place.x, shape.numbers[i + 1] - place.y), roller);
+    }
+  }
+}
+
+// A name that has no place is left out: it would cover another one, or leave the picture.
+TEST(Drawing, LeavesOutNamesThatHaveNoPlace) {
+  std::string text = "[bodies.ground]\n";
+  std::string bodies, joints = "[joints]\n";
+  constexpr int kLevers = 12;
+  for (int i = 0; i < kLevers; ++i) {
+    text += fmt::format("points.G{} = [{}, 0]\n", i, 40 * i);
+    bodies += fmt::format(
+        "[bodies.rocking_lever_number_{0}]\npose = {{ x = {1}, angle = 90 }}\npoints.base_pin_{0} = [0, 0]\n"
+        "points.upper_pin_{0} = [30, 0]\n",
+        i, 40 * i);
+    joints += fmt::format(
+        "pivot_{0} = {{ type = \"revolute\", between = [\"ground.G{0}\", "
+        "\"rocking_lever_number_{0}.base_pin_{0}\"] }}\n",
+        i);
+    if (i == 0) continue;
+    bodies += fmt::format(
+        "[bodies.connecting_rod_{0}]\npose = {{ x = {1}, y = 30 }}\npoints.left_{0} = [0, 0]\n"
+        "points.right_{0} = [40, 0]\n",
+        i, 40 * (i - 1));
+    joints += fmt::format(
+        "a_{0} = {{ type = \"revolute\", between = [\"rocking_lever_number_{1}.upper_pin_{1}\", "
+        "\"connecting_rod_{0}.left_{0}\"] }}\n"
+        "b_{0} = {{ type = \"revolute\", between = [\"connecting_rod_{0}.right_{0}\", "
+        "\"rocking_lever_number_{0}.upper_pin_{0}\"] }}\n",
+        i, i - 1);
+  }
+  const Model model =
+      Model::from_text(text + bodies + joints + "[driver]\njoint = \"pivot_0\"\nstart = 90\nend = 110\n")
+          .value();
+  const Reading picture(draw_svg(scenes_of(model).value().scenes, {}));
+  const double width = picture.elements.front().number("width");
+  std::vector<Element> names;
+  for (const Element& element : picture.elements) {
+    if (element.role != "label") continue;
+    const auto half = [](const Element& one) { return 3.5 * static_cast<double>(one.text.size()); };
+    EXPECT_GT(element.number("x") - half(element), 0) << element.text;
+    EXPECT_LT(element.number("x") + half(element), width) << element.text;
+    for (const Element& other : names) {
+      EXPECT_FALSE(std::abs(element.number("x") - other.number("x")) < half(element) + half(other) &&
+                   std::abs(element.number("y") - other.number("y")) < 12)
+          << element.text << " and " << other.text;
+    }
+    names.push_back(element);
+  }
+  EXPECT_GE(names.size(), 6U);
+}
+
+// What a spring on ground pushes against is drawn.
+TEST(Drawing, HasWallsForSpringsOnGround) {
+  for (const char* name : {"valve_train", "checked_cam"}) {
+    const Model model = shipped(name);
+    const auto scenes = scenes_of(model).value();
+    const auto& fixed = scenes.scenes.front().fixed;
+    for (const Spring& spring : model.mechanism().springs) {
+      EXPECT_TRUE(std::any_of(fixed.begin(), fixed.end(), [&](const Shape& shape) {
+        return shape.role == Role::kFixed && shape.name == spring.name;
+      })) << name;
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // Plots are read back: lines, marks and shading are where the table and the events put them.
 #include "drawing/svg_reading.hpp"
+#include "higherpair/drawing/printed_number.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -133,6 +134,106 @@ TEST(Plot, LeavesAGapWhereAValueIsUndefined) {
   EXPECT_EQ(points_of(series(drawn, "y")).size(), 4U);
 }
 
+// The pieces of a path.
+std::vector<std::vector<Vector2d>> pieces_of(const Element& path) {
+  std::vector<std::vector<Vector2d>> pieces;
+  std::string d = path.attributes.at("d");
+  for (std::size_t at = 0; at < d.size();) {
+    const std::size_t next = std::min(d.find('M', at + 1), d.size());
+    Element piece = path;
+    piece.attributes["d"] = d.substr(at, next - at);
+    pieces.push_back(points_of(piece));
+    at = next;
+  }
+  return pieces;
+}
+
+TEST(Plot, HasADotForAPointThatIsJoinedToNoOther) {
+  PlotData data = line({0, 10, 20, 30}, {1, kNaN, 3, 4});
+  data.series[0].breaks = {3};
+  const auto drawn = read_back(plots_svg({data}));
+  const Axis x = axis(drawn, "x", "deg");
+  const auto dots = with_role(drawn, "dot");
+  ASSERT_EQ(dots.size(), 3U);
+  EXPECT_NEAR(dots[1].number("cx"), x.px(20), kHundredth);
+  EXPECT_EQ(series(drawn, "y").attributes.at("d").find('M', 1) != std::string::npos, true);
+}
+
+// On the line of action the sliding velocity is proportional to the distance from the pitch point, which
+// grows evenly while one pair of teeth is in contact: in a plot it falls in every piece, and no line leads up
+// from one pair to the next.
+TEST(Plot, BreaksALineWhereTheContactGoesOnAtOtherTeeth) {
+  const MotionPlot teeth = plot(shipped("gear_teeth"), {"mesh.sliding", "wheel.angle"});
+  const auto drawn = read_back(plots_svg({teeth.data}));
+  const auto pieces = pieces_of(series(drawn, "mesh.sliding"));
+  EXPECT_EQ(pieces.size(), 5U);
+  for (const auto& piece : pieces) {
+    for (std::size_t i = 1; i < piece.size(); ++i) EXPECT_GT(piece[i].y(), piece[i - 1].y());  // y down
+  }
+  EXPECT_EQ(pieces_of(series(drawn, "wheel.angle")).size(), 1U);
+}
+
+constexpr const char* kCamWithNotch = R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [0, 0]
+
+[bodies.cam]
+points.O = [0, 0]
+
+[bodies.cam.curves.outline]
+type   = "chain"
+fillet = 4
+spans  = [
+  { type = "arc", center = [0, 0], radius = 30, from = 60, to = 120 },
+  { type = "segment", from = [-15, 25.980762113533157], to = [-30, 0] },
+  { type = "arc", center = [-30, -10], radius = 10, from = -90, to = 90 },
+  { type = "arc", center = [0, -20], radius = 30, from = 180, to = 360 },
+  { type = "segment", from = [30, -20], to = [30, 0] },
+  { type = "segment", from = [30, 0], to = [15, 25.980762113533157] },
+]
+
+[bodies.follower]
+pose          = { x = 0, y = 45 }
+points.P      = [0, 0]
+curves.roller = { type = "circle", center = [0, 0], radius = 5 }
+
+[joints]
+pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+slide = { type = "prismatic", between = ["ground.O2", "follower.P"], direction = [0, 1] }
+
+[contacts.touch]
+between = ["cam.outline", "follower.roller"]
+
+[driver]
+joint    = "pivot"
+end      = 360
+samples  = 73
+velocity = 360
+)";
+
+// Behind a limit position the motion is on another branch: the mark is at the end of the line that leads to
+// it, also where x turns back.
+TEST(Plot, BreaksALineAtALimitPosition) {
+  const Model model = Model::from_text(kCamWithNotch).value();
+  const MotionPlot made = plot(model, {"slide.velocity"}, "slide.position");
+  const PlotSeries& velocity = made.data.series[0];
+  const Motion motion = model.run().value();
+  const auto limit = std::find_if(motion.events().begin(), motion.events().end(),
+                                  [](const Event& event) { return event.type == EventType::kLimitPosition; });
+  ASSERT_NE(limit, motion.events().end());
+  const auto row = static_cast<std::size_t>(limit->row);
+  EXPECT_THAT(velocity.breaks, ::testing::Contains(row));
+  const auto mark =
+      std::find_if(made.data.points.begin(), made.data.points.end(),
+                   [](const PlotPoint& point) { return point.label.starts_with("limit position"); });
+  ASSERT_NE(mark, made.data.points.end());
+  EXPECT_EQ(mark->x, velocity.x[row - 1]);
+  EXPECT_EQ(mark->y, velocity.y[row - 1]);
+  // What does not jump is one line.
+  EXPECT_THAT(plot(model, {"cam.angle"}).data.series[0].breaks, ::testing::IsEmpty());
+}
+
 TEST(Plot, HasNoNumberThatIsNone) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),
@@ -162,6 +263,17 @@ std::vector<std::string> labels_of_x(const std::string& svg) {
     if (inside && tick && element.text.find('[') == std::string::npos) labels.push_back(element.text);
   }
   return labels;
+}
+
+TEST(PrintedNumber, HasAPowerOfTenOnlyWhereItIsLong) {
+  EXPECT_EQ(printed_significant(40479.6, 4), "40480");
+  EXPECT_EQ(printed_significant(1e6, 6), "1000000");
+  EXPECT_EQ(printed_significant(9999999.6, 6), "1·10⁷");
+  EXPECT_EQ(printed_significant(2.5e8, 6), "2.5·10⁸");
+  EXPECT_EQ(printed_significant(-0.125, 6), "−0.125");
+  EXPECT_EQ(printed_significant(1e-4, 6), "0.0001");
+  EXPECT_EQ(printed_significant(7.4e-7, 6), "7.4·10⁻⁷");
+  EXPECT_EQ(printed_significant(0, 6), "0");
 }
 
 TEST(Plot, HasTicksAtRoundNumbers) {

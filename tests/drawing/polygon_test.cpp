@@ -164,6 +164,44 @@ TEST(Polygon, OfAContactIsThatOfItsEquivalentLink) {
   EXPECT_NEAR(normal.norm(), v.squaredNorm() / length, 1e-8 * normal.norm());
 }
 
+// A moving point O is written "o": the pole has a name of its own.
+TEST(Polygon, HasAPoleThatHasNoPointsName) {
+  int with_o = 0;
+  for (const auto& [model, at] : shipped_positions()) {
+    const Polygons found = polygons_at(model, at, true);
+    for (const Polygon& polygon : found.polygons) {
+      EXPECT_EQ(polygon.pole.empty(), polygon.kind == Polygon::Kind::kForce);
+      for (const PolygonPoint& point : polygon.points) {
+        EXPECT_NE(point.name, polygon.pole) << model.mechanism().title;
+        with_o += point.name == "o" ? 1 : 0;
+      }
+    }
+    std::vector<std::string> names;
+    for (const Element& element : read_back(polygons_svg({found.polygons[0]}, ""))) {
+      if (element.role != "label" || element.name.starts_with("v_")) continue;
+      EXPECT_THAT(names, ::testing::Not(::testing::Contains(element.name))) << model.mechanism().title;
+      names.push_back(element.name);
+    }
+  }
+  EXPECT_GT(with_o, 5);
+}
+
+// The centre of the roller is the point O of the follower at every position, whatever the rounding.
+TEST(Polygon, OfARollerAboutAPointHasOnePointForBoth) {
+  for (const auto& [name, point] : {std::pair("tangent_cam", "o"), std::pair("design_least_cam", "p")}) {
+    const Model model = shipped(name);
+    for (const double at : {10., 40., 70., 77., 200.}) {
+      const Polygons found = polygons_at(model, at);
+      for (const Polygon& polygon : {found.polygons[0], found.polygons[1]}) {
+        std::vector<std::string> names;
+        for (const PolygonPoint& each : polygon.points) names.push_back(each.name);
+        EXPECT_THAT(names, ::testing::Contains(point)) << name;
+        EXPECT_THAT(names, ::testing::Not(::testing::Contains("C2"))) << name << " at " << at;
+      }
+    }
+  }
+}
+
 TEST(Polygon, OfForcesClosesForEveryBody) {
   int closed = 0;
   for (const auto& [model, at] : shipped_positions()) {

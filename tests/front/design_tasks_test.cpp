@@ -159,6 +159,13 @@ TEST(DesignTasks, APageShowsBothMechanismsAndNothingOfTheWeb) {
   EXPECT_EQ(page.find("<b>"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("https://"), std::string::npos);
+  // Both are drawn to one scale, and units are written as in print.
+  const auto scale = [&](std::size_t from) {
+    const std::size_t at = page.find("data-scale=\"", from);
+    return page.substr(at, page.find('"', at + 12) - at);
+  };
+  EXPECT_EQ(scale(0), scale(page.find("After")));
+  EXPECT_EQ(page.find("^2"), std::string::npos);
 }
 
 std::string message_of(const std::vector<std::string>& overrides,

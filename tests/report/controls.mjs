@@ -59,6 +59,19 @@ async function checkLayers(page, checks) {
   }
 }
 
+/** The cursor of every plot is where the axis has the row. */
+async function checkCursors(page, table, what, checks) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const axis = (await page.locator("#x-axis option:checked").textContent()).replace(/ \[.*/, "");
+  const values = table.rows.map((one, row) => (axis === "row" ? row : Number(one[axis])));
+  const share = (values[(await state(page)).row] - Math.min(...values)) / (Math.max(...values) - Math.min(...values));
+  for (const plot of await page.locator(".plot").all()) {
+    const box = await plot.locator(".u-over").boundingBox();
+    const cursor = await plot.locator(".cursor-line").boundingBox();
+    checks.near(cursor.x - box.x, share * box.width, 3, `cursor after ${what}`);
+  }
+}
+
 async function checkPlots(page, table, checks) {
   const end = table.rows.length - 1;
   const driver = table.names.find((name) => name.startsWith("driver"));
@@ -76,6 +89,11 @@ async function checkPlots(page, table, checks) {
   await page.locator("#search").fill("driver velocity");
   await page.locator("#value-table tr:not([hidden]) .plot-toggle").first().click();
   checks.equal(await plots.count(), before + 1, "plots after one was added");
+  await checkCursors(page, table, "a plot was added", checks);
+  const axis = page.locator("#x-axis");
+  await axis.selectOption({ index: (await axis.locator("option").count()) - 1 });
+  await checkCursors(page, table, "the axis was changed", checks);
+  await axis.selectOption({ index: 0 });
   await page.locator("#value-table tr:not([hidden]) .plot-toggle").first().click();
   checks.equal(await plots.count(), before, "plots after it was taken away");
   await page.locator("#search").fill("");

@@ -29,6 +29,24 @@ async function checkVelocities(page, table, row, checks) {
   });
 }
 
+/** The equations beside a polygon are about the arrows of this row, and the pole has a name that no point has. */
+async function checkEquations(page, checks) {
+  const figures = await page.evaluate(() =>
+    [...document.querySelectorAll(".figure.beside")].map((figure) => ({
+      equations: figure.querySelector(".equations").textContent,
+      arrows: [...figure.querySelectorAll(".arrows > div:not(.gone)")]
+        .filter((arrow) => arrow.querySelector(".v-absolute") === null)
+        .map((arrow) => arrow.children[1].textContent),
+      names: [...figure.querySelectorAll("svg.polygon .name:not(.absent)")].map((name) => name.textContent),
+    })),
+  );
+  for (const { equations, arrows, names } of figures) {
+    checks.equal(new Set(names).size, names.length, `points of one name: ${names}`);
+    if (equations === "") continue;
+    for (const arrow of arrows) checks.true(equations.includes(arrow), `${arrow} is in no equation: ${equations}`);
+  }
+}
+
 /** The map shows the point on the branch whose number is given; none where the bodies are apart. */
 async function checkMaps(page, row, checks) {
   const maps = await page.evaluate(() =>
@@ -52,8 +70,10 @@ export async function checkFigures(page, table, checks) {
   const row = Math.round(table.rows.length / 5);
   await page.evaluate((shown) => higherpair.go(shown), row);
   await checkVelocities(page, table, table.rows[row], checks);
+  await checkEquations(page, checks);
   await checkMaps(page, table.rows[row], checks);
   const middle = Math.round(table.rows.length / 2);
   await page.evaluate((shown) => higherpair.go(shown), middle);
   await checkMaps(page, table.rows[middle], checks);
+  await checkEquations(page, checks);
 }

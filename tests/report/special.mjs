@@ -28,6 +28,20 @@ export async function checkCards({ report, profiles, open }, checks) {
   await page.close();
 }
 
+/** A colour of the profile fills the body, whose lines stay as they are. */
+export async function checkLooks({ report, profiles, open }, checks) {
+  const page = await open(await report(join(profiles, "ellipse_cam_roller.toml"), "looks", "--set", 'drawing.cam.colour="#f6d8a8"'));
+  const styles = await page.evaluate(() => {
+    const style = (selector) => getComputedStyle(document.querySelector(selector));
+    const [cam, other] = [style('#drawing [data-role="body"][data-name="cam"]'), style('#drawing [data-role="joint"]')];
+    return { fill: cam.fill, opacity: cam.fillOpacity, line: cam.stroke, ink: other.stroke };
+  });
+  checks.equal(styles.fill, "rgb(246, 216, 168)", "fill of the cam");
+  checks.equal(styles.opacity, "1", "opacity of the fill");
+  checks.equal(styles.line, styles.ink, "line of the cam");
+  await page.close();
+}
+
 /** The page of a long run contains part of it, says so, and knows the extremes of the whole run. */
 export async function checkLongRun({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "knife_edge.toml"), "long run", "--samples", "100001"));

@@ -7,7 +7,7 @@ interface EmbeddedReport extends Omit<Report, "columns" | "polygons"> {
   readonly columns: readonly (Column & { readonly values: Packed })[];
   readonly places: readonly Packed[];
   readonly moving: readonly (readonly Packed[])[];
-  readonly polygons: readonly (Polygon & { readonly vectors: readonly (readonly [Packed, Packed])[] })[];
+  readonly polygons: readonly (Polygon & { readonly equationsOf: Packed; readonly vectors: readonly (readonly [Packed, Packed])[] })[];
   readonly maps: readonly (Report["maps"][number] & Record<"x" | "y" | "branch", Packed>)[];
 }
 
@@ -39,6 +39,9 @@ class EmbeddedRows implements Rows {
   vector(polygon: number, vector: number, row: number): Vector | null {
     const [x, y] = (this.report.polygons[polygon]?.vectors[vector] ?? []).map((packed) => this.all(packed)[row] ?? null);
     return x === undefined || y === undefined || x === null || y === null ? null : [x, y];
+  }
+  equations(polygon: number, row: number): number | null {
+    return this.all(this.report.polygons[polygon]?.equationsOf)[row] ?? null;
   }
   place(map: number, row: number): MapPlace | null {
     const packed = this.report.maps[map];

@@ -69,7 +69,9 @@ class Sketch {
   }
 
   show(row: number): void {
-    if (this.rows.places(row) === null) return;
+    const undefinedHere = this.rows.places(row) === null;
+    this.root.classList.toggle("undefined", undefinedHere);
+    if (undefinedHere) return;
     for (const { shape, element: part, index } of this.parts) {
       placeShape(part, shape, this.rows.shape(index, row), this.report.scene.unit);
     }

@@ -23,7 +23,7 @@ import { View } from "./view";
 function addHeading(report: Report, rows: Rows): void {
   document.title = report.title;
   byId("title").textContent = report.title;
-  const count = rows.length === report.size ? `${report.size} rows` : `one in ${Math.ceil((report.size - 1) / (rows.length - 1))} of ${report.size} rows; extremes and events are of all of them`;
+  const count = rows.length === report.size ? `${report.size} ${report.size === 1 ? "row" : "rows"}` : `one in ${Math.ceil((report.size - 1) / (rows.length - 1))} of ${report.size} rows; extremes and events are of all of them`;
   const verdict = element("span", report.good ? {} : { class: "not-good" }, `the whole path is ${report.good ? "good" : "not good"}`);
   byId("subtitle").append(`${count} · `, verdict, " · extremes with the driver’s position");
   byId("file").textContent = report.file;

@@ -7,6 +7,8 @@ export interface Column {
   readonly noise: number;
   /** For a column of words: the words that its values are indices of. */
   readonly words?: readonly string[];
+  /** Rows that jump, so that no line joins them to the row before. */
+  readonly breaks?: readonly number[];
 }
 
 export type ShapeKind = "path" | "circle" | "arrow" | "text";
@@ -46,7 +48,10 @@ export interface Polygon {
   readonly view: readonly [number, number, number, number];
   /** All arrows are on one line in every row, so they have to be drawn side by side. */
   readonly flat: boolean;
-  readonly equations: readonly string[];
+  /** Name of the point (0, 0); empty for forces. */
+  readonly pole: string;
+  /** The different sets of equations; which one holds depends on the row. */
+  readonly equations: readonly (readonly string[])[];
   readonly points: readonly { readonly name: string; readonly at: number }[];
   readonly arrows: readonly { readonly kind: string; readonly name: string; readonly item: string; readonly from: number; readonly to: number }[];
 }
@@ -134,6 +139,8 @@ export interface Rows {
   shape(shape: number, row: number): Numbers;
   /** Vector of a polygon, both by index; null if it is undefined. */
   vector(polygon: number, vector: number, row: number): Vector | null;
+  /** Index of the set of equations of a polygon; null if it is undefined. */
+  equations(polygon: number, row: number): number | null;
   /** Position in a map by its index. */
   place(map: number, row: number): MapPlace | null;
 }

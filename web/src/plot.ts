@@ -1,7 +1,7 @@
 // One plot: columns over an axis, with events and rows that are not ok, and a cursor that moves the mechanism.
 import uPlot from "uplot";
 import { colour, element } from "./dom";
-import { number, quantity } from "./format";
+import { quantity, tickLabels } from "./format";
 import type { Column, Rows } from "./model";
 
 /** Colours that colour-blind people can distinguish, and dashes for black and white print. */
@@ -70,14 +70,28 @@ export class Plot {
     this.chart?.destroy();
     this.head.replaceChildren();
     this.chips = this.shown.map((k, i) => this.chip(k, i));
-    const data = [
-      [...this.axis.values],
-      ...this.shown.map((k) => this.axis.rows.map((row) => this.context.rows.value(k, row))),
-    ] as uPlot.AlignedData;
-    this.chart = new uPlot(this.options(), data, this.canvas);
+    this.chart = new uPlot(this.options(), this.data(), this.canvas);
     this.chart.over.append(this.line);
     this.listen(this.chart.over);
-    this.show(this.row);
+    this.showValues(); // the cursor is placed when the chart is drawn: it has no scales before
+  }
+
+  // Between two rows that a column does not join there is a point at which that column has no value, and the others none either but go on.
+  private data(): uPlot.AlignedData {
+    const { values, rows } = this.axis;
+    const xs: number[] = [];
+    const ys: (number | null | undefined)[][] = this.shown.map(() => []);
+    rows.forEach((row, i) => {
+      const [before, x] = [rows[i - 1] ?? row, values[i] ?? 0];
+      const broken = this.shown.map((k) => this.context.columns[k]?.breaks?.includes(Math.max(before, row)) === true && before !== row);
+      if (broken.includes(true)) {
+        xs.push(((values[i - 1] ?? x) + x) / 2);
+        ys.forEach((column, k) => column.push(broken[k] === true ? null : undefined));
+      }
+      xs.push(x);
+      ys.forEach((column, k) => column.push(this.context.rows.value(this.shown[k] ?? 0, row)));
+    });
+    return [xs, ...ys];
   }
 
   show(row: number): void {
@@ -119,7 +133,7 @@ export class Plot {
   private options(): uPlot.Options {
     const units = [...new Set(this.shown.map((k) => this.context.columns[k]?.unit ?? ""))];
     const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: FONT };
-    const values = (_: uPlot, ticks: number[]): string[] => ticks.map((tick) => number(tick, 0, 5));
+    const values = (_: uPlot, ticks: number[], __: number, ___: number, step: number): string[] => tickLabels(ticks, step);
     const scales: Record<string, uPlot.Scale> = { x: { time: false } };
     for (const name of units) scales[`y${name}`] = { range: (_, low, high) => range(low, high, this.noiseOf(name)) };
     return {
@@ -147,10 +161,11 @@ export class Plot {
           width: 2,
           dash: DASHES[i % DASHES.length] ?? [],
           points: { show: false },
+          paths: lines,
           pxAlign: 0, // otherwise flat curves look like stairs
         })),
       ],
-      hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart)] },
+      hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart), () => this.moveTo(this.row)] },
     };
   }
 
@@ -208,9 +223,29 @@ export class Plot {
     const width = this.canvas.clientWidth;
     if (width === 0 || this.chart === null || this.chart.width === width) return;
     this.chart.setSize({ width, height: HEIGHT });
-    this.show(this.row);
   }
 }
+
+// Lines from point to point, interrupted at null; a point that is joined to no other is a dot. uPlot's own lines are only hidden in gaps, which
+// shows if a gap is narrower than the line.
+const lines: uPlot.Series.PathBuilder = (chart, index, first, last) => {
+  const stroke = new Path2D();
+  const values = chart.data[index] ?? [];
+  const scale = chart.series[index]?.scale ?? "";
+  let joined = false;
+  for (let i = first; i <= last; ++i) {
+    const value = values[i];
+    if (value === undefined) continue;
+    if (value !== null) {
+      const [x, y] = [chart.valToPos(chart.data[0][i] ?? 0, "x", true), chart.valToPos(value, scale, true)];
+      if (joined) stroke.lineTo(x, y);
+      else if (values.slice(i + 1).find((next) => next !== undefined) == null) stroke.arc(x, y, devicePixelRatio, 0, 2 * Math.PI);
+      else stroke.moveTo(x, y);
+    }
+    joined = value !== null;
+  }
+  return { stroke };
+};
 
 // Room for the longest label beside a plot, in px.
 function labelRoom(chart: uPlot, labels: readonly string[] | null): number {

@@ -71,6 +71,8 @@ class PolygonFigure implements Figure {
   private readonly scale: number; // px per unit
   private readonly origin: Vector; // position of the pole
   private readonly noise: number;
+  private readonly equations = element("div", { class: "equations" });
+  private shownEquations: number | null = null;
 
   constructor(
     private readonly polygon: Polygon,
@@ -87,12 +89,11 @@ class PolygonFigure implements Figure {
     this.picture.append(...this.scaleBar(height - 10));
     const list = element("div", { class: "arrows" });
     this.arrows = polygon.arrows.map((arrow) => this.addArrow(arrow, list));
-    const pole = polygon.forces ? [] : [this.addName("o")];
+    const pole = polygon.pole === "" ? [] : [this.addName(polygon.pole)];
     this.points = [...pole, ...polygon.points.map(({ name }) => this.addName(name))];
-    const equations = element("div", { class: "equations" }, ...polygon.equations.map((text) => element("p", {}, richText(text))));
     const shownUnit = unit(polygon.unit);
     const title = element("h3", {}, element("b", {}, polygon.title), shownUnit === "" ? "" : ` [${shownUnit}]`);
-    this.root.append(title, this.picture, element("div", {}, list, equations));
+    this.root.append(title, this.picture, element("div", {}, list, this.equations));
   }
 
   show(row: number): void {
@@ -100,7 +101,7 @@ class PolygonFigure implements Figure {
       const parts = this.arrows[i];
       if (parts !== undefined) this.place(parts, i, this.vector(from, row), this.vector(to, row));
     });
-    const places = [...(this.polygon.forces ? [] : [[0, 0] as Vector]), ...this.polygon.points.map(({ at }) => this.vector(at, row))];
+    const places = [...(this.polygon.pole === "" ? [] : [[0, 0] as Vector]), ...this.polygon.points.map(({ at }) => this.vector(at, row))];
     const taken: Vector[] = [];
     places.forEach((place, i) => {
       const label = this.points[i];
@@ -112,6 +113,14 @@ class PolygonFigure implements Figure {
       this.put(label, place === null || same ? null : [x, y], [dx, dy]);
     });
     this.labels.place(() => [1, 0, 0, 0], 1);
+    this.showEquations(this.rows.equations(this.index, row));
+  }
+
+  private showEquations(index: number | null): void {
+    if (index === this.shownEquations) return;
+    this.shownEquations = index;
+    const texts = index === null ? [] : (this.polygon.equations[index] ?? []);
+    this.equations.replaceChildren(...texts.map((text) => element("p", {}, richText(text))));
   }
 
   private vector(index: number, row: number): Vector | null {

@@ -54,7 +54,11 @@ export function shapeElement(shape: Shape): SVGElement {
   if (shape.body !== undefined) made.setAttribute("data-body", String(shape.body));
   if (shape.closed === true) made.classList.add("closed");
   if (shape.outline === true) made.classList.add("outline");
-  if (shape.colour !== undefined) made.style.setProperty(shape.role === "trace" ? "stroke" : "--body", shape.colour);
+  if (shape.colour !== undefined) {
+    const filled = shape.closed === true && shape.outline !== true;
+    made.style.setProperty(filled ? "fill" : "stroke", shape.colour);
+    made.classList.toggle("coloured", filled);
+  }
   if (shape.kind === "text") made.textContent = shape.text ?? shape.name;
   return made;
 }

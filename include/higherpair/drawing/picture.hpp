@@ -3,6 +3,7 @@
 #include "higherpair/geometry/pose.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -117,7 +118,7 @@ struct DrawSettings {
   double width = 900;        ///< of the picture, or of each picture of a strip [px]
   /// Largest height, scale bars excluded; a higher picture is drawn narrower [px].
   double most_height = 1000;
-  bool strip = false;              ///< several scenes side by side, not one over the other
+  bool strip = false;  ///< several scenes side by side, many of them in several lines, not one over the other
   PictureUnit length{"mm", 1e-3};  ///< unit of `data-scale` and the scale bar
   PictureUnit velocity{"mm/s", 1e-3};
   PictureUnit acceleration{"mm/s^2", 1e-3};
@@ -158,6 +159,8 @@ struct PlotSeries {
   std::vector<double> x;
   std::vector<double> y;  ///< as many as x
   PlotLine line = PlotLine::kOwn;
+  std::vector<std::size_t> breaks =
+      {};  ///< points that no line joins to the point before, in ascending order
 };
 
 /// An event at x, in all panels: a thin vertical line with a label.
@@ -233,6 +236,7 @@ struct Polygon {
   Kind kind = Kind::kVelocity;
   std::string title;  ///< for a force polygon the body's name
   std::string unit;   ///< of all vectors; empty: SI
+  std::string pole;   ///< its name, "o_{v}" or "o_{a}"; empty for forces
   std::vector<PolygonPoint> points;
   std::vector<PolygonArrow> arrows;
   std::vector<std::string> equations;
