@@ -4,14 +4,15 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace higherpair {
 namespace {
 
-bool is_round_about(const Curve& curve, const Vector2d& p_B, double size) {
+bool is_round_about(const Curve& curve, const Vector2d& p_B, double distance) {
   const auto middle = round_center(curve);
-  return middle && (*middle - p_B).norm() <= kRoundAbout * size;
+  return middle && (*middle - p_B).norm() <= distance;
 }
 
 // The first pin, or the centre of the first round curve that touches.
@@ -51,7 +52,7 @@ bool turns_idly(const SizedMechanism& sized, int body, const Vector2d& p_B) {
       if (ref.body != body) {
         continue;
       }
-      if (contact.rolling || !is_round_about(curve_of(mechanism, ref), p_B, sized.size)) {
+      if (contact.rolling || !is_round_about(curve_of(mechanism, ref), p_B, kRoundAbout * sized.size)) {
         return false;
       }
       touches = true;
@@ -63,6 +64,18 @@ bool turns_idly(const SizedMechanism& sized, int body, const Vector2d& p_B) {
 bool turns_idly(const SizedMechanism& sized, int body) {
   const auto middle = middle_of_turning(sized.mechanism, body);
   return middle && turns_idly(sized, body, *middle);
+}
+
+bool is_nearly_round(const SizedMechanism& sized, int body) {
+  const auto middle = middle_of_turning(sized.mechanism, body);
+  const auto is_off = [&](const CurveRef& ref) {
+    return ref.body == body &&
+           !is_round_about(curve_of(sized.mechanism, ref), *middle, kNearlyRound * sized.size);
+  };
+  return middle && std::none_of(sized.mechanism.contacts.begin(), sized.mechanism.contacts.end(),
+                                [&](const Contact& contact) {
+                                  return is_off(contact.first) || is_off(contact.second);
+                                });
 }
 
 }  // namespace higherpair

@@ -12,4 +12,8 @@ namespace higherpair {
 /// The same about a pin of the body, or where it has none about the centre of a round curve that touches.
 [[nodiscard]] bool turns_idly(const SizedMechanism& sized, int body);
 
+/// Whether all curves of a body that touch are round about its first pin, or about one point if it has none,
+/// but for a distance (kNearlyRound) at which its contacts hardly set its angle.
+[[nodiscard]] bool is_nearly_round(const SizedMechanism& sized, int body);
+
 }  // namespace higherpair

@@ -44,24 +44,6 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
          "; add a driver, joint or contact that sets " + (loose.size() == 1 ? "it" : "them");
 }
 
-std::vector<int> phase_bodies(const Mechanism& mechanism) {
-  Mechanism slipping = mechanism;
-  bool rolls = false;
-  for (Contact& contact : slipping.contacts) {
-    rolls = rolls || contact.rolling;
-    contact.rolling = false;
-  }
-  std::vector<int> bodies;
-  if (rolls) {
-    for (const LooseBody& loose : analyse_structure(slipping).loose) {
-      if (loose.turning_only) {
-        bodies.push_back(loose.body);
-      }
-    }
-  }
-  return bodies;
-}
-
 // Sets what depends on the dimensions: the groups, one for each set, and the size.
 void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>& sets) {
   for (const BodySet& set : sets) {
@@ -175,7 +157,7 @@ bool can_be_redimensioned(const Plan& plan, const Mechanism& mechanism) {
 Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   Plan other;
   other.idle_bodies = plan.idle_bodies;
-  other.phase_bodies = plan.phase_bodies;
+  other.phase_bodies = phase_bodies(mechanism);
   other.surplus = plan.surplus;
   other.coincidences = plan.coincidences;
   fill_in(other, mechanism, {plan.groups.begin(), plan.groups.end()});

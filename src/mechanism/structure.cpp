@@ -2,13 +2,17 @@
 
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "idle_turning.hpp"
 #include "redundancy.hpp"
 #include "structural_conditions.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
@@ -26,6 +30,17 @@ public:
       : conditions_(conditions), owner_(variables, kUnmatched), seen_(variables, -1) {
     for (std::size_t i = 0; i < conditions.size(); ++i) {
       (void)augment(static_cast<int>(i), static_cast<int>(i));
+    }
+  }
+
+  // Exchanges matched variables such that of all that can be left over, those of the highest ranks are.
+  // Exact: a variable that is left over, and those that can be instead, are a circuit of a matroid, of which
+  // the highest is to be left over (as the longest edge of a cycle is from a shortest spanning tree).
+  void leave_over(const std::vector<int>& ranks) {
+    for (int v = 0; v < static_cast<int>(owner_.size()); ++v) {
+      if (owner_[v] == kUnmatched) {
+        leave_over_instead(v, ranks);
+      }
     }
   }
 
@@ -61,6 +76,32 @@ private:
       }
     }
     return false;
+  }
+
+  // Walks from an unmatched variable to the conditions that it enters, to the variables that these are
+  // matched with, and on; all conditions on the walk to the one of the highest rank then pass to the variable
+  // before.
+  void leave_over_instead(int unmatched, const std::vector<int>& ranks) {
+    const std::vector<int> partner = partners();
+    std::vector<int> before(owner_.size(), kUnmatched);
+    std::vector<int> reached = {unmatched};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (std::size_t c = 0; c < conditions_.size(); ++c) {
+        const int next = partner[c];
+        if (next != kUnmatched && contains(conditions_[c].variables, reached[i]) &&
+            !contains(reached, next)) {
+          before[next] = reached[i];
+          reached.push_back(next);
+        }
+      }
+    }
+    int v =
+        *std::max_element(reached.begin(), reached.end(), [&](int a, int b) { return ranks[a] < ranks[b]; });
+    int condition = std::exchange(owner_[v], kUnmatched);
+    while (v != unmatched) {
+      v = before[v];
+      std::swap(owner_[v], condition);
+    }
   }
 
   const std::vector<Condition>& conditions_;
@@ -127,19 +168,84 @@ void take_out_repeated(const Mechanism& mechanism, std::vector<Condition>& condi
   }
 }
 
+// The conditions, those that others imply without their coordinates: that parallel guides or cranks repeat
+// each other does not show in which coordinates enter their conditions, and bodies that can move would count
+// as placed.
+std::vector<Condition> independent_conditions(const Mechanism& mechanism, const NameOrder& order) {
+  std::vector<Condition> conditions = structural_conditions(mechanism, order);
+  if (contains(Matching(conditions, 3 * mechanism.bodies.size()).partners(), kUnmatched)) {
+    take_out_repeated(mechanism, conditions);
+  }
+  return conditions;
+}
+
+bool is_rolling(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(), [&](const Contact& contact) {
+    return contact.rolling && (contact.first.body == body || contact.second.body == body);
+  });
+}
+
+bool is_joined_to_ground(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    const int first = joint.first.body;
+    const int second = joint.second.body;
+    return (first == 0 && second == body) || (first == body && second == 0);
+  });
+}
+
+// The bodies of rolling contacts. The later one is, the sooner it keeps the angle of its pose: after a body
+// on ground one that is carried, and last those whose angle their contacts hardly set.
+std::vector<int> rolling_bodies(const Mechanism& mechanism, const NameOrder& order) {
+  std::vector<int> bodies;
+  std::copy_if(order.bodies.begin(), order.bodies.end(), std::back_inserter(bodies),
+               [&](int body) { return is_rolling(mechanism, body); });
+  if (bodies.size() < 2) {
+    return bodies;
+  }
+  const double size = size_of(mechanism);
+  std::stable_sort(bodies.begin(), bodies.end(), [&](int a, int b) {
+    const auto rank = [&](int body) {
+      return std::pair(is_nearly_round({mechanism, size}, body), !is_joined_to_ground(mechanism, body));
+    };
+    return rank(a) < rank(b);
+  });
+  return bodies;
+}
+
 }  // namespace
+
+std::vector<int> phase_bodies(const Mechanism& mechanism) {
+  const NameOrder order(mechanism);
+  const std::vector<int> rolling = rolling_bodies(mechanism, order);
+  if (rolling.empty()) {
+    return {};
+  }
+  Mechanism slipping = mechanism;
+  for (Contact& contact : slipping.contacts) {
+    contact.rolling = false;
+  }
+  const std::size_t bodies = mechanism.bodies.size();
+  const std::vector<Condition> conditions = independent_conditions(slipping, order);
+  std::vector<int> ranks(3 * bodies, 0);
+  for (std::size_t i = 0; i < rolling.size(); ++i) {
+    ranks[variable(rolling[i], Coordinate::kAngle)] = static_cast<int>(i) + 1;
+  }
+  Matching matching(conditions, 3 * bodies);
+  matching.leave_over(ranks);
+  std::vector<int> held;
+  for (const LooseBody& loose : loose_bodies(matching.partners(), bodies)) {
+    if (loose.turning_only) {
+      held.push_back(loose.body);
+    }
+  }
+  return held;
+}
 
 Structure analyse_structure(const Mechanism& mechanism) {
   const NameOrder order(mechanism);
-  std::vector<Condition> conditions = structural_conditions(mechanism, order);
+  const std::vector<Condition> conditions = independent_conditions(mechanism, order);
   const std::size_t bodies = mechanism.bodies.size();
-  std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
-  if (contains(matched, kUnmatched)) {
-    // That parallel guides or cranks repeat each other does not show in which coordinates enter their
-    // conditions: bodies that can move would count as placed.
-    take_out_repeated(mechanism, conditions);
-    matched = Matching(conditions, 3 * bodies).partners();
-  }
+  const std::vector<int> matched = Matching(conditions, 3 * bodies).partners();
   const std::vector<int> component = components(conditions, matched, bodies);
 
   Structure structure;

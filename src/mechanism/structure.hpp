@@ -24,4 +24,11 @@ struct Structure {
 /// last) belongs to the last placed of its bodies.
 [[nodiscard]] Structure analyse_structure(const Mechanism& mechanism);
 
+/// The bodies whose angle nothing but rolling contacts set: with these slipping, as many coordinates are left
+/// over. Where there is a choice of which, a body that rolls keeps the angle of its pose rather than another,
+/// a carried one (a roller on an arm) rather than one on ground (a cam), and one that is round about its pin,
+/// or nearly, rather than any other. It does not depend on the order of bodies, joints and contacts in the
+/// description.
+[[nodiscard]] std::vector<int> phase_bodies(const Mechanism& mechanism);
+
 }  // namespace higherpair

@@ -61,5 +61,9 @@ inline constexpr double kInvolved = 1e-6;
 inline constexpr double kParallelLinks = 1e-7;
 /// Distance of a centre or pin from the point about which a body may turn idly, below which it coincides.
 inline constexpr double kRoundAbout = 1e-7;
+/// A contact hardly sets the angle of a body whose curve is round about a point this close to its pin,
+/// relative to the size of the mechanism: the angle would change a thousand times as much as the place of
+/// what touches.
+inline constexpr double kNearlyRound = 1e-3;
 
 }  // namespace higherpair
