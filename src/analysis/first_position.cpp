@@ -1,5 +1,6 @@
 #include "first_position.hpp"
 
+#include "assembly.hpp"
 #include "coupled_bodies.hpp"
 #include "gap_contacts.hpp"
 #include "group_kinds.hpp"
@@ -105,16 +106,19 @@ bool FirstPosition::place(std::size_t g, int mode) {
                                  ? start_rolling_bodies(g)
                                  : place_group(model_, g, from, 0, run_.at.drivers, state_);
   if (status != GroupStatus::kOk) {
-    fail(g, why_unplaced(run_, state_, g));
+    fail(g, why_unplaced(run_, state_, g),
+         distance_from_poses(run_.mechanism(), group, state_.bodies, posed_.bodies));
     return false;
   }
   return true;
 }
 
-void FirstPosition::fail(std::size_t g, std::string reason) {
-  // Keep the reason of the last group that was reached.
-  if (g >= failed_group_) {
+void FirstPosition::fail(std::size_t g, std::string reason, double distance) {
+  // Keep the reason of the last group that was reached, and of its assemblies that of the nearest to the
+  // poses.
+  if (g > failed_group_ || (g == failed_group_ && !(distance > failed_distance_))) {
     failed_group_ = g;
+    failed_distance_ = distance;
     failure_ = {std::move(reason), std::nullopt};
   }
 }

@@ -3,6 +3,7 @@
 #include "group_solver.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <string>
 
@@ -24,7 +25,8 @@ public:
   [[nodiscard]] const StartFailure& failure() const { return failure_; }
 
 private:
-  void fail(std::size_t g, std::string reason);
+  // \param distance  of the group from its poses, if it was placed
+  void fail(std::size_t g, std::string reason, double distance = 0);
   [[nodiscard]] GroupStatus start_rolling_bodies(std::size_t g);
   [[nodiscard]] bool start_tracked(const TrackedPair& tracked, std::size_t g);
   [[nodiscard]] bool start_rolling_pair(const TrackedPair& tracked, std::size_t g, double u, double q,
@@ -41,6 +43,7 @@ private:
   State state_;
   State touching_start_;
   std::size_t failed_group_ = 0;
+  double failed_distance_ = kInf;
   StartFailure failure_;
 };
 

@@ -1,4 +1,5 @@
 #include "column_set.hpp"
+#include "higherpair/analysis/unit_motion.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -133,6 +134,16 @@ void add_joint(ColumnSet& set, std::size_t index, const Joint& joint) {
           });
 }
 
+// The motion of a body, or where it is at rest, as the only driver is, that per unit of the driver: the
+// direction in which its points can move is then the same.
+const BodyMotion& directed_motion(const Run& run, int body, State& scratch) {
+  const BodyMotion& motion = run.row.bodies[body];
+  const bool at_rest = motion.omega == 0 && motion.v_WB.isZero(0);
+  return at_rest && run.row.has_rates[body] && run.mechanism().drivers.size() == 1
+             ? unit_motion(run, 0, scratch)[body]
+             : motion;
+}
+
 // The two bodies of a contact with their freedoms on joints to ground, where they have one.
 struct Sides {
   std::optional<OneFreedom> first, second;
@@ -143,8 +154,10 @@ struct Sides {
 
   [[nodiscard]] ContactDetails details(const Run& run, std::size_t index) const {
     const Contact& contact = run.mechanism().contacts[index];
+    State scratch;
     const auto side = [&](const CurveRef& ref, const std::optional<OneFreedom>& grounded) {
-      return ContactBody{curve_of(run.mechanism(), ref), run.row.bodies[ref.body],
+      return ContactBody{curve_of(run.mechanism(), ref),
+                         grounded ? run.row.bodies[ref.body] : directed_motion(run, ref.body, scratch),
                          grounded ? &*grounded : nullptr};
     };
     const ContactMotion& motion = run.row.contacts[index];

@@ -129,8 +129,14 @@ std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body)
   const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
     return is_grounded(each) && touches(each, body);
   });
-  return joint == mechanism.joints.end() ? std::nullopt
-                                         : std::optional(carried_body(mechanism, *joint, body).freedom);
+  if (joint == mechanism.joints.end()) {
+    return std::nullopt;
+  }
+  OneFreedom freedom = carried_body(mechanism, *joint, body).freedom;
+  if (joint->first.body == body) {
+    freedom.direction_W = -freedom.direction_W;
+  }
+  return freedom;
 }
 
 std::vector<int> idle_bodies_of(const Plan& plan, const Group& group) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace higherpair {
@@ -175,6 +176,65 @@ TEST(Columns, ComeInTheUnitsAskedFor) {
   ASSERT_EQ(own.events().size(), si.events().size());
   for (std::size_t i = 0; i < own.events().size(); ++i) {
     EXPECT_EQ(si.events()[i].driver, own.events()[i].driver_si);
+  }
+}
+
+// The cam's pivot is 8 mm to the left of the follower's path, on the side of +90 deg turned by +90 deg.
+TEST(Columns, OffsetOfASlideDoesNotDependOnWhichBodyItsJointNamesFirst) {
+  for (const char* between : {R"(["ground.G", "f.P"])", R"(["f.P", "ground.G"])"}) {
+    const Model model = model_of(std::string(R"(
+[bodies.ground]
+points.O = [0, 0]
+points.G = [8, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.k = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.f]
+pose = { x = 8, y = 40 }
+points.P = [0, 0]
+curves.k = { type = "circle", center = [0, 0], radius = 5 }
+[joints]
+main  = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", direction = 90, between = )") +
+                                 between + R"( }
+[contacts.k]
+between = ["cam.k", "f.k"]
+[driver]
+joint = "main"
+samples = 13
+)");
+    const Motion motion = model.run().value();
+    for (const double r1 : motion.column("k.r1")) {
+      EXPECT_NEAR(r1, 8, 1e-12) << between;
+    }
+  }
+}
+
+// A roller that does not turn moves as its pin does, at right angles to the arm.
+TEST(Columns, PressureAngleOfACarriedRollerIsDefinedAtRest) {
+  for (const double velocity : {60.0, 0.0}) {
+    const Motion motion =
+        testing::shipped_model("roller_body", {fmt::format("driver.velocity={}", velocity)}).run().value();
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double arm = std::atan2(motion.column("arm.P.y")[k], motion.column("arm.P.x")[k] - 80);
+      const double wanted = std::abs(std::sin(arm - motion.column("touch.normal")[k] * kPi / 180));
+      EXPECT_NEAR(std::cos(motion.column("touch.pressure")[k] * kPi / 180), wanted, 1e-12) << velocity;
+    }
+  }
+}
+
+TEST(Columns, PressureAngleOfARollingRollerIsThatOfItsMotionAlsoAtRest) {
+  const auto pressure = [](const char* velocity) {
+    const Motion motion =
+        testing::shipped_model("roller_body", {"contacts.touch.rolling=true", velocity}).run().value();
+    const auto column = motion.column("touch.pressure");
+    return std::vector<double>(column.begin(), column.end());
+  };
+  const std::vector<double> moving = pressure("driver.velocity=60");
+  const std::vector<double> at_rest = pressure("driver.velocity=0");
+  ASSERT_EQ(moving.size(), at_rest.size());
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    EXPECT_NEAR(at_rest[k], moving[k], 1e-9) << k;
   }
 }
 
