@@ -264,6 +264,16 @@ TEST_F(Program, MakesTheFileThatALinkNames) {
       1);
 }
 
+TEST_F(Program, KeepsWhoMayReadAFileThatItReplaces) {
+  const fs::path table = folder_ / "private.csv";
+  std::ofstream(table) << "old";
+  const fs::perms owner_only = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(table, owner_only);
+  EXPECT_EQ(run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + table.string()).code, 0);
+  EXPECT_THAT(read_file(table), HasSubstr("driver[deg]"));
+  EXPECT_EQ(fs::status(table).permissions(), owner_only);
+}
+
 TEST_F(Program, CanBeInterruptedWhileNobodyReads) {
   const std::string pipe = (folder_ / "pipe").string();
   const std::string command = "mkfifo " + pipe + "; timeout -s INT 0.3 " + std::string(HIGHERPAIR_PROGRAM) +

@@ -58,6 +58,9 @@ OutputFile::OutputFile(const std::string& path)
     listen_to_signals();
     temporary_ = target_ + ".part" + std::to_string(getpid());
     file_ = std::fopen(temporary_.c_str(), "wb");
+    if (file_ != nullptr && fs::exists(status)) {
+      fs::permissions(temporary_, status.permissions(), code);  // what only some may read stays so
+    }
   }
   if (file_ == nullptr) {
     fail();
