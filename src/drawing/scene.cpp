@@ -46,7 +46,7 @@ Extent bare_extent(const Sketch& sketch) {
       }
     }
     for (const ContactMotion& contact : row->contacts) {
-      extent.extend(contact.at.p_W());
+      if (contact.touches) extent.extend(contact.at.p_W());
     }
   }
   return extent;

@@ -133,6 +133,12 @@ TEST(Plot, LeavesAGapWhereAValueIsUndefined) {
   EXPECT_EQ(points_of(series(drawn, "y")).size(), 4U);
 }
 
+TEST(Plot, KeepsAUnitWhosePowerIsNoNumber) {
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "x^y")}), HasSubstr("x^y"));
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "x^99999999999")}), HasSubstr("x^99999999999"));
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "deg/s^-2")}), HasSubstr("deg/s⁻²"));
+}
+
 TEST(Plot, HasNoNumberThatIsNone) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),
