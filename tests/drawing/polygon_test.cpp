@@ -137,6 +137,23 @@ TEST(Polygon, OfTheTextbooksSixBarHasItsEquations) {
   EXPECT_NEAR(along(arrow(acceleration, "a_{BA}^{n}")).norm(), v_BA * v_BA / 18, 1e-8);
 }
 
+// A slider whose joint names ground last has the same polygons as one whose joint names it first.
+TEST(Polygon, OfASlideOnGroundDoesNotDependOnTheOrderOfItsBodies) {
+  const Polygons one = polygons_at(shipped("slider_crank"), 40);
+  const Polygons other = polygons_at(
+      shipped("slider_crank",
+              {"joints.slide.between=[\"piston.B\", \"ground.rail\"]", "joints.slide.direction=[1, 0]"}),
+      40);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(other.polygons[k].arrows.size(), one.polygons[k].arrows.size());
+    EXPECT_EQ(other.polygons[k].equations, one.polygons[k].equations);
+    for (std::size_t i = 0; i < one.polygons[k].arrows.size(); ++i) {
+      EXPECT_EQ(other.polygons[k].arrows[i].name, one.polygons[k].arrows[i].name);
+      EXPECT_EQ(other.polygons[k].arrows[i].item, one.polygons[k].arrows[i].item);
+    }
+  }
+}
+
 TEST(Polygon, OfASlideHasCoriolisAcceleration) {
   const Model model = shipped("quick_return");
   const Polygons found = polygons_at(model, 60);
