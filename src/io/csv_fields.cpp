@@ -1,8 +1,8 @@
 #include "csv_fields.hpp"
 
 #include "higherpair/io/names.hpp"
-#include "higherpair/io/units.hpp"
 #include "numeric/decimal.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +57,8 @@ std::string number_advice(std::string_view field, std::string_view column) {
   }
   std::string_view unit = field;
   if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);
-  return find_unit(unit.substr(0, unit.find_first_of("*/^ ")))
-             ? fmt::format(": units stand behind the names in the first line, {}[{}]", visible(column), unit)
+  return is_unit_name(unit.substr(0, unit.find_first_of("*/^ ")))
+             ? fmt::format(": units follow the names in the first line, {}[{}]", visible(column), unit)
              : "";
 }
 

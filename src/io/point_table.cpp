@@ -20,7 +20,10 @@ using Fields = std::vector<std::string_view>;
 
 class PointReader {
 public:
-  PointReader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
+  PointReader(const PointColumns& columns, const Units& units)
+      : columns_(columns),
+        units_(units),
+        scalings_{{{to_si(columns.dimensions[0], units), {}}, {to_si(columns.dimensions[1], units), {}}}} {}
 
   void line(std::string_view text, int number) {
     if (mistakes_.size() >= kMostMistakes) return;
@@ -71,9 +74,11 @@ private:
       const std::string_view field = fields[place_[k]];
       const std::size_t open = field.find('[');
       if (open != std::string_view::npos && field.ends_with(']')) {
-        unit_[k] = std::string(field.substr(open + 1, field.size() - open - 2));
-        if (const auto one = parse_quantity("1 " + unit_[k], columns_.dimensions[k], units_); !one) {
-          fail(line, fmt::format("{}: {}", field, one.error()));
+        const std::string_view unit = field.substr(open + 1, field.size() - open - 2);
+        if (const auto scalings = scalings_of(unit, columns_.dimensions[k], units_)) {
+          scalings_[k] = *scalings;
+        } else {
+          fail(line, fmt::format("{}: {}", field, scalings.error()));
         }
       }
     }
@@ -109,12 +114,7 @@ private:
   }
 
   [[nodiscard]] Quantity quantity(double value, std::size_t k) const {
-    if (!unit_[k].empty()) {
-      if (auto own = parse_quantity(fmt::format("{} {}", value, unit_[k]), columns_.dimensions[k], units_)) {
-        return *own;
-      }
-    }
-    return {value, to_si(columns_.dimensions[k], units_).apply(value), value};
+    return {value, scalings_[k].to_si.apply(value), scalings_[k].to_profile.apply(value)};
   }
 
   const PointColumns& columns_;
@@ -122,7 +122,7 @@ private:
   char separator_ = 0;
   std::size_t count_ = 0;  // of columns, 0 until known
   std::array<std::size_t, 2> place_{0, 1};
-  std::array<std::string, 2> unit_;
+  std::array<UnitScalings, 2> scalings_;
   PointTable table_;
   std::vector<std::string> mistakes_;
 };
