@@ -3,6 +3,8 @@
 #include "csv_fields.hpp"
 #include "encoding.hpp"
 #include "higherpair/io/names.hpp"
+#include "numeric/joined_words.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -31,8 +33,7 @@ public:
     const bool first = separator_ == 0;
     if (first) separator_ = separator_of(text);
     const Fields fields = fields_of(text, separator_);
-    if (first && !number_in(fields.front()) &&
-        !std::isdigit(static_cast<unsigned char>(fields.front().front()))) {
+    if (first && is_header(fields.front())) {
       header(fields, number);
     } else {
       row(fields, number);
@@ -55,22 +56,43 @@ private:
     mistakes_.push_back(fmt::format("line {}: {}", line, what));
   }
 
+  // Its first field may be empty, as that of an index. A number that is wrong does not make a header.
+  static bool is_header(std::string_view field) {
+    constexpr std::string_view kOfNumbers = "+-.0123456789";
+    return !number_in(field) && (field.empty() || kOfNumbers.find(field.front()) == std::string_view::npos);
+  }
+
+  // The columns called `wanted`; if there is none, those called "owner.wanted".
+  static std::vector<std::size_t> columns_called(const Fields& fields, std::string_view wanted) {
+    std::vector<std::size_t> exact;
+    std::vector<std::size_t> owned;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const std::string_view name = trimmed(fields[i].substr(0, fields[i].find('[')));
+      if (name == wanted) exact.push_back(i);
+      if (name.ends_with(fmt::format(".{}", wanted))) owned.push_back(i);
+    }
+    return exact.empty() ? owned : exact;
+  }
+
   void header(const Fields& fields, int line) {
     count_ = fields.size();
     for (std::size_t k = 0; k < 2; ++k) {
-      std::optional<std::size_t> found;
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const std::string_view name = trimmed(fields[i].substr(0, fields[i].find('[')));
-        if (name == columns_.names[k] || name.ends_with(fmt::format(".{}", columns_.names[k]))) found = i;
+      const std::vector<std::size_t> found = columns_called(fields, columns_.names[k]);
+      if (found.size() > 1) {
+        std::vector<std::string> names;
+        for (const std::size_t i : found) names.push_back(visible(fields[i]));
+        fail(line, fmt::format("several columns may be {}: {}; leave one of them", columns_.names[k],
+                               joined_words(names)));
+        return;
       }
-      if (!found && count_ != 2) {
+      if (found.empty() && count_ != 2) {
         fail(line,
              fmt::format("expected two columns, {0} and {1}, or a header that has {0} and {1} among others; "
                          "found {2} columns",
                          columns_.names[0], columns_.names[1], count_));
         return;
       }
-      place_[k] = found.value_or(k);
+      place_[k] = found.empty() ? k : found.front();
       const std::string_view field = fields[place_[k]];
       const std::size_t open = field.find('[');
       if (open != std::string_view::npos && field.ends_with(']')) {
