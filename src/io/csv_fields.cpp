@@ -44,7 +44,7 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
 }
 
 std::optional<double> number_in(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0;
   const auto [end, error] = read_decimal(field.data(), field.data() + field.size(), value);
   const bool whole = error == std::errc() && end == field.data() + field.size() && !field.empty();
