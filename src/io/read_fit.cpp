@@ -36,8 +36,8 @@ public:
       }
       task_.confidence = share.value_or(task_.confidence);
     }
-    if (const auto starts = table.count("starts", 1)) task_.starts = static_cast<int>(*starts);
-    if (const auto seed = table.count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto starts = table.take("starts", as_count, {1})) task_.starts = static_cast<int>(*starts);
+    task_.seed = table.take("seed", as_seed);
     table.refuse("variables", "the numbers to be found are the variables of [design], [design.variables]");
     table.finish();
     return std::move(task_);

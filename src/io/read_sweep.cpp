@@ -24,26 +24,6 @@ std::optional<SweepMethod> read_method(TableReader& table) {
   return choice ? std::optional(static_cast<SweepMethod>(*choice)) : std::nullopt;
 }
 
-void read_count(TableReader& table, VariantPlan& plan) {
-  const auto item = table.need("count", "how many variants are drawn");
-  const auto count = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (count && *count < 1) {
-    report(table.reading(), *item, "must be at least 1");
-  } else if (count && *count > kMostVariants) {
-    report(table.reading(), *item, fmt::format("at most {} variants are possible", kMostVariants));
-  }
-  plan.count = count.value_or(1);
-}
-
-void read_seed(TableReader& table, VariantPlan& plan) {
-  const auto item = table.take("seed");
-  const auto seed = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (seed && *seed < 0) {
-    report(table.reading(), *item, "must be >= 0");
-  }
-  plan.seed = static_cast<std::uint64_t>(seed.value_or(1));
-}
-
 void read_results_of(TableReader& table, SweepTask& task) {
   read_results(table, [&](const std::string& name, const std::optional<Measure>& measure,
                           TableReader& entry) {
@@ -135,8 +115,9 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
     const bool draws = method == SweepMethod::kRandom || method == SweepMethod::kSobol;
     task.plan.method = method.value_or(SweepMethod::kGrid);
     if (draws) {
-      read_count(table, task.plan);
-      read_seed(table, task.plan);
+      task.plan.count =
+          table.need("count", "how many variants are drawn", as_count, {1, kMostVariants}).value_or(1);
+      task.plan.seed = table.take("seed", as_seed).value_or(1);
     } else if (method) {
       table.refuse("count", "only random and sobol have one; a variable of a grid has its own `count`");
       table.refuse("seed", "only random and sobol have one");

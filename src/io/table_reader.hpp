@@ -68,8 +68,6 @@ public:
   [[nodiscard]] Vector2d need_vector(const std::string& key, const Dimension& dimension);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] bool flag(const std::string& key, bool otherwise);
-  /// A count from `least` to 10⁹; none if absent or wrong.
-  [[nodiscard]] std::optional<std::int64_t> count(const std::string& key, std::int64_t least);
   /// @}
 
   /// Reports every key that was never asked for.

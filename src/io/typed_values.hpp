@@ -78,6 +78,14 @@ void report_kind(Reading& reading, const Item& item, std::string_view what,
 [[nodiscard]] std::optional<bool> as_flag(Reading& reading, const Item& item);
 /// An integer, also one written as 361.0 or 1e3.
 [[nodiscard]] std::optional<std::int64_t> as_integer(Reading& reading, const Item& item);
+struct CountRange {
+  std::int64_t least = 0;
+  std::int64_t most = 1'000'000'000;
+};
+[[nodiscard]] std::optional<std::int64_t> as_count(Reading& reading, const Item& item,
+                                                   const CountRange& range);
+/// The seed of a pseudorandom sequence: an integer >= 0.
+[[nodiscard]] std::optional<std::uint64_t> as_seed(Reading& reading, const Item& item);
 /// A finite number in the profile's unit, or a string with its own unit.
 [[nodiscard]] std::optional<Quantity> as_quantity(Reading& reading, const Item& item,
                                                   const Expected& expected);

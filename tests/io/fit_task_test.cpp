@@ -77,6 +77,7 @@ TEST(FitTask, HoldsWithoutATableAndWithOverrides) {
   EXPECT_EQ(task_of("").confidence, 0.95);
   EXPECT_EQ(task_of("").loss, FitLoss::kSquares);
   EXPECT_EQ(task_of("", {"fit.loss=huber"}).loss, FitLoss::kHuber);
+  EXPECT_EQ(task_of("[fit]\nseed = 5000000000").seed, 5'000'000'000U);
 }
 
 struct WrongFit {
@@ -96,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFit{"fit = 3", "fit"}, WrongFit{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
         WrongFit{"[fit]\nconfidence = 95",
                  "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
-        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected a number from 1 to 1000000000"},
-        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: expected a number from 0"},
+        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected an integer from 1 to 1000000000"},
+        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: must be >= 0"},
         WrongFit{"[fit]\nlos = \"huber\"", "fit.los"},
         WrongFit{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
         WrongFit{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
