@@ -20,8 +20,7 @@ struct Edit {
   std::string text;
 };
 
-// The byte offset of a line and column. Columns count characters: all bytes of a UTF-8 character after the
-// first begin with the bits 10.
+// The byte offset of a mark of the file itself. Marks do not count the byte order mark.
 std::optional<std::size_t> offset_of(std::string_view text, const Mark& mark) {
   std::size_t at = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
   for (int line = 1; line < mark.line; ++line) {
@@ -82,8 +81,7 @@ std::optional<Edit> edit_of(const Table& root, std::string_view text,
                             const ProfileDocument::NewValue& value) {
   const io_detail::PathEnd found = io_detail::end_of_path(root, value.path);
   if (found.value == nullptr) {
-    const bool pose = value.path.size() > 5 && value.path.substr(value.path.size() - 5) == ".pose";
-    return pose ? new_pose(root, text, value.path, value.text) : std::nullopt;
+    return value.path.ends_with(".pose") ? new_pose(root, text, value.path, value.text) : std::nullopt;
   }
   const auto begin = found.value->mark.source == 0 ? offset_of(text, found.value->mark) : std::nullopt;
   if (!begin) return std::nullopt;
