@@ -1,5 +1,6 @@
 #include "csv_fields.hpp"
 
+#include "encoding.hpp"
 #include "higherpair/io/names.hpp"
 #include "numeric/decimal.hpp"
 #include "unit_table.hpp"
@@ -64,7 +65,7 @@ std::string number_advice(std::string_view field, std::string_view column) {
 
 void for_each_line(std::string_view text,
                    const std::function<void(std::string_view line, int number)>& line) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_bom(text);
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view one = text.substr(0, end);

@@ -15,11 +15,6 @@
 
 namespace higherpair::io_detail {
 
-struct Mistake {
-  Mark mark;
-  std::string message;
-};
-
 /// What all readers share: the units of the profile and the mistakes found so far.
 struct Reading {
   std::vector<std::string> sources;  ///< the names of the sources that marks refer to
