@@ -62,7 +62,7 @@ void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
          {name + ".velocity", of.velocity, as_given},
          {name + ".acceleration", of.acceleration, as_given}},
         [i, as_given](const RowSource& source, double* out) {
-          const DriverValues& values = as_given ? source.drivers[i].profile : source.drivers[i].si;
+          const DriverMotion& values = as_given ? source.drivers[i].profile : source.drivers[i].si;
           out[0] = values.position;
           out[1] = values.velocity;
           out[2] = values.acceleration;

@@ -4,6 +4,7 @@
 #include "higherpair/front/motion.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/row_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,16 +78,11 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
 void Recorder::move(Run& run, std::int64_t k) {
   double from = 0;
   for (const DriverSchedule::TurningPoint& turning : schedule_.turning_points(k)) {
-    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    move_to(run, {turning.si});
     note(run, k, from, turning.share);
     from = turning.share;
   }
-  std::vector<DriverMotion> motions;
-  for (std::size_t i = 0; i < schedule_.driver_count(); ++i) {
-    const DriverValues si = schedule_.state(k, i).si;
-    motions.push_back({si.position, si.velocity, si.acceleration});
-  }
-  move_to(run, motions);
+  move_to(run, drivers_in(schedule_, k));
   note(run, k, from, 1);
 }
 
