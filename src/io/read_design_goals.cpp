@@ -1,3 +1,4 @@
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
@@ -141,22 +142,15 @@ void check_transmission_limit(TableReader& table, const std::optional<double>& l
 }
 
 std::vector<EventType> read_events(Reading& reading, const Item& item) {
-  static const std::vector<std::pair<std::string, EventType>> types = {
-      {"dead_point", EventType::kDeadPoint},
-      {"stroke_end", EventType::kStrokeEnd},
-      {"contact_open", EventType::kContactOpen},
-      {"second_contact", EventType::kSecondContact},
-      {"conforming", EventType::kConforming},
-      {"curvature_jump", EventType::kCurvatureJump},
-      {"corner", EventType::kCorner},
-      {"law_jump", EventType::kLawJump},
-  };
+  constexpr EventType kTypes[] = {
+      EventType::kDeadPoint,  EventType::kStrokeEnd,     EventType::kContactOpen, EventType::kSecondContact,
+      EventType::kConforming, EventType::kCurvatureJump, EventType::kCorner,      EventType::kLawJump};
   std::vector<std::string> names;
-  for (const auto& [name, type] : types) names.push_back(name);
+  for (const EventType type : kTypes) names.emplace_back(name_of(type));
   std::vector<EventType> events;
   const auto items = as_items(reading, item, "a list of events, such as [\"dead_point\"]");
   for (const Item& one : items.value_or(std::vector<Item>{})) {
-    if (const auto choice = as_choice(reading, one, names)) events.push_back(types[*choice].second);
+    if (const auto choice = as_choice(reading, one, names)) events.push_back(kTypes[*choice]);
   }
   return events;
 }

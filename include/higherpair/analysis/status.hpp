@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace higherpair {
 
 /// Highest order of time derivative that is computed.
@@ -32,5 +34,9 @@ enum class EventType {
              ///< of contact parts
   kLawJump,  ///< velocity or acceleration of a driver's law jumps
 };
+
+/// The name as results print it: "not_assemblable", "limit_position".
+[[nodiscard]] std::string_view name_of(RowStatus status);
+[[nodiscard]] std::string_view name_of(EventType type);
 
 }  // namespace higherpair

@@ -65,10 +65,6 @@ struct Event {
 /// The word in a column of words; empty where undefined.
 [[nodiscard]] std::string_view word_of(const Column& column, double value);
 
-/// The name of a status or of an event as results print it: "not_assemblable", "limit_position".
-[[nodiscard]] std::string_view name_of(RowStatus status);
-[[nodiscard]] std::string_view name_of(EventType type);
-
 /// One line of CSV (with its line end) appended to `out`: the names with their units, or a row.
 void append_csv_header(const std::vector<Column>& columns, std::string& out);
 void append_csv_row(const std::vector<Column>& columns, const Row& row, std::string& out);
