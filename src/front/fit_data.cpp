@@ -28,24 +28,29 @@ bool is_aside(const std::string& name) {
          (name.starts_with("driver.") && !effort) || name.ends_with(".linkage");
 }
 
+FitTask task_of(const Profile& profile) {
+  if (profile.fit) return *profile.fit;
+  FitTask task;
+  task.place.source = profile.source;
+  return task;
+}
+
 class DataReader {
 public:
   DataReader(const Model& model, const MeasuredTable& measured, const FitSettings& settings)
-      : measured_(measured),
-        settings_(settings),
-        data_{model,
-              model.profile().design,
-              fit_task_of(*model.data().document, model.profile()),
-              {},
-              measured.lines,
-              {},
-              {},
-              {},
-              {},
-              {},
-              {},
-              {},
-              {}} {}
+      : measured_(measured), settings_(settings), data_{model,
+                                                        model.profile().design,
+                                                        task_of(model.profile()),
+                                                        {},
+                                                        measured.lines,
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {}} {}
 
   Result<FitData> read() {
     data_.task = with_settings(std::move(data_.task), settings_, mistakes_);

@@ -84,7 +84,7 @@ Profile read_root(TableReader& root, const Table& document) {
   read_tolerances(root, document, profile);
   read_design(root, document, laws, profile);
   laws.finish();
-  (void)io_detail::read_fit(root, mechanism);  // for its mistakes
+  read_fit(root, profile);
   (void)root.take("extra");
   root.finish();
   return profile;

@@ -37,7 +37,7 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 /// The same for a key that may be absent.
 [[nodiscard]] std::optional<double> optional_plain_number(TableReader& table, const std::string& key);
 
-/// Reads [fit], if there is one.
-std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism);
+/// Reads [fit].
+void read_fit(TableReader& root, Profile& profile);
 
 }  // namespace higherpair::io_detail

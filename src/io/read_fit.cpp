@@ -1,12 +1,9 @@
-#include "document_content.hpp"
-#include "higherpair/io/diagnostic.hpp"
-#include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -119,9 +116,10 @@ private:
 
 }  // namespace
 
-std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism) {
-  auto table = as_reader(root.reading(), root.take("fit"), "a fit (a table)");
-  return table ? std::optional(FitReader(root.reading(), mechanism).read(*table)) : std::nullopt;
+void read_fit(TableReader& root, Profile& profile) {
+  if (auto table = as_reader(root.reading(), root.take("fit"), "a fit (a table)")) {
+    profile.fit = std::make_shared<const FitTask>(FitReader(root.reading(), profile.mechanism).read(*table));
+  }
 }
 
 }  // namespace io_detail
@@ -133,29 +131,6 @@ const std::vector<std::string>& fit_loss_names() {
 
 std::string_view name_of(FitLoss loss) {
   return fit_loss_names()[static_cast<std::size_t>(loss)];
-}
-
-// Reads [fit] again from the text, which is known to have no mistakes, so that a Profile need not carry it.
-FitTask fit_task_of(const ProfileDocument& document, const Profile& profile) {
-  FitTask task;
-  task.place = {profile.source, 0, 0};
-  const auto text = document.text_with({});
-  auto root = text ? io_detail::parse_document(*text, profile.source) : tl::unexpected(Diagnostic());
-  io_detail::Reading reading;
-  reading.sources = {profile.source};
-  reading.units = profile.units;
-  for (const std::string& assignment : document.overrides()) {
-    if (!root) return task;
-    reading.sources.push_back("--set " + assignment);
-    if (auto changed =
-            io_detail::apply_override(*root, assignment, static_cast<int>(reading.sources.size()) - 1)) {
-      root = *std::move(changed);
-    }
-  }
-  if (!root) return task;
-  const auto& table = std::get<io_detail::Table>(root->content);
-  io_detail::TableReader reader(reading, table, root->mark, "");
-  return io_detail::read_fit(reader, profile.mechanism).value_or(std::move(task));
 }
 
 }  // namespace higherpair
