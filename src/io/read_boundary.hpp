@@ -10,17 +10,6 @@
 
 namespace higherpair::io_detail {
 
-/// Detects whether mistakes were reported since its construction.
-class Mistakes {
-public:
-  explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
-  [[nodiscard]] bool none() const { return reading_.mistakes.size() == before_; }
-
-private:
-  const Reading& reading_;
-  std::size_t before_;
-};
-
 /// Pieces of a boundary as they were read, each beginning where the one before ends.
 struct Outline {
   std::vector<ContourPiece> pieces;

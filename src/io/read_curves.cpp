@@ -144,10 +144,10 @@ Side read_side(TableReader& table, const ConicType& type) {
 
 std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& type) {
   Reading& reading = table.reading();
-  const std::size_t mistakes_before = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   const Side side = read_side(table, type);
   const CurveReading curve = type.read(table, side);
-  if (reading.mistakes.size() != mistakes_before) {
+  if (!mistakes.none()) {
     return std::nullopt;
   }
   if (!curve.result) {

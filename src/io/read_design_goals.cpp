@@ -235,10 +235,10 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   } else {
     constraint.measure = read_measure(table);
   }
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
   if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
-  if (!constraint.below && !constraint.above && reading.mistakes.size() == mistakes) {
+  if (!constraint.below && !constraint.above && mistakes.none()) {
     report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     report_whole(table,

@@ -18,7 +18,7 @@ public:
       : table_(table), reading_(table.reading()), quantities_(quantities) {}
 
   std::optional<ReadLaw> read() {
-    const std::size_t mistakes = reading_.mistakes.size();
+    const Mistakes mistakes(reading_);
     const auto segments = table_.take("segments");
     const auto points = table_.take("points");
     const auto file = table_.take("file");
@@ -35,11 +35,11 @@ public:
       read_spline();
     }
     table_.finish();
-    if (reading_.mistakes.size() > mistakes) {
+    if (!mistakes.none()) {
       return std::nullopt;
     }
     segments ? close_segments() : close_points(points ? *points : *file);
-    if (reading_.mistakes.size() > mistakes || !check(segments, points, file)) {
+    if (!mistakes.none() || !check(segments, points, file)) {
       return std::nullopt;
     }
     return std::move(law_);

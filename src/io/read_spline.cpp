@@ -183,11 +183,11 @@ struct SplineReading {
 
 std::optional<SplineReading> read(TableReader& table, bool closed) {
   Reading& reading = table.reading();
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   auto given = given_points(table);
   const SplineOptions options = read_options(table, closed);
   const double stated = table.quantity("rounding", kTolerance, -1);
-  if (!given || reading.mistakes.size() != mistakes) {
+  if (!given || !mistakes.none()) {
     return std::nullopt;
   }
   auto span = spline_span(given->points, options);

@@ -110,7 +110,7 @@ void read_results(TableReader& task,
 
 void read_sweep(TableReader& root, const Table& document, Profile& profile) {
   profile.sweep = read_task<SweepTask>(root, "sweep", [&](const Item&, TableReader& table, SweepTask& task) {
-    const std::size_t mistakes = table.reading().mistakes.size();
+    const Mistakes mistakes(table.reading());
     const auto method = read_method(table);
     const bool draws = method == SweepMethod::kRandom || method == SweepMethod::kSobol;
     task.plan.method = method.value_or(SweepMethod::kGrid);
@@ -133,7 +133,7 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
     read_what(table, task);
     table.finish();
     check_names(table, task);
-    if (table.reading().mistakes.size() == mistakes) {
+    if (mistakes.none()) {
       check_size(table, task.plan);
     }
   });

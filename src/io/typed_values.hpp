@@ -36,6 +36,17 @@ struct Reading {
   std::vector<ReadQuantity> quantities;
 };
 
+/// Detects whether mistakes were reported since its construction.
+class Mistakes {
+public:
+  explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
+  [[nodiscard]] bool none() const { return reading_.mistakes.size() == before_; }
+
+private:
+  const Reading& reading_;
+  std::size_t before_;
+};
+
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);
 
 /// A value of the document with its path ("bodies.cam.curves.disc.radius"), which names it in messages.
