@@ -23,10 +23,6 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 [[nodiscard]] std::optional<DesignTask::PointPath> read_point_path(TableReader& table,
                                                                    const Mechanism& mechanism);
 
-/// The point named "body.point"; none if there is no such point, which is reported.
-[[nodiscard]] std::optional<PointRef> find_point(Reading& reading, const Item& item,
-                                                 const Mechanism& mechanism);
-
 /// Whether an objective or constraint has the key `reach` or `size`.
 [[nodiscard]] bool is_extent(TableReader& table);
 /// Reads it; none if it has a mistake. \pre is_extent

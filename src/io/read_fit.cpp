@@ -1,5 +1,4 @@
 #include "higherpair/io/tasks.hpp"
-#include "higherpair/numeric/contains.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 
@@ -69,8 +68,7 @@ private:
     frame.place = place_of(reading_, table.mark());
     frame.path = table.path();
     if (const auto point = table.need("point", "the point whose path was measured, \"coupler.E\"")) {
-      frame.point = as_text(reading_, *point).value_or("");
-      if (!frame.point.empty()) check_point(*point, frame.point);
+      frame.point = read_point(*point).value_or("");
     }
     static const std::vector<std::string> kFree = {"position", "turn", "scale"};
     const auto free =
@@ -87,16 +85,11 @@ private:
     task_.frames.push_back(std::move(frame));
   }
 
-  void check_point(const Item& item, const std::string& name) {
-    std::vector<std::string> names;
-    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
-      for (const NamedPoint& point : mechanism_.bodies[b].points) {
-        names.push_back(mechanism_.bodies[b].name + "." + point.name);
-      }
-    }
-    if (!contains(names, name)) {
-      report(reading_, item, "there is no such point of a moving body; " + suggestion(name, names));
-    }
+  std::optional<std::string> read_point(const Item& item) {
+    const auto point = as_point(reading_, item, mechanism_);
+    if (!point) return std::nullopt;
+    const auto name = as_text(reading_, item);
+    if (point->body == 0) report(reading_, item, "a point of ground does not move");
     for (const FitTask::Frame& other : task_.frames) {
       if (other.point == name) report(reading_, item, "this point has a frame already");
     }

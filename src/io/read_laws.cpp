@@ -1,8 +1,8 @@
+#include "higherpair/io/coordinate.hpp"
 #include "laws.hpp"
 #include "named_file.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -47,7 +47,7 @@ public:
 
 private:
   [[nodiscard]] bool turns() const { return quantities_.coordinate == dimension::kAngle; }
-  [[nodiscard]] double turn() const { return from_si(dimension::kAngle, reading_.units).apply(2 * kPi); }
+  [[nodiscard]] double turn() const { return full_turn(reading_.units); }
 
   void add_point(const Quantity& x, const Quantity& s) {
     law_.profile.points.emplace_back(x.profile, s.profile);
