@@ -21,10 +21,6 @@ bool is_turning(const Profile& profile, std::size_t driver) {
   return driven_joint(profile.mechanism, driver).type == JointType::kRevolute;
 }
 
-double full_turn(const Units& units) {
-  return from_si(dimension::kAngle, units).apply(2 * kPi);
-}
-
 Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
   Diagnostics mistakes;
   if (samples && (*samples < 1 || *samples > DriverSchedule::kMostRows)) {

@@ -22,7 +22,7 @@ std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& m
   if (ends(".x") || ends(".y")) return dimension::kLength;
   for (const Joint& joint : mechanism.joints) {
     if (measure.column == joint.name + ".position") {
-      return has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+      return coordinate_dimension(joint);
     }
   }
   return std::nullopt;

@@ -26,4 +26,9 @@ namespace higherpair {
   return coordinate_dimension(driven_joint(mechanism, driver));
 }
 
+/// A turn in the unit of angles: 360 for degrees.
+[[nodiscard]] inline double full_turn(const Units& units) {
+  return from_si(dimension::kAngle, units).apply(2 * kPi);
+}
+
 }  // namespace higherpair
