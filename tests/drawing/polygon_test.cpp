@@ -1,5 +1,6 @@
 // Polygons: their arrows agree with the table, they close, and the picture shows them to scale.
 #include "drawing/svg_reading.hpp"
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -288,7 +289,7 @@ TEST(Polygon, ChangesItsUnit) {
   Polygon polygon;
   polygon.arrows.push_back({Kind::kAbsolute, "v_{A}", "a.A", Vector2d(0, 0), Vector2d(0.3, -0.7)});
   polygon.points.push_back({"a", Vector2d(0.3, -0.7)});
-  convert(polygon, 1000, "mm/s");
+  polygon = in_unit(polygon, 1000, "mm/s");
   EXPECT_EQ(polygon.unit, "mm/s");
   EXPECT_EQ(polygon.arrows[0].to, Vector2d(300, -700));
   EXPECT_EQ(polygon.points[0].at, Vector2d(300, -700));
