@@ -67,7 +67,6 @@ export interface MapPlace {
 }
 
 export interface Driver {
-  readonly joint: string;
   /** Name of the column of its position. */
   readonly column: string;
   readonly body: number;
@@ -98,7 +97,6 @@ export interface MotionEvent {
 
 export interface Report {
   readonly title: string;
-  readonly description: string;
   readonly version: string;
   readonly file: string;
   readonly source: string;
