@@ -6,7 +6,6 @@
 #include "touches.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 namespace {

@@ -75,7 +75,7 @@ double away_from_contact(const Sketch& sketch, const Joint& joint) {
     }
     const bool second = contact.second.body == joint.second.body;
     const Vector2d into = second ? row.contacts[i].at.n_W : Vector2d(-row.contacts[i].at.n_W);
-    const Vector2d d = body_in(row, joint.first.body).X_WB.R_WB * joint.direction_A;
+    const Vector2d d = row.bodies[joint.first.body].X_WB.R_WB * joint.direction_A;
     return into.dot(d) >= 0 ? 1 : -1;
   }
   return 1;
@@ -163,7 +163,7 @@ void add_slot(Sketch& sketch, const Joint& joint) {
 void add_wheels(Sketch& sketch, const Joint& joint) {
   const MotionRow& row = *sketch.rows.front();
   const auto center_W = [&](const PointRef& ref) {
-    return Vector2d(body_in(row, ref.body).X_WB * point_of(sketch.mechanism, ref));
+    return Vector2d(row.bodies[ref.body].X_WB * point_of(sketch.mechanism, ref));
   };
   const auto radii = wheel_radii(joint, (center_W(joint.first) - center_W(joint.second)).norm());
   const std::array<PointRef, 2> wheels{joint.first, joint.second};
@@ -180,8 +180,8 @@ void add_wheels(Sketch& sketch, const Joint& joint) {
 std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) {
   double low = kInf, high = -kInf;
   for (const MotionRow* row : sketch.rows) {
-    const Pose<double>& X_WA = body_in(*row, joint.first.body).X_WB;
-    const Vector2d b = body_in(*row, joint.second.body).X_WB * point_of(sketch.mechanism, joint.second);
+    const Pose<double>& X_WA = row->bodies[joint.first.body].X_WB;
+    const Vector2d b = row->bodies[joint.second.body].X_WB * point_of(sketch.mechanism, joint.second);
     const double t = (X_WA.inverse_times(b) - point_of(sketch.mechanism, joint.first)).dot(joint.direction_A);
     low = std::min(low, t);
     high = std::max(high, t);

@@ -11,12 +11,8 @@
 namespace higherpair {
 namespace {
 
-const Body& body_at(const Mechanism& mechanism, int index) {
-  return mechanism.bodies[index];
-}
-
 const NamedPoint& named(const Mechanism& mechanism, const PointRef& ref) {
-  return body_at(mechanism, ref.body).points[ref.point];
+  return mechanism.bodies[ref.body].points[ref.point];
 }
 
 class GraphMaker {
@@ -146,7 +142,7 @@ private:
     if (from == to) return;
     if (graph_.nodes[from].name.empty()) {
       graph_.nodes[from].name = name + "′";
-      graph_.nodes[from].item = item + "@" + body_at(mechanism_, guide).name;
+      graph_.nodes[from].item = item + "@" + mechanism_.bodies[guide].name;
     }
     graph_.comparisons.push_back({Comparison::Kind::kSlide, from, to, guide, d_W});
   }

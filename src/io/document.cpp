@@ -107,7 +107,7 @@ tl::expected<toml::table, toml::parse_error> parse_toml(std::string_view text) {
   }
 }
 
-// Cuts a text, but never within a UTF-8 character: all bytes of one after the first begin with the bits 10.
+// Cuts a text, but never within a UTF-8 character.
 std::string_view shortened(std::string_view text) {
   std::size_t length = std::min(text.size(), kLongestText);
   while (length > 0 && length < text.size() && !begins_character(text[length])) --length;

@@ -134,8 +134,9 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile&
   }
   for (std::size_t i = 0; i < schedule.drivers_.size(); ++i) {
     OneDriver& driver = schedule.drivers_[i];
+    if (!driver.law) continue;
     Diagnostics errors;
-    for (const double position : driver.law ? driver.positions : std::vector<double>{}) {
+    for (const double position : driver.positions) {
       if (const auto time = first_time(*driver.law, position)) {
         driver.times.push_back(*time);
       } else {

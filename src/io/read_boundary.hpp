@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/contour.hpp"
-#include "higherpair/geometry/spline_span.hpp"
 #include "reading.hpp"
 
 #include <optional>

@@ -3,7 +3,6 @@
 #include "higherpair/io/design_task.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>

@@ -1,12 +1,10 @@
 #include "higherpair/analysis/status.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "laws.hpp"
 #include "read_design.hpp"
 #include "read_measure.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -180,10 +178,9 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     table.refuse("column", "this objective is a path: make an objective of its own of the column");
     table.refuse("of", "belongs to `column`");
     table.refuse("target", "a path is met as well as it can be");
-    if (const Table* content = as_table(reading, *path, "a path, { point = …, through = … }")) {
-      TableReader reader(reading, *content, path->value->mark, path->path);
-      objective.path = read_point_path(reader, profile.mechanism);
-      reader.finish();
+    if (auto reader = as_reader(reading, path, "a path, { point = …, through = … }")) {
+      objective.path = read_point_path(*reader, profile.mechanism);
+      reader->finish();
     }
   } else if (const auto follow = table.take("follow")) {
     read_follow(table, *follow, profile, laws, objective);

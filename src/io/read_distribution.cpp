@@ -1,7 +1,6 @@
 #include "higherpair/sweep/tolerances.hpp"
 #include "sweep_reading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>

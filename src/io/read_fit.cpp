@@ -93,6 +93,7 @@ private:
     for (const FitTask::Frame& other : task_.frames) {
       if (other.point == name) report(reading_, item, "this point has a frame already");
     }
+    return name;
   }
 
   void read_use(const Item& item) {

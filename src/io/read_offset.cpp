@@ -1,8 +1,6 @@
 #include "read_boundary.hpp"
 #include "tolerances.hpp"
 
-#include <cmath>
-
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {

@@ -1,3 +1,4 @@
+#include "higherpair/geometry/spline_span.hpp"
 #include "named_file.hpp"
 #include "numeric/decimal.hpp"
 #include "read_boundary.hpp"
@@ -119,8 +120,9 @@ std::string text_of(const Reading& reading, const Given& given, const SplineFaul
                          name(fault.second), place(fault.first),
                          fault.second == 0 ? "" : " (of a corner make a chain of several splines)");
     case SplineFault::Kind::kTurnsBack:
-      return fmt::format("the way turns back at {}, {}: are the points in their order along the curve?",
-                         name(fault.first), place(fault.first));
+      return fmt::format(
+          "the curve reverses its direction at {}, {}: are the points in their order along the curve?",
+          name(fault.first), place(fault.first));
     case SplineFault::Kind::kOpen:
       return fmt::format(
           "does not close: from {}, {}, back to {}, {}, it is {}, {:.3g} times the largest "

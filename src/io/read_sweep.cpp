@@ -1,12 +1,10 @@
 // [sweep]: the variants and the results wanted of each.
-#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>

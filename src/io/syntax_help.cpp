@@ -92,7 +92,7 @@ Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
   return contains_text(message, "after '\\r'")
              ? Finding(
                    {scan.stop,
-                    "a line ends with a carriage return alone: save the file with the line ends of today"})
+                    "a line ends with a carriage return alone: save the file with LF or CR LF line ends"})
              : std::nullopt;
 }
 

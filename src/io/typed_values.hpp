@@ -4,6 +4,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>

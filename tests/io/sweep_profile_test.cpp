@@ -100,7 +100,7 @@ TEST(SweepProfiles, MayCorrelateNormalVariables) {
   EXPECT_THAT(says("[{ between = [\"s\", \"r\"], covariance = 1 }]"),
               HasSubstr("the product of both deviations"));
   EXPECT_THAT(says("[{ between = [\"s\", \"q\"], coefficient = 0 }]"),
-              HasSubstr("there is no such variable"));
+              HasSubstr("there is no variable `q`; did you mean `r` or `s`?"));
   EXPECT_THAT(says("[{ between = [\"s\", \"s\"], coefficient = 0 }]"), HasSubstr("two different variables"));
   EXPECT_THAT(says("[{ between = [\"s\"], coefficient = 0 }]"),
               HasSubstr("expected the names of two variables"));

@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"{ \"driver\": 1 }\n",
              "1:1: this looks like JSON; a profile is TOML: lines key = value under headings [table]"},
         Slip{"x = 1\ry = 2\n",
-             "1:7: a line ends with a carriage return alone: save the file with the line ends of today"}));
+             "1:7: a line ends with a carriage return alone: save the file with LF or CR LF line ends"}));
 
 TEST(Encoding, OtherThanUtf8IsNamedWithTheRemedy) {
   const std::string save = "save it as UTF-8 (\"Save as\" of most editors offers the encoding)";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
