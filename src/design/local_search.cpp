@@ -83,10 +83,14 @@ DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMet
     left.erase(next);
     DesignPoint best;
     double kept = at.x[i];
+    // A bound that is itself a multiple may differ from it by rounding.
+    const double low = variables[i].low, high = variables[i].high;
+    const double slack = kOnDesignStep * variables[i].step;
     for (const double side : {std::floor(at.x[i] / variables[i].step + kOnDesignStep),
                               std::ceil(at.x[i] / variables[i].step - kOnDesignStep)}) {
-      const double value = variables[i].step * side;
-      if (value < variables[i].low || value > variables[i].high) continue;
+      const double multiple = variables[i].step * side;
+      if (multiple < low - slack || multiple > high + slack) continue;
+      const double value = std::clamp(multiple, low, high);
       search.fix(i, value);
       search.use_branch(point.branch);
       search_locally(search, search.unit_of(at.x), method, 1);

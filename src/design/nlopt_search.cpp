@@ -1,8 +1,6 @@
 #include "search.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <nlopt.h>
 #include <span>

@@ -58,7 +58,6 @@ double to_unit(const DesignVariable& variable, double x) {
 Search::Search(const DesignProblem& problem, int branch, const Deadline& deadline)
     : problem_(problem),
       evaluator_(problem.evaluator()),
-      branch_(branch),
       deadline_(deadline),
       x_(problem.variables.size()),
       fixed_x_(problem.variables.size()),

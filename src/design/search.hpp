@@ -57,7 +57,7 @@ private:
 
   const DesignProblem& problem_;
   std::unique_ptr<DesignEvaluator> evaluator_;
-  int branch_;
+  int branch_ = 0;
   Deadline deadline_;
   std::vector<double> x_, fixed_x_;
   std::vector<bool> fixed_;

@@ -7,7 +7,6 @@
 #include "touches.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace higherpair {

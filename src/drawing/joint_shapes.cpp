@@ -82,7 +82,7 @@ double away_from_contact(const Sketch& sketch, const Joint& joint) {
     }
     const bool second = contact.second.body == joint.second.body;
     const Vector2d into = second ? row.contacts[i].at.n_W : Vector2d(-row.contacts[i].at.n_W);
-    const Vector2d d = body_in(row, joint.first.body).X_WB.R_WB * joint.direction_A;
+    const Vector2d d = row.bodies[joint.first.body].X_WB.R_WB * joint.direction_A;
     return into.dot(d) >= 0 ? 1 : -1;
   }
   return 1;
@@ -183,7 +183,7 @@ void add_slot(Sketch& sketch, const Joint& joint) {
 void add_wheels(Sketch& sketch, const Joint& joint) {
   const MotionRow& row = *sketch.rows.front();
   const auto center_W = [&](const PointRef& ref) {
-    return Vector2d(body_in(row, ref.body).X_WB * point_of(sketch.mechanism, ref));
+    return Vector2d(row.bodies[ref.body].X_WB * point_of(sketch.mechanism, ref));
   };
   const auto radii = wheel_radii(joint, (center_W(joint.first) - center_W(joint.second)).norm());
   const std::array<PointRef, 2> wheels{joint.first, joint.second};
@@ -200,8 +200,8 @@ void add_wheels(Sketch& sketch, const Joint& joint) {
 std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint) {
   double low = kInf, high = -kInf;
   for (const MotionRow* row : sketch.rows) {
-    const Pose<double>& X_WA = body_in(*row, joint.first.body).X_WB;
-    const Vector2d b = body_in(*row, joint.second.body).X_WB * point_of(sketch.mechanism, joint.second);
+    const Pose<double>& X_WA = row->bodies[joint.first.body].X_WB;
+    const Vector2d b = row->bodies[joint.second.body].X_WB * point_of(sketch.mechanism, joint.second);
     const double t = (X_WA.inverse_times(b) - point_of(sketch.mechanism, joint.first)).dot(joint.direction_A);
     low = std::min(low, t);
     high = std::max(high, t);
@@ -253,9 +253,9 @@ void add_spring_walls(Sketch& sketch, const std::vector<std::optional<StraightSp
   for (std::size_t i = 0; i < springs.size(); ++i) {
     if (!springs[i]) continue;
     const StraightSpring& spring = *springs[i];
-    const Vector2d shift = body_in(row, spring.first_body).X_WB.R_WB * spring.shift;
-    const Vector2d first = body_in(row, spring.first_body).X_WB * spring.first + shift;
-    const Vector2d second = body_in(row, spring.second_body).X_WB * spring.second + shift;
+    const Vector2d shift = row.bodies[spring.first_body].X_WB.R_WB * spring.shift;
+    const Vector2d first = row.bodies[spring.first_body].X_WB * spring.first + shift;
+    const Vector2d second = row.bodies[spring.second_body].X_WB * spring.second + shift;
     const Vector2d outwards = kWall * sketch.unit * (first - second).normalized();
     const std::string& name = sketch.mechanism.springs[i].name;
     const auto add_wall = [&](const Vector2d& p, const Vector2d& away) {

@@ -1,4 +1,3 @@
-#include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"

@@ -1,8 +1,6 @@
-#include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "higherpair/mechanism/plan.hpp"
 #include "outline.hpp"
 #include "sketch.hpp"
 
@@ -109,9 +107,9 @@ void SceneMaker::add_springs(const MotionRow& row) {
 // From the first body, outside, to the second one: it winds and unwinds with the joint.
 void SceneMaker::add_spiral_spring(const MotionRow& row, const Spring& spring) {
   const Joint& joint = mechanism_->joints[*spring.joint];
-  const BodyMotion& first = body_in(row, joint.first.body);
+  const BodyMotion& first = row.bodies[joint.first.body];
   const Vector2d center = kMillimetres * (first.X_WB * point_of(*mechanism_, joint.first));
-  const double turned = body_in(row, joint.second.body).theta - first.theta;
+  const double turned = row.bodies[joint.second.body].theta - first.theta;
   const double sweep = std::clamp(kSpiralSweep + turned, kLeastSpiralSweep, kMostSpiralSweep);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
   for (int i = 0; i <= kSpiralPoints; ++i) {
@@ -122,10 +120,10 @@ void SceneMaker::add_spiral_spring(const MotionRow& row, const Spring& spring) {
 }
 
 void SceneMaker::add_straight_spring(const MotionRow& row, const Spring& spring, const StraightSpring& ends) {
-  const Pose<double>& X_WA = body_in(row, ends.first_body).X_WB;
+  const Pose<double>& X_WA = row.bodies[ends.first_body].X_WB;
   const Vector2d shift = X_WA.R_WB * ends.shift;
   const Vector2d a = kMillimetres * (X_WA * ends.first + shift);
-  const Vector2d b = kMillimetres * (body_in(row, ends.second_body).X_WB * ends.second + shift);
+  const Vector2d b = kMillimetres * (row.bodies[ends.second_body].X_WB * ends.second + shift);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
   const double length = (b - a).norm();
   if (!(length > 0)) {
@@ -144,8 +142,8 @@ void SceneMaker::add_straight_spring(const MotionRow& row, const Spring& spring,
 
 // The two straight sides of an open belt, or of a crossed one.
 void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
-  const Vector2d a = body_in(row, joint.first.body).X_WB * point_of(*mechanism_, joint.first);
-  const Vector2d b = body_in(row, joint.second.body).X_WB * point_of(*mechanism_, joint.second);
+  const Vector2d a = row.bodies[joint.first.body].X_WB * point_of(*mechanism_, joint.first);
+  const Vector2d b = row.bodies[joint.second.body].X_WB * point_of(*mechanism_, joint.second);
   const double distance = (b - a).norm();
   Shape& shape = next(Role::kGear, joint.name, Kind::kPath);
   if (!(distance > 0)) {
@@ -164,7 +162,7 @@ void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
 }
 
 void SceneMaker::add_motion(const MotionRow& row, int index) {
-  const BodyMotion& body = body_in(row, index);
+  const BodyMotion& body = row.bodies[index];
   const Body& of = mechanism_->bodies[index];
   const bool rates = row.all_rates || row.has_rates[index];
   Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "higherpair/drawing/picture.hpp"
 #include "higherpair/geometry/curve.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace higherpair {

@@ -18,21 +18,6 @@ constexpr const char* kOutlineStyle = R"(
 .hp-outline path { fill: none; stroke: #000; stroke-width: 0.5; }
 )";
 
-// The box of the vertices and of the midpoints of the arcs.
-Eigen::AlignedBox2d box_of(const ArcPolyline& line) {
-  Eigen::AlignedBox2d box;
-  for (std::size_t i = 0; i < line.vertices.size(); ++i) {
-    const ArcVertex& vertex = line.vertices[i];
-    box.extend(vertex.p_B);
-    if (i + 1 == line.vertices.size() && !line.closed) {
-      break;
-    }
-    const Vector2d& next = line.vertices[(i + 1) % line.vertices.size()].p_B;
-    box.extend(Vector2d((vertex.p_B + next) / 2 - vertex.bulge / 2 * perp(Vector2d(next - vertex.p_B))));
-  }
-  return box;
-}
-
 class Sheet {
 public:
   explicit Sheet(const Eigen::AlignedBox2d& box)

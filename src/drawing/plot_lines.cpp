@@ -1,6 +1,5 @@
 #include "plot_lines.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace higherpair {
@@ -25,11 +24,6 @@ TextBox box_at(const LabelledPoint& point, double distance, const std::pair<doub
   return {left, top, left + point.width, top + kHeight};
 }
 
-bool is_within(const TextBox& inner, const TextBox& outer) {
-  return inner.left >= outer.left && inner.right <= outer.right && inner.top >= outer.top &&
-         inner.bottom <= outer.bottom;
-}
-
 }  // namespace
 
 void place_labels(std::vector<LabelledPoint>& points, const TextBox& frame,
@@ -44,7 +38,7 @@ void place_labels(std::vector<LabelledPoint>& points, const TextBox& frame,
       for (const auto& direction : kPointDirections) {
         const TextBox box = box_at(point, distance, direction);
         const auto covers = [&](const TextBox& other) { return box.overlaps(other); };
-        if (is_within(box, frame) && std::none_of(covered.begin(), covered.end(), covers)) {
+        if (box.is_within(frame) && std::none_of(covered.begin(), covered.end(), covers)) {
           point.box = box;
           point.far = distance > kPointDistances[1];
           point.shown = true;

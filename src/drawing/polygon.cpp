@@ -16,10 +16,6 @@ namespace {
 
 using ArrowKind = PolygonArrow::Kind;
 
-Vector2d cross_z(double omega, const Vector2d& r) {
-  return omega * perp(r);
-}
-
 class MotionPolygon {
 public:
   MotionPolygon(const Mechanism& mechanism, const MotionRow& row, bool accelerations)
@@ -120,7 +116,7 @@ private:
       return;
     }
     const Vector2d normal = -omega * omega * r;
-    const Vector2d tangential = cross_z(alpha, r);
+    const Vector2d tangential = alpha * perp(r);
     const Vector2d corner = value(from) + normal;
     polygon_.arrows.push_back({ArrowKind::kNormal, name + "^{n}", item(to, from), value(from), corner});
     polygon_.arrows.push_back(
@@ -145,7 +141,7 @@ private:
       polygon_.equations.push_back(fmt::format("{} = {} + {}", symbol(to), symbol(from), name));
       return;
     }
-    const Vector2d corner = value(from) + cross_z(2 * omega, sliding);
+    const Vector2d corner = value(from) + 2 * omega * perp(sliding);
     polygon_.arrows.push_back({ArrowKind::kCoriolis, name + "^{c}", item(to, from), value(from), corner});
     polygon_.arrows.push_back({ArrowKind::kSliding, name, item(to, from), corner, value(to)});
     polygon_.equations.push_back(
@@ -204,13 +200,14 @@ Polygon acceleration_polygon(const Mechanism& mechanism, const MotionRow& row) {
   return MotionPolygon(mechanism, row, true).make();
 }
 
-void convert(Polygon& polygon, double factor, const std::string& unit) {
+Polygon in_unit(Polygon polygon, double factor, const std::string& unit) {
   polygon.unit = unit;
   for (PolygonPoint& point : polygon.points) point.at *= factor;
   for (PolygonArrow& arrow : polygon.arrows) {
     arrow.from *= factor;
     arrow.to *= factor;
   }
+  return polygon;
 }
 
 }  // namespace higherpair

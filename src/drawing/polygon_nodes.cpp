@@ -12,12 +12,8 @@
 namespace higherpair {
 namespace {
 
-const Body& body_at(const Mechanism& mechanism, int index) {
-  return mechanism.bodies[index];
-}
-
 const NamedPoint& named(const Mechanism& mechanism, const PointRef& ref) {
-  return body_at(mechanism, ref.body).points[ref.point];
+  return mechanism.bodies[ref.body].points[ref.point];
 }
 
 class GraphMaker {
@@ -29,6 +25,7 @@ public:
     order_bodies();
     for (const int body : order_) add_points(body);
     join_pins();
+    add_slot_pins_of_ground();
     name_nodes();
     add_slides();
     add_contacts();
@@ -64,11 +61,21 @@ private:
   }
 
   void add_points(int body) {
-    for (const NamedPoint& point : body_at(mechanism_, body).points) {
-      const std::size_t node = node_at(body, point.p_B);
-      if (graph_.nodes[node].name.empty()) {
-        graph_.nodes[node].name = point.name;
-        graph_.nodes[node].item = body_at(mechanism_, body).name + "." + point.name;
+    for (const NamedPoint& point : mechanism_.bodies[body].points) add_point(body, point);
+  }
+
+  void add_point(int body, const NamedPoint& point) {
+    const std::size_t node = node_at(body, point.p_B);
+    if (graph_.nodes[node].name.empty()) {
+      graph_.nodes[node].name = point.name;
+      graph_.nodes[node].item = mechanism_.bodies[body].name + "." + point.name;
+    }
+  }
+
+  void add_slot_pins_of_ground() {
+    for (const Joint& joint : mechanism_.joints) {
+      if (joint.type == JointType::kSlot && joint.second.body == 0) {
+        add_point(0, named(mechanism_, joint.second));
       }
     }
   }
@@ -114,9 +121,12 @@ private:
   void add_slides() {
     for (const Joint& joint : mechanism_.joints) {
       if (joint.type != JointType::kPrismatic && joint.type != JointType::kSlot) continue;
-      const std::size_t to = node_at(joint.second.body, point_of(mechanism_, joint.second));
+      // All points of a body that slides on ground move alike: none is compared.
+      const bool translates = joint.type == JointType::kPrismatic && joint.second.body == 0;
+      const PointRef& point = translates ? joint.first : joint.second;
+      const std::size_t to = node_at(point.body, point_of(mechanism_, point));
       graph_.nodes[to].joins = true;
-      if (joint.first.body == 0) continue;
+      if (translates || joint.first.body == 0) continue;
       add_slide(joint.first.body, to, motion_of(joint.first.body).X_WB.R_WB * joint.direction_A);
     }
   }
@@ -130,7 +140,7 @@ private:
     if (from == to) return;
     if (graph_.nodes[from].name.empty()) {
       graph_.nodes[from].name = name + "′";
-      graph_.nodes[from].item = item + "@" + body_at(mechanism_, guide).name;
+      graph_.nodes[from].item = item + "@" + mechanism_.bodies[guide].name;
     }
     graph_.comparisons.push_back({Comparison::Kind::kSlide, from, to, guide, d_W});
   }

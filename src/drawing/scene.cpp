@@ -46,7 +46,7 @@ Extent bare_extent(const Sketch& sketch) {
       }
     }
     for (const ContactMotion& contact : row->contacts) {
-      extent.extend(contact.at.p_W());
+      if (contact.touches) extent.extend(contact.at.p_W());
     }
   }
   return extent;
@@ -82,12 +82,12 @@ Extent full_extent(const Sketch& sketch) {
   const std::size_t stride = sketch.rows.size() / kRowsLookedAt + 1;
   for (std::size_t k = 0; k < sketch.rows.size(); k += stride) {
     for (const Shape& shape : sketch.shapes) {
-      add_shape(extent, shape, body_in(*sketch.rows[k], shape.body).X_WB);
+      add_shape(extent, shape, sketch.rows[k]->bodies[shape.body].X_WB);
     }
     for (const Spring& spring : sketch.mechanism.springs) {
       if (const auto ends = straight_spring(sketch, spring)) {
-        extent.extend(body_in(*sketch.rows[k], ends->first_body).X_WB * ends->first);
-        extent.extend(body_in(*sketch.rows[k], ends->second_body).X_WB * ends->second);
+        extent.extend(sketch.rows[k]->bodies[ends->first_body].X_WB * ends->first);
+        extent.extend(sketch.rows[k]->bodies[ends->second_body].X_WB * ends->second);
       }
     }
   }
@@ -134,7 +134,7 @@ void add_trace(Sketch& sketch, const PointRef& ref) {
   const NamedPoint& point = body.points[ref.point];
   std::vector<double> path;
   for (std::size_t i = 0; i < sketch.rows.size(); ++i) {
-    append(path, body_in(*sketch.rows[i], ref.body).X_WB * point.p_B);
+    append(path, sketch.rows[i]->bodies[ref.body].X_WB * point.p_B);
     if (i + 1 == sketch.rows.size() || sketch.rows[i + 1] != sketch.rows[i] + 1) {
       sketch.add(Role::kTrace, body.name + "." + point.name, 0, std::exchange(path, {}));
       sketch.shapes.back().colour = sketch.point_look(ref.body, static_cast<std::size_t>(ref.point)).colour;

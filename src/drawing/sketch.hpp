@@ -37,10 +37,6 @@ struct Sketch {
                 const Vector2d& away);
 };
 
-[[nodiscard]] inline const BodyMotion& body_in(const MotionRow& row, int body) {
-  return row.bodies[body];
-}
-
 /// Smallest and largest coordinate of a slide or slot in the rows [m].
 [[nodiscard]] std::array<double, 2> travelled_range(const Sketch& sketch, const Joint& joint);
 

@@ -1,5 +1,7 @@
 #include "text_layout.hpp"
 
+#include "numeric/utf8.hpp"
+
 #include <algorithm>
 
 namespace higherpair {
@@ -11,7 +13,7 @@ constexpr double kGap = 6;  // between a flag's text and the next line [px]
 double width_of(char c) {
   constexpr std::string_view kNarrow = "iljtfrI.,:;'|!()[] /-";
   constexpr std::string_view kWide = "mwMW@%+=<>";
-  if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) return 0;  // continuation byte of a UTF-8 character
+  if (!begins_character(c)) return 0;
   if (kNarrow.find(c) != std::string_view::npos) return 0.4;
   if (kWide.find(c) != std::string_view::npos) return 0.95;
   return c >= 'A' && c <= 'Z' ? 0.72 : 0.63;

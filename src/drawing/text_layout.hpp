@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/geometry/pose.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,12 @@ struct TextBox {
 
   [[nodiscard]] bool overlaps(const TextBox& other) const {
     return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+  [[nodiscard]] bool is_within(const TextBox& outer) const {
+    return left >= outer.left && right <= outer.right && top >= outer.top && bottom <= outer.bottom;
+  }
+  [[nodiscard]] bool holds(const Vector2d& p) const {
+    return left <= p.x() && p.x() <= right && top <= p.y() && p.y() <= bottom;
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -43,9 +44,9 @@ double degree_step(double least) {
 constexpr std::array<const char*, 10> kRaisedDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 std::string raised(int number) {
-  std::string text = number < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(number))) {
-    text += kRaisedDigits[digit - '0'];
+  std::string text;
+  for (const char c : std::to_string(number)) {
+    text += c == '-' ? "⁻" : kRaisedDigits[c - '0'];
   }
   return text;
 }
@@ -121,11 +122,12 @@ AxisRange padded_range(double lowest, double highest) {
 std::string printed_unit(std::string_view unit) {
   std::string text;
   for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (unit[i] == '^' && i + 1 < unit.size()) {
-      std::size_t end = i + 1;
-      while (end < unit.size() && (unit[end] == '-' || (unit[end] >= '0' && unit[end] <= '9'))) ++end;
-      text += raised(std::stoi(std::string(unit.substr(i + 1, end - i - 1))));
-      i = end - 1;
+    int power = 0;
+    const char* const rest = unit.data() + i + 1;
+    const auto [end, status] = std::from_chars(rest, unit.data() + unit.size(), power);
+    if (unit[i] == '^' && status == std::errc()) {
+      text += raised(power);
+      i += static_cast<std::size_t>(end - rest);
     } else {
       text += unit[i] == '*' ? "·" : std::string(1, unit[i]);
     }

@@ -4,7 +4,6 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 namespace {
@@ -34,7 +33,7 @@ std::vector<Touch> touches_of(const Sketch& sketch, int body, std::size_t curve)
     for (const MotionRow* row : sketch.rows) {
       if (!row->contacts[i].touches) continue;
       const CommonNormal& at = row->contacts[i].at;
-      const Pose<double>& X_WB = body_in(*row, body).X_WB;
+      const Pose<double>& X_WB = row->bodies[body].X_WB;
       const Vector2d n_W = first ? at.n_W : Vector2d(-at.n_W);
       touches.push_back({X_WB.inverse_times(first ? at.p1_W : at.p2_W), X_WB.R_WB.inverse() * n_W});
     }

@@ -5,6 +5,7 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -87,7 +88,7 @@ public:
       const PathRange& range = ranges[kOfContact * mechanism_.contacts.size() + i];
       const auto peak = peak_of(range);
       if (peak) {
-        figures.about(driver.name.empty() ? "driver" : "drivers." + driver.name);
+        figures.about(driver_path(driver));
         CheckFigure& figure = figures.add(
             turns ? "driving_torque" : "driving_force", effort_dimension(turns), peak->value, peak->driver,
             figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),

@@ -21,24 +21,29 @@ bool matches_any(const std::vector<std::string>& globs, const std::string& name)
                      [&](const std::string& glob) { return matches(glob, name); });
 }
 
+FitTask task_of(const Profile& profile) {
+  if (profile.fit) return *profile.fit;
+  FitTask task;
+  task.place.source = profile.source;
+  return task;
+}
+
 class DataReader {
 public:
   DataReader(const Model& model, const MeasuredTable& measured, const FitSettings& settings)
-      : measured_(measured),
-        settings_(settings),
-        data_{model,
-              model.profile().design,
-              fit_task_of(*model.data().document, model.profile()),
-              {},
-              measured.lines,
-              {},
-              {},
-              {},
-              {},
-              {},
-              {},
-              {},
-              {}} {}
+      : measured_(measured), settings_(settings), data_{model,
+                                                        model.profile().design,
+                                                        task_of(model.profile()),
+                                                        {},
+                                                        measured.lines,
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {},
+                                                        {}} {}
 
   Result<FitData> read() {
     data_.task = with_settings(std::move(data_.task), settings_, mistakes_);

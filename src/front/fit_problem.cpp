@@ -1,6 +1,7 @@
 #include "fit_problem.hpp"
 
 #include "fit_columns.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "tolerances.hpp"
 
@@ -91,7 +92,7 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
 
 std::vector<double> FitProblem::unwrapped(std::size_t column, const Eigen::VectorXd& x) const {
   std::vector<double> values = data_.columns[column].values;
-  const double turn = from_si(dimension::kAngle, data_.model.units()).apply(2 * kPi);
+  const double turn = full_turn(data_.model.units());
   const auto r = residuals(x);
   if (data_.columns[column].unit != unit_text(dimension::kAngle, data_.model.units()) || !r) return values;
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -126,8 +127,7 @@ std::optional<Eigen::VectorXd> FitProblem::start_from(std::span<const double> va
       const std::vector<double>& where = data_.where[unknowns()[i].index];
       const auto [first, last] = std::minmax_element(where.begin(), where.end());
       const bool turns = !data_.in_time() && driver_turns(data_.model.mechanism(), unknowns()[i].index);
-      x(place(i)) =
-          share * (turns ? from_si(dimension::kAngle, data_.model.units()).apply(2 * kPi) : *last - *first);
+      x(place(i)) = share * (turns ? full_turn(data_.model.units()) : *last - *first);
     }
     auto table = motion_.table(measurement_.variables_in(x), measurement_.offsets_in(x));
     if (!table) return;

@@ -2,6 +2,7 @@
 #include "column_set.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "path_columns.hpp"
 
 #include <fmt/core.h>
 
@@ -124,11 +125,7 @@ void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int orde
     }
   }
   set.add(columns, [order](const RowSource& source, double* out) {
-    std::vector<DriverMotion> motions;
-    for (const DriverState& driver : source.drivers) {
-      motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
-    }
-    const auto bodies = derivatives_of(source.run, motions, order, higher_rates(source));
+    const auto bodies = derivatives_of(source.run, motions_of(source.drivers), order, higher_rates(source));
     for (std::size_t i = 1; bodies && i < bodies->size(); ++i) {
       const BodyDerivatives& body = (*bodies)[i];
       for (int k = 3; k <= order; ++k) {

@@ -19,9 +19,6 @@ constexpr std::array<std::string_view, 8> kLinkages = {"four-bar",    "slider-cr
                                                        "scotch yoke", "rapson slide", "double slider",
                                                        "wedge",       "link"};
 
-constexpr std::array<std::string_view, 6> kStatuses = {"ok",      "not_assemblable", "singular",
-                                                       "overlap", "not_converged",   "contact_open"};
-
 // Dimensions of a coordinate and its rates.
 struct Coordinate {
   Dimension position, velocity, acceleration;
@@ -63,7 +60,7 @@ void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
          {name + ".velocity", of.velocity, as_given},
          {name + ".acceleration", of.acceleration, as_given}},
         [i, as_given](const RowSource& source, double* out) {
-          const DriverValues& values = as_given ? source.drivers[i].profile : source.drivers[i].si;
+          const DriverMotion& values = as_given ? source.drivers[i].profile : source.drivers[i].si;
           out[0] = values.position;
           out[1] = values.velocity;
           out[2] = values.acceleration;
@@ -234,18 +231,6 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
 
 }  // namespace
 
-std::string_view name_of(RowStatus status) {
-  return kStatuses[static_cast<std::size_t>(status)];
-}
-
-std::string_view name_of(EventType type) {
-  static constexpr std::array kNames = {
-      "limit_position", "dead_point", "stroke_end", "conforming", "second_contact", "overlap", "contact_open",
-      "curvature_jump", "corner",     "end",        "engage",     "release",        "law_jump"};
-  static_assert(kNames.size() == static_cast<std::size_t>(EventType::kLawJump) + 1);
-  return kNames[static_cast<std::size_t>(type)];
-}
-
 void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& units, bool in_time) {
   const Mechanism& mechanism = profile.mechanism;
   if (in_time) {
@@ -266,6 +251,11 @@ void add_motion_columns(ColumnSet& set, const Profile& profile, const Units& uni
 }
 
 void add_status_columns(ColumnSet& set) {
+  static const auto kStatuses = [] {
+    std::array<std::string_view, static_cast<std::size_t>(RowStatus::kContactOpen) + 1> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(static_cast<RowStatus>(i));
+    return names;
+  }();
   set.add(
       {{"status", dimension::kNumber, false, kStatuses}, {"residual", dimension::kLength}},
       [](const RowSource& source, double* out) {

@@ -139,7 +139,7 @@ bool NumberSlopes::drivers_change() const {
   for (const std::int64_t row : {std::int64_t{0}, own.size() / 2, own.size() - 1}) {
     for (std::size_t i = 0; i < own.driver_count(); ++i) {
       for (const DriverPlaces& other : drivers_) {
-        const DriverValues a = own.state(row, i).si, b = other.schedule().state(row, i).si;
+        const DriverMotion a = own.state(row, i).si, b = other.schedule().state(row, i).si;
         if (a.position != b.position || a.velocity != b.velocity || a.acceleration != b.acceleration ||
             own.time(row) != other.schedule().time(row)) {
           return true;
@@ -189,8 +189,8 @@ tl::expected<std::vector<SidedSlope>, NoSensitivity> NumberSlopes::at(const Run&
     return tl::unexpected(of_row.error());
   }
   Model::Data like = columns_.data();
-  const auto displaced = [&](DriverValues values, const DriverValues& slope, double h) {
-    return DriverValues{values.position + h * slope.position, values.velocity + h * slope.velocity,
+  const auto displaced = [&](DriverMotion values, const DriverMotion& slope, double h) {
+    return DriverMotion{values.position + h * slope.position, values.velocity + h * slope.velocity,
                         values.acceleration + h * slope.acceleration};
   };
   return slopes_along(run, *by_, *of_row, [&](const Run& other, double h) {

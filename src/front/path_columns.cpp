@@ -62,8 +62,8 @@ DriverState DriverPlaces::state_at(const PathPlace& place, std::size_t driver) c
   } else {
     const auto row = std::min(static_cast<std::int64_t>(place.row), schedule_.size() - 1);
     const double share = place.row - static_cast<double>(row);
-    const DriverValues from = schedule_.state(row, driver).si;
-    const DriverValues to = schedule_.state(std::min(row + 1, schedule_.size() - 1), driver).si;
+    const DriverMotion from = schedule_.state(row, driver).si;
+    const DriverMotion to = schedule_.state(std::min(row + 1, schedule_.size() - 1), driver).si;
     state.si = {std::lerp(from.position, to.position, share), std::lerp(from.velocity, to.velocity, share),
                 std::lerp(from.acceleration, to.acceleration, share)};
   }
@@ -83,7 +83,7 @@ double DriverPlaces::time(const PathPlace& place) const {
 std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers) {
   std::vector<DriverMotion> motions;
   for (const DriverState& driver : drivers) {
-    motions.push_back({driver.si.position, driver.si.velocity, driver.si.acceleration});
+    motions.push_back(driver.si);
   }
   return motions;
 }

@@ -14,7 +14,7 @@ void to_units(std::vector<Polygon>& polygons, const Units& units) {
     const Dimension& of = polygon.kind == Polygon::Kind::kVelocity       ? dimension::kVelocity
                           : polygon.kind == Polygon::Kind::kAcceleration ? dimension::kAcceleration
                                                                          : dimension::kForce;
-    convert(polygon, from_si(of, units).apply(1), unit_text(of, units));
+    polygon = in_unit(std::move(polygon), from_si(of, units).apply(1), unit_text(of, units));
   }
 }
 

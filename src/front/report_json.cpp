@@ -67,10 +67,10 @@ void write_driver(JsonWriter& json, const Model& model, const ReportData& data) 
   const Mechanism& mechanism = model.mechanism();
   const Driver& driver = mechanism.drivers[data.driver];
   const Joint& joint = driven_joint(mechanism, data.driver);
-  json.key("driver").open('{').key("joint").string(joint.name).key("column").string(driver_name(driver));
+  json.key("driver").open('{').key("column").string(driver_name(driver));
   json.key("body").integer(joint.second.body == 0 ? joint.first.body : joint.second.body).key("turn");
   if (joint.type == JointType::kRevolute) {
-    json.number(from_si(dimension::kAngle, model.units()).apply(2 * kPi), kValueDigits);
+    json.number(full_turn(model.units()), kValueDigits);
   } else {
     json.null();
   }
@@ -153,7 +153,6 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   const Units& units = model.units();
   JsonWriter json;
   json.open('{').key("format").integer(2).key("title").string(mechanism.title);
-  json.key("description").string(mechanism.description);
   json.key("version").string(version()).key("file");
   json.string(std::filesystem::path(model.profile().source).filename().string());
   json.key("source").string(source).key("residual").number(largest_residual(data), 3);

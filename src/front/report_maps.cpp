@@ -1,6 +1,7 @@
 #include "column_set.hpp"
 #include "higherpair/front/map.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
@@ -36,7 +37,7 @@ std::optional<double> turn_of(const Model& model, const std::string& name) {
   const auto joint =
       std::find_if(joints.begin(), joints.end(), [&](const Joint& one) { return one.name == name; });
   if (joint == joints.end() || !has_angle(joint->type)) return std::nullopt;
-  return from_si(dimension::kAngle, model.units()).apply(2 * kPi);
+  return full_turn(model.units());
 }
 
 // The branch's position at a driver position; none outside of the branch.

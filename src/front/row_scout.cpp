@@ -49,12 +49,11 @@ bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
 // The drivers turn back at most between row `to` and the row before it.
 void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
   for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(to)) {
-    move_to(place_.run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    move_to(place_.run, {turning.si});
   }
   motions_.clear();
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const DriverValues si = schedule.state(to, i).si;
-    motions_.push_back({si.position, si.velocity, si.acceleration});
+    motions_.push_back(schedule.state(to, i).si);
   }
   move_to(place_.run, motions_);
   row_ = to;

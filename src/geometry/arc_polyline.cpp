@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -138,6 +139,28 @@ private:
   std::vector<double> breaks_;  // of the span that is added
 };
 
+// The extremes of an arc within it. Each is the starting point p moved outwards by r (1 - cos φ), φ being the
+// angle from p to the extreme: without cancellation also for flat arcs.
+void extend_by_arc(Eigen::AlignedBox2d& box, Vector2d p, Vector2d q, double bulge) {
+  if (bulge < 0) {
+    std::swap(p, q);
+    bulge = -bulge;
+  }
+  const Vector2d chord = q - p;
+  const double square = bulge * bulge;
+  const double radius = chord.norm() * (1 + square) / (4 * bulge);
+  const Rotation<double> half_back = {(1 - square) / (1 + square), -2 * bulge / (1 + square)};
+  const Vector2d n_B = -perp(Vector2d(half_back * chord.normalized()));  // outwards at p
+  for (const Vector2d& e : {Vector2d(1, 0), Vector2d(0, 1), Vector2d(-1, 0), Vector2d(0, -1)}) {
+    const double sine = cross(n_B, e);
+    const double cosine = n_B.dot(e);
+    const double angle = std::atan2(sine, cosine);
+    if (angle != 0 && (angle > 0 ? angle : angle + 2 * kPi) < 4 * std::atan(bulge)) {
+      box.extend(Vector2d(p + radius * (cosine < 0 ? 1 - cosine : sine * sine / (1 + cosine)) * e));
+    }
+  }
+}
+
 }  // namespace
 
 ArcPolyline arc_polyline(const Boundary& boundary, double tolerance) {
@@ -155,6 +178,20 @@ ArcPolyline arc_polyline(const Boundary& boundary, double tolerance) {
     line.vertices.push_back({last.at(last.range().high).p_B, 0});
   }
   return line;
+}
+
+Eigen::AlignedBox2d box_of(const ArcPolyline& line) {
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < line.vertices.size(); ++i) {
+    const ArcVertex& vertex = line.vertices[i];
+    box.extend(vertex.p_B);
+    const bool ends = i + 1 == line.vertices.size() && !line.closed;
+    const Vector2d& next = line.vertices[(i + 1) % line.vertices.size()].p_B;
+    if (!ends && vertex.bulge != 0 && next != vertex.p_B) {
+      extend_by_arc(box, vertex.p_B, next, vertex.bulge);
+    }
+  }
+  return box;
 }
 
 }  // namespace higherpair

@@ -3,7 +3,6 @@
 #include "higherpair/mechanism/plan.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,5 +1,6 @@
 #include "higherpair/io/contact_report.hpp"
 
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "tolerances.hpp"
 
@@ -51,10 +52,10 @@ public:
   PreloadNumber(const Preload& preload, const Profile& profile) {
     const Mechanism& mechanism = profile.mechanism;
     const bool angle = turns(preload, mechanism);
-    Dimension dimension = angle ? dimension::kTorque : dimension::kForce;
+    Dimension dimension = effort_dimension(angle);
     if (preload.on == Preload::On::kSpring) {
       const Spring& spring = mechanism.springs[preload.index];
-      dimension = angle ? dimension::kAngle : dimension::kLength;
+      dimension = coordinate_dimension(angle);
       rate_ = -spring.stiffness;
       origin_ = spring.free;
     }
@@ -194,7 +195,7 @@ std::string describe(const Preload& preload, double addition, const Profile& pro
   const Mechanism& mechanism = profile.mechanism;
   const Joint* joint = joint_of(preload, mechanism);
   const bool angle = turns(preload, mechanism);
-  const Dimension dimension = angle ? dimension::kTorque : dimension::kForce;
+  const Dimension dimension = effort_dimension(angle);
   const double amount = rounded_up(from_si(dimension, profile.units).apply(addition));
   const std::string unit = unit_text(dimension, profile.units);
   if (preload.on == Preload::On::kJoint) {
@@ -204,9 +205,9 @@ std::string describe(const Preload& preload, double addition, const Profile& pro
   const Spring& spring = mechanism.springs[preload.index];
   const PreloadNumber number(preload, profile);
   const std::string size = fmt::format("{:.6g} {}", std::abs(amount), unit);
-  const std::string other = fmt::format(
-      "({0} {1:.12g} {3} instead of {2:.12g} {3})", angle ? "free_angle" : "free_length", number.of(addition),
-      number.of(0), unit_text(angle ? dimension::kAngle : dimension::kLength, profile.units));
+  const std::string other =
+      fmt::format("({0} {1:.12g} {3} instead of {2:.12g} {3})", angle ? "free_angle" : "free_length",
+                  number.of(addition), number.of(0), unit_text(coordinate_dimension(angle), profile.units));
   if (joint == nullptr) {
     return fmt::format("springs.{} {} by {} more {}", spring.name, addition > 0 ? "pulls" : "pushes", size,
                        other);

@@ -1,8 +1,9 @@
 #include "csv_fields.hpp"
 
+#include "encoding.hpp"
 #include "higherpair/io/names.hpp"
-#include "higherpair/io/units.hpp"
 #include "numeric/decimal.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
 }
 
 std::optional<double> number_in(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0;
   const auto [end, error] = read_decimal(field.data(), field.data() + field.size(), value);
   const bool whole = error == std::errc() && end == field.data() + field.size() && !field.empty();
@@ -57,14 +58,14 @@ std::string number_advice(std::string_view field, std::string_view column) {
   }
   std::string_view unit = field;
   if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);
-  return find_unit(unit.substr(0, unit.find_first_of("*/^ ")))
-             ? fmt::format(": units stand behind the names in the first line, {}[{}]", visible(column), unit)
+  return is_unit_name(unit.substr(0, unit.find_first_of("*/^ ")))
+             ? fmt::format(": units follow the names in the first line, {}[{}]", visible(column), unit)
              : "";
 }
 
 void for_each_line(std::string_view text,
                    const std::function<void(std::string_view line, int number)>& line) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_bom(text);
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view one = text.substr(0, end);

@@ -17,7 +17,7 @@ namespace higherpair::io_detail {
 /// The fields of a line, stripped of surrounding spaces and quotes; they are views into `line`.
 [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
-/// The number if a finite decimal, with or without a sign, fills the whole field.
+/// The number if a finite decimal, with at most one sign, fills the whole field.
 [[nodiscard]] std::optional<double> number_in(std::string_view field);
 
 /// What is wrong with a field that should be a number, for the end of a message: a decimal comma, or a unit

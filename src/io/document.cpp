@@ -1,6 +1,8 @@
 #include "document.hpp"
 
+#include "encoding.hpp"
 #include "higherpair/io/names.hpp"
+#include "numeric/utf8.hpp"
 #include "syntax_help.hpp"
 
 #include <algorithm>
@@ -105,12 +107,10 @@ tl::expected<toml::table, toml::parse_error> parse_toml(std::string_view text) {
   }
 }
 
-// Cuts a text, but never within a UTF-8 character: all bytes of one after the first begin with the bits 10.
+// Cuts a text, but never within a UTF-8 character.
 std::string_view shortened(std::string_view text) {
   std::size_t length = std::min(text.size(), kLongestText);
-  while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
-    --length;
-  }
+  while (length > 0 && length < text.size() && !begins_character(text[length])) --length;
   return text.substr(0, length);
 }
 
@@ -205,13 +205,10 @@ std::string text_of(const Value& value) {
 }
 
 tl::expected<Value, Diagnostic> parse_document(std::string_view text, const std::string& source_name) {
-  const auto mistake = [&](const TextMistake& found) {
+  const auto mistake = [&](const Mistake& found) {
     return tl::unexpected(Diagnostic{{source_name, found.mark.line, found.mark.column}, found.message});
   };
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) {
-    text.remove_prefix(kByteOrderMark.size());
-  }
+  text = without_bom(text);
   if (const auto found = encoding_mistake(text)) {
     return mistake(*found);
   }

@@ -27,6 +27,12 @@ struct Mark {
   }
 };
 
+/// What is wrong, or probably wrong, at a mark.
+struct Mistake {
+  Mark mark;
+  std::string message;
+};
+
 struct Entry;
 
 /// A date or time, which no profile needs.

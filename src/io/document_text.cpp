@@ -1,5 +1,6 @@
 // A profile's text with some of its numbers replaced.
 #include "document_content.hpp"
+#include "encoding.hpp"
 #include "higherpair/io/profile_document.hpp"
 
 #include <algorithm>
@@ -20,21 +21,12 @@ struct Edit {
   std::string text;
 };
 
-// The byte offset of a line and column. Columns count characters: all bytes of a UTF-8 character after the
-// first begin with the bits 10.
+// The byte offset of a mark of the file itself. Marks do not count the byte order mark.
 std::optional<std::size_t> offset_of(std::string_view text, const Mark& mark) {
-  std::size_t at = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
-  for (int line = 1; line < mark.line; ++line) {
-    at = text.find('\n', at);
-    if (at == std::string_view::npos) return std::nullopt;
-    ++at;
-  }
-  for (int column = 1; column < mark.column && at < text.size(); ++column) {
-    do {
-      ++at;
-    } while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U);
-  }
-  return at < text.size() ? std::optional(at) : std::nullopt;
+  if (mark.source != 0) return std::nullopt;
+  const std::string_view content = io_detail::without_bom(text);
+  const std::size_t at = io_detail::byte_at(content, mark.line, mark.column);
+  return at < content.size() ? std::optional(text.size() - content.size() + at) : std::nullopt;
 }
 
 std::size_t end_of_number(std::string_view text, std::size_t begin) {
@@ -82,10 +74,9 @@ std::optional<Edit> edit_of(const Table& root, std::string_view text,
                             const ProfileDocument::NewValue& value) {
   const io_detail::PathEnd found = io_detail::end_of_path(root, value.path);
   if (found.value == nullptr) {
-    const bool pose = value.path.size() > 5 && value.path.substr(value.path.size() - 5) == ".pose";
-    return pose ? new_pose(root, text, value.path, value.text) : std::nullopt;
+    return value.path.ends_with(".pose") ? new_pose(root, text, value.path, value.text) : std::nullopt;
   }
-  const auto begin = found.value->mark.source == 0 ? offset_of(text, found.value->mark) : std::nullopt;
+  const auto begin = offset_of(text, found.value->mark);
   if (!begin) return std::nullopt;
   if (io_detail::number_in(*found.value)) {
     const std::size_t end = end_of_number(text, *begin);

@@ -21,10 +21,6 @@ bool is_turning(const Profile& profile, std::size_t driver) {
   return driven_joint(profile.mechanism, driver).type == JointType::kRevolute;
 }
 
-double full_turn(const Units& units) {
-  return from_si(dimension::kAngle, units).apply(2 * kPi);
-}
-
 Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
   Diagnostics mistakes;
   if (samples && (*samples < 1 || *samples > DriverSchedule::kMostRows)) {
@@ -138,8 +134,9 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile&
   }
   for (std::size_t i = 0; i < schedule.drivers_.size(); ++i) {
     OneDriver& driver = schedule.drivers_[i];
+    if (!driver.law) continue;
     Diagnostics errors;
-    for (const double position : driver.law ? driver.positions : std::vector<double>{}) {
+    for (const double position : driver.positions) {
       if (const auto time = first_time(*driver.law, position)) {
         driver.times.push_back(*time);
       } else {

@@ -185,10 +185,7 @@ private:
 }  // namespace
 
 tl::expected<DxfDrawing, DxfFault> read_dxf(std::string_view text, std::optional<Unit> unit, Unit otherwise) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kMark)) {
-    text.remove_prefix(kMark.size());
-  }
+  text = without_bom(text);
   if (text.starts_with("AutoCAD Binary DXF")) {
     return tl::unexpected(DxfFault{1, "this is a binary DXF: save the drawing as ASCII"});
   }

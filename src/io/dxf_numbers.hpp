@@ -1,9 +1,9 @@
 #pragma once
 
+#include "csv_fields.hpp"
 #include "dxf.hpp"
 #include "dxf_pairs.hpp"
 #include "higherpair/io/names.hpp"
-#include "numeric/decimal.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -37,16 +37,12 @@ public:
   void refuse(std::string_view message) { refuse(entity_.line, fmt::format("{} {}", entity_.type, message)); }
 
   double value(const DxfPair& pair) {
-    double x = 0;
-    std::string_view text = pair.value;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, status] = read_decimal(text.data(), text.data() + text.size(), x);
-    if (status != std::errc() || end != text.data() + text.size() || !std::isfinite(x)) {
+    const auto x = number_in(pair.value);
+    if (!x) {
       refuse(pair.line, fmt::format("\"{}\" is not a number (group {} of {})",
                                     visible(pair.value.substr(0, 20)), pair.code, entity_.type));
-      return 0;
     }
-    return x;
+    return x.value_or(0);
   }
 
   std::optional<double> find(int code) {
@@ -72,7 +68,13 @@ public:
     return radius;
   }
 
-  unsigned flags() { return static_cast<unsigned>(find(70).value_or(0)); }
+  /// Its flags (group 70), a number of 16 bits; 0 if it has none.
+  unsigned flags() {
+    const double bits = find(70).value_or(0);
+    if (bits >= 0 && bits <= 0xFFFF && bits == std::trunc(bits)) return static_cast<unsigned>(bits);
+    refuse("has flags (group 70) that are not an integer from 0 to 65535");
+    return 0;
+  }
 
   /// -1 if the entity is seen from below (its extrusion points along -z), otherwise 1.
   double facing() {

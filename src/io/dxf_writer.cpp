@@ -88,23 +88,17 @@ std::string layer_name(const DxfOutline& outline) {
 }
 
 void write_header(Writer& writer, const std::vector<DxfOutline>& outlines, Unit length) {
-  Vector2d low = Vector2d::Constant(kInf);
-  Vector2d high = -low;
-  for (const DxfOutline& outline : outlines) {
-    for (const ArcVertex& vertex : outline.line.vertices) {
-      low = low.cwiseMin(vertex.p_B);
-      high = high.cwiseMax(vertex.p_B);
-    }
-  }
+  Eigen::AlignedBox2d box;
+  for (const DxfOutline& outline : outlines) box.extend(box_of(outline.line));
   writer.add(0, "SECTION");
   writer.add(2, "HEADER");
   writer.variable("$ACADVER", 1, "AC1009");
   writer.variable("$INSUNITS", 70, io_detail::dxf_unit(length));
   writer.variable("$MEASUREMENT", 70, length == Unit::kInch || length == Unit::kFoot ? "0" : "1");
   writer.add(9, "$EXTMIN");
-  writer.place(10, low);
+  writer.place(10, box.min());
   writer.add(9, "$EXTMAX");
-  writer.place(10, high);
+  writer.place(10, box.max());
   writer.add(0, "ENDSEC");
 }
 

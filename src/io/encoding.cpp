@@ -1,5 +1,7 @@
 #include "encoding.hpp"
 
+#include "numeric/utf8.hpp"
+
 #include <algorithm>
 #include <string>
 
@@ -35,6 +37,11 @@ bool is_wide(std::string_view text) {
   return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || zeros == 2 || zeros == 3;
 }
 
+std::string_view without_bom(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::size_t character_length(std::string_view text) {
   if (text.empty()) {
     return 0;
@@ -48,7 +55,7 @@ std::size_t character_length(std::string_view text) {
     return 0;
   }
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte_of(text, i) & 0xC0U) != 0x80U) return 0;
+    if (begins_character(text[i])) return 0;
   }
   // Reject overlong encodings, surrogates, and code points beyond U+10FFFF.
   const char32_t c = character_at(text.substr(0, length));
@@ -69,17 +76,17 @@ char32_t character_at(std::string_view text) {
   return c;
 }
 
-std::optional<TextMistake> encoding_mistake(std::string_view text) {
+std::optional<Mistake> encoding_mistake(std::string_view text) {
   if (is_wide(text)) {
-    return TextMistake{{}, fmt::format("this file is in UTF-16 or UTF-32; {}", kSaveAsUtf8)};
+    return Mistake{{}, fmt::format("this file is in UTF-16 or UTF-32; {}", kSaveAsUtf8)};
   }
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
     if (length == 0) {
-      return TextMistake{mark_at(text, i), not_utf8(byte_of(text, i))};
+      return Mistake{mark_at(text, i), not_utf8(byte_of(text, i))};
     }
     if (text[i] == '\0') {
-      return TextMistake{mark_at(text, i), "a zero byte: this is no text file"};
+      return Mistake{mark_at(text, i), "a zero byte: this is no text file"};
     }
     i += length;
   }
@@ -90,8 +97,7 @@ Mark mark_at(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte);
   const auto lines = std::count(before.begin(), before.end(), '\n');
   const std::string_view line = before.substr(before.rfind('\n') + 1);
-  const auto characters = std::count_if(
-      line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  const auto characters = std::count_if(line.begin(), line.end(), begins_character);
   return {0, static_cast<int>(lines) + 1, static_cast<int>(characters) + 1};
 }
 

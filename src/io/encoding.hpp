@@ -8,11 +8,8 @@
 
 namespace higherpair::io_detail {
 
-/// A mistake at a position in a text.
-struct TextMistake {
-  Mark mark;
-  std::string message;
-};
+/// The text after its byte order mark of UTF-8, if it has one.
+[[nodiscard]] std::string_view without_bom(std::string_view text);
 
 /// The number of bytes, 1 to 4, of the UTF-8 character at the front of `text`; 0 if the text is empty or does
 /// not begin with a valid character.
@@ -25,7 +22,7 @@ struct TextMistake {
 [[nodiscard]] bool is_wide(std::string_view text);
 
 /// Why `text` is not UTF-8: it is UTF-16 or UTF-32, Latin-1, or no text at all. None if it is UTF-8.
-[[nodiscard]] std::optional<TextMistake> encoding_mistake(std::string_view text);
+[[nodiscard]] std::optional<Mistake> encoding_mistake(std::string_view text);
 
 /// Converts between a byte offset and a line and column (in characters, both counted from 1). Where the line
 /// is shorter than `column`, byte_at() gives its end.

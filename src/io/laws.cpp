@@ -1,11 +1,6 @@
 #include "laws.hpp"
 
-#include "higherpair/io/diagnostic.hpp"
-
-#include <algorithm>
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -35,18 +30,13 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   if (!text) {
     return std::nullopt;
   }
-  const auto entry = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& candidate) { return candidate.name == *text; });
-  if (entry == entries_.end()) {
-    std::vector<std::string> names;
-    for (const Entry& other : entries_) {
-      names.push_back(other.name);
-    }
-    report(*reading_, name, fmt::format("there is no law `{}`; {}", *text, suggestion(*text, names)));
+  const auto index = named_thing(*reading_, name, *text, "law", entries_);
+  if (!index) {
     return std::nullopt;
   }
-  entry->used = true;
-  const auto place = static_cast<std::size_t>(entry - entries_.begin());
+  const auto place = static_cast<std::size_t>(*index);
+  Entry& entry = entries_[place];
+  entry.used = true;
   bool noted = false;
   for (const Known& known : known_) {
     if (known.entry == place && known.quantities == quantities) {
@@ -57,7 +47,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   }
   Known known{place, quantities, std::nullopt};
   const auto notes = static_cast<std::ptrdiff_t>(reading_->notes.size());
-  if (auto law = read_item(*reading_, entry->item, quantities)) {
+  if (auto law = read_item(*reading_, entry.item, quantities)) {
     if (noted) {  // noted before, when the law was read in the other units
       reading_->notes.erase(reading_->notes.begin() + notes, reading_->notes.end());
     }

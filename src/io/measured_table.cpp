@@ -5,10 +5,10 @@
 #include "higherpair/io/names.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "text_file.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -19,7 +19,6 @@ namespace {
 using io_detail::trimmed;
 using io_detail::visible;
 
-constexpr double kMissing = kNoValue;
 constexpr std::size_t kMostTableMistakes = 5;
 
 bool is_missing(std::string_view field) {
@@ -115,7 +114,7 @@ private:
     for (std::size_t i = 0; i < fields.size(); ++i) {
       MeasuredColumn& column = table_.columns[i];
       const auto value = io_detail::number_in(fields[i]);
-      column.values.push_back(value.value_or(kMissing));
+      column.values.push_back(value.value_or(kNoValue));
       if (value || is_missing(fields[i]) || column.mistake) continue;
       column.mistake = {place(line, fields[i], number),
                         fmt::format("`{}` is no number{}", visible(fields[i].substr(0, 40)),
@@ -128,22 +127,6 @@ private:
   Diagnostics mistakes_;
   char separator_ = 0;
 };
-
-// The dimension whose unit is written like this. The exponents tried cover torques in columns of forces, and
-// jerk and higher derivatives.
-std::optional<Dimension> dimension_with(const std::string& unit, const Units& units) {
-  for (int length = 0; length <= 1; ++length) {
-    for (int angle = 0; angle <= 1; ++angle) {
-      for (int force = 0; force <= 1; ++force) {
-        for (int time = 0; time <= 6; ++time) {
-          const Dimension dimension = {.length = length, .time = -time, .angle = angle, .force = force};
-          if (unit_text(dimension, units) == unit) return dimension;
-        }
-      }
-    }
-  }
-  return unit == unit_text(dimension::kTime, units) ? std::optional(dimension::kTime) : std::nullopt;
-}
 
 }  // namespace
 
@@ -169,13 +152,13 @@ tl::expected<MeasuredTable, Diagnostics> read_measured_file(const std::string& p
 
 tl::expected<double, std::string> factor_between(const std::string& header, const std::string& unit,
                                                  const Units& units) {
-  const auto dimension = dimension_with(unit, units);
-  if (!dimension) {
+  const auto own = io_detail::parse_unit(unit);
+  if (!own || unit_text(own->dimension, units) != unit) {
     return header == unit ? tl::expected<double, std::string>(1.0)
                           : tl::unexpected(fmt::format("expected the unit of the column, {}", unit));
   }
-  return parse_quantity("1 " + header, *dimension, units).map([](const Quantity& one) {
-    return one.profile;
+  return io_detail::scalings_of(header, own->dimension, units).map([](const io_detail::UnitScalings& one) {
+    return one.to_profile.apply(1);
   });
 }
 

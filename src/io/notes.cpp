@@ -3,6 +3,7 @@
 #include "higherpair/analysis/start_ranges.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "schedule_timing.hpp"
@@ -120,8 +121,7 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   if (!ranges) {
     return "";
   }
-  const Driver& driver = mechanism.drivers.front();
-  const std::string key = driver.name.empty() ? "driver.start" : "drivers." + driver.name + ".start";
+  const std::string key = driver_path(mechanism.drivers.front()) + ".start";
   if (ranges->empty()) {
     return fmt::format("; it can be with no other {} that was tried", key);
   }

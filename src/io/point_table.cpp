@@ -3,6 +3,8 @@
 #include "csv_fields.hpp"
 #include "encoding.hpp"
 #include "higherpair/io/names.hpp"
+#include "numeric/joined_words.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -20,7 +22,10 @@ using Fields = std::vector<std::string_view>;
 
 class PointReader {
 public:
-  PointReader(const PointColumns& columns, const Units& units) : columns_(columns), units_(units) {}
+  PointReader(const PointColumns& columns, const Units& units)
+      : columns_(columns),
+        units_(units),
+        scalings_{{{to_si(columns.dimensions[0], units), {}}, {to_si(columns.dimensions[1], units), {}}}} {}
 
   void line(std::string_view text, int number) {
     if (mistakes_.size() >= kMostMistakes) return;
@@ -28,8 +33,7 @@ public:
     const bool first = separator_ == 0;
     if (first) separator_ = separator_of(text);
     const Fields fields = fields_of(text, separator_);
-    if (first && !number_in(fields.front()) &&
-        !std::isdigit(static_cast<unsigned char>(fields.front().front()))) {
+    if (first && is_header(fields.front())) {
       header(fields, number);
     } else {
       row(fields, number);
@@ -52,28 +56,51 @@ private:
     mistakes_.push_back(fmt::format("line {}: {}", line, what));
   }
 
+  // Its first field may be empty, as that of an index. A number that is wrong does not make a header.
+  static bool is_header(std::string_view field) {
+    constexpr std::string_view kOfNumbers = "+-.0123456789";
+    return !number_in(field) && (field.empty() || kOfNumbers.find(field.front()) == std::string_view::npos);
+  }
+
+  // The columns called `wanted`; if there is none, those called "owner.wanted".
+  static std::vector<std::size_t> columns_called(const Fields& fields, std::string_view wanted) {
+    std::vector<std::size_t> exact;
+    std::vector<std::size_t> owned;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const std::string_view name = trimmed(fields[i].substr(0, fields[i].find('[')));
+      if (name == wanted) exact.push_back(i);
+      if (name.ends_with(fmt::format(".{}", wanted))) owned.push_back(i);
+    }
+    return exact.empty() ? owned : exact;
+  }
+
   void header(const Fields& fields, int line) {
     count_ = fields.size();
     for (std::size_t k = 0; k < 2; ++k) {
-      std::optional<std::size_t> found;
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const std::string_view name = trimmed(fields[i].substr(0, fields[i].find('[')));
-        if (name == columns_.names[k] || name.ends_with(fmt::format(".{}", columns_.names[k]))) found = i;
+      const std::vector<std::size_t> found = columns_called(fields, columns_.names[k]);
+      if (found.size() > 1) {
+        std::vector<std::string> names;
+        for (const std::size_t i : found) names.push_back(visible(fields[i]));
+        fail(line, fmt::format("several columns may be {}: {}; leave one of them", columns_.names[k],
+                               joined_words(names)));
+        return;
       }
-      if (!found && count_ != 2) {
+      if (found.empty() && count_ != 2) {
         fail(line,
              fmt::format("expected two columns, {0} and {1}, or a header that has {0} and {1} among others; "
                          "found {2} columns",
                          columns_.names[0], columns_.names[1], count_));
         return;
       }
-      place_[k] = found.value_or(k);
+      place_[k] = found.empty() ? k : found.front();
       const std::string_view field = fields[place_[k]];
       const std::size_t open = field.find('[');
       if (open != std::string_view::npos && field.ends_with(']')) {
-        unit_[k] = std::string(field.substr(open + 1, field.size() - open - 2));
-        if (const auto one = parse_quantity("1 " + unit_[k], columns_.dimensions[k], units_); !one) {
-          fail(line, fmt::format("{}: {}", field, one.error()));
+        const std::string_view unit = field.substr(open + 1, field.size() - open - 2);
+        if (const auto scalings = scalings_of(unit, columns_.dimensions[k], units_)) {
+          scalings_[k] = *scalings;
+        } else {
+          fail(line, fmt::format("{}: {}", field, scalings.error()));
         }
       }
     }
@@ -109,12 +136,7 @@ private:
   }
 
   [[nodiscard]] Quantity quantity(double value, std::size_t k) const {
-    if (!unit_[k].empty()) {
-      if (auto own = parse_quantity(fmt::format("{} {}", value, unit_[k]), columns_.dimensions[k], units_)) {
-        return *own;
-      }
-    }
-    return {value, to_si(columns_.dimensions[k], units_).apply(value), value};
+    return {value, scalings_[k].to_si.apply(value), scalings_[k].to_profile.apply(value)};
   }
 
   const PointColumns& columns_;
@@ -122,7 +144,7 @@ private:
   char separator_ = 0;
   std::size_t count_ = 0;  // of columns, 0 until known
   std::array<std::size_t, 2> place_{0, 1};
-  std::array<std::string, 2> unit_;
+  std::array<UnitScalings, 2> scalings_;
   PointTable table_;
   std::vector<std::string> mistakes_;
 };

@@ -27,8 +27,9 @@ struct PointTable {
 
 /// Reads a text of two columns, separated by commas, semicolons, tabs or spaces. A first line that does not
 /// begin with a number is a header. It may name more columns than these two, prefix their names by an owner
-/// with a point, and give units in brackets: "x[deg],s[mm]", "cam.E.x[mm]". Without such units numbers are in
-/// the profile's units. Empty lines and lines that begin with # are skipped. On failure returns a message for
+/// with a point, and give units in brackets: "x[deg],s[mm]", "cam.E.x[mm]". A name without an owner is
+/// preferred; of those with an owner only one may fit. Without units numbers are in the profile's units.
+/// Empty lines and lines that begin with # are skipped. On failure returns a message for
 /// each of the first few mistakes, "line 7: …".
 [[nodiscard]] tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view text,
                                                                              const PointColumns& columns,

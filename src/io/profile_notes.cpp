@@ -3,6 +3,8 @@
 #include "condition_notes.hpp"
 #include "contact_notes.hpp"
 #include "flank_notes.hpp"
+#include "higherpair/io/coordinate.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "tolerances.hpp"
@@ -236,8 +238,7 @@ private:
   }
 
   void driver(std::size_t i, const DriverProgram& program) {
-    const std::string& name = mechanism_.drivers[i].name;
-    const std::string path = name.empty() ? "driver" : "drivers." + name;
+    const std::string path = driver_path(mechanism_.drivers[i]);
     const bool turns = driven_joint(mechanism_, i).type == JointType::kRevolute;
     if (turns) {
       angle_unit(path + ".start");
@@ -265,8 +266,7 @@ private:
   // 360 samples over 360 degrees although both ends are rows.
   void spacing(const std::string& path, const DriverProgram& program, bool turns) {
     if (!program.samples || *program.samples < 10) return;
-    const double full_turn = from_si(dimension::kAngle, profile_.units).apply(2 * kPi);
-    const double span = program.end ? *program.end - program.start : turns ? full_turn : 0;
+    const double span = program.end ? *program.end - program.start : turns ? full_turn(profile_.units) : 0;
     const auto rows = static_cast<double>(*program.samples);
     const double apart = span / (rows - 1);
     if (span != 0 && is_even(span / rows) && !is_even(apart) && !is_short(apart)) {

@@ -84,10 +84,17 @@ Profile read_root(TableReader& root, const Table& document) {
   read_tolerances(root, document, profile);
   read_design(root, document, laws, profile);
   laws.finish();
-  (void)io_detail::read_fit(root, mechanism);  // for its mistakes
+  read_fit(root, profile);
   (void)root.take("extra");
   root.finish();
   return profile;
+}
+
+Profile read_document(const Value& document, Reading& reading) {
+  const auto& table = std::get<Table>(document.content);
+  note_varied(table, reading);
+  TableReader root(reading, table, document.mark, "");
+  return read_root(root, table);
 }
 
 Diagnostics diagnostics_of(Reading reading) {
@@ -111,10 +118,7 @@ std::vector<ProfileDocument::Quantity> ProfileDocument::quantities() const {
   reading.sources = content_->sources;
   reading.lists_quantities = true;
   reading.advises = false;
-  const Table& table = std::get<Table>(content_->root.content);
-  note_varied(table, reading);
-  TableReader root(reading, table, content_->root.mark, "");
-  (void)read_root(root, table);
+  (void)read_document(content_->root, reading);
   std::vector<Quantity> quantities;
   std::set<std::string> seen;
   for (const Reading::ReadQuantity& quantity : reading.quantities) {
@@ -129,18 +133,14 @@ tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const 
   Reading reading;
   reading.sources = content_->sources;
   reading.advises = with_notes;
-  const Value& document = content_->root;
-  const Table& table = std::get<Table>(document.content);
-  note_varied(table, reading);
-  TableReader root(reading, table, document.mark, "");
-  Profile profile = read_root(root, table);
+  Profile profile = read_document(content_->root, reading);
   if (!reading.mistakes.empty()) {
     return tl::unexpected(diagnostics_of(std::move(reading)));
   }
   profile.source = content_->sources.front();
   profile.files = reading.files;
   if (with_notes) {
-    profile.notes = io_detail::profile_notes(reading, document, profile);
+    profile.notes = io_detail::profile_notes(reading, content_->root, profile);
   }
   use_boundaries(profile.mechanism);
   return profile;

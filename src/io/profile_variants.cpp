@@ -1,11 +1,14 @@
 #include "higherpair/io/profile_variants.hpp"
 
 #include "document_content.hpp"
+#include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,8 @@ using io_detail::Table;
 using io_detail::Value;
 
 namespace {
+
+constexpr std::array<std::string_view, 4> kTasks = {"sweep", "design", "fit", "tolerances"};
 
 // The values in a document that a number may replace: numbers, and texts that are quantities with a unit.
 class Numbers {
@@ -55,12 +60,11 @@ tl::expected<ProfileVariants, Diagnostics> ProfileVariants::of(const ProfileDocu
                                                                std::span<const std::string> paths) {
   auto content = std::make_shared<ProfileDocument::Content>(*document.content_);
   auto& table = std::get<Table>(content->root.content);
-  // They cost time to read; one that a path leads into must be there to be changed.
+  // Tasks cost time to read; one that a path leads into must be there to be changed.
   std::erase_if(table, [&](const Entry& entry) {
-    const bool is_task = entry.key == "sweep" || entry.key == "design" || entry.key == "tolerances";
-    return is_task && std::none_of(paths.begin(), paths.end(), [&](const std::string& path) {
-             return path.starts_with(entry.key + ".");
-           });
+    return contains(kTasks, entry.key) &&
+           std::none_of(paths.begin(), paths.end(),
+                        [&](const std::string& path) { return path.starts_with(entry.key + "."); });
   });
   Numbers possible(document);
   std::vector<Value*> numbers;

@@ -1,6 +1,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/io/units.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/decimal.hpp"
 #include "unit_table.hpp"
 
@@ -231,27 +232,44 @@ std::string other_dimension(std::string_view unit, const Dimension& found, const
 
 }  // namespace
 
-tl::expected<Quantity, std::string> parse_quantity(std::string_view text, const Dimension& expected,
-                                                   const Units& units) {
-  const auto number = take_number(io_detail::trimmed(text));
-  if (!number) {
-    return Refusal(fmt::format("{}; {}", number.error(), example(expected, units)));
-  }
-  const std::string_view unit = io_detail::trimmed(number->rest);
+bool io_detail::is_unit_name(std::string_view name) {
+  return contains(all_unit_names(), name);
+}
+
+tl::expected<UnitProduct, std::string> io_detail::parse_unit(std::string_view text) {
+  return UnitParser(text).parse();
+}
+
+tl::expected<io_detail::UnitScalings, std::string> io_detail::scalings_of(std::string_view unit,
+                                                                          const Dimension& expected,
+                                                                          const Units& units) {
+  unit = trimmed(unit);
   if (unit.empty() && expected != dimension::kNumber) {
     return Refusal(fmt::format("has no unit; {}, or the number without quotes for {}",
                                example(expected, units), unit_text(expected, units)));
   }
-  const auto product = UnitParser(unit).parse();
+  const auto product = parse_unit(unit);
   if (!product) {
     return Refusal(fmt::format("{}; {}", product.error(), example(expected, units)));
   }
   if (without_force(product->dimension) != without_force(expected)) {
     return Refusal(other_dimension(unit, product->dimension, expected, units));
   }
-  const UnitProduct profile_unit = io_detail::product_of(expected, units);
-  const Quantity quantity = {number->number, io_detail::scaling(*product, {}).apply(number->number),
-                             io_detail::scaling(*product, profile_unit).apply(number->number)};
+  return UnitScalings{scaling(*product, {}), scaling(*product, product_of(expected, units))};
+}
+
+tl::expected<Quantity, std::string> parse_quantity(std::string_view text, const Dimension& expected,
+                                                   const Units& units) {
+  const auto number = take_number(io_detail::trimmed(text));
+  if (!number) {
+    return Refusal(fmt::format("{}; {}", number.error(), example(expected, units)));
+  }
+  const auto scalings = io_detail::scalings_of(number->rest, expected, units);
+  if (!scalings) {
+    return Refusal(scalings.error());
+  }
+  const Quantity quantity = {number->number, scalings->to_si.apply(number->number),
+                             scalings->to_profile.apply(number->number)};
   if (!std::isfinite(quantity.si) || !std::isfinite(quantity.profile)) {
     return Refusal("is out of the range of a double");
   }

@@ -1,7 +1,5 @@
 #include "reading.hpp"
 
-#include <algorithm>
-
 namespace higherpair::io_detail {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/contour.hpp"
-#include "higherpair/geometry/spline_span.hpp"
 #include "reading.hpp"
 
 #include <optional>
@@ -9,17 +8,6 @@
 #include <vector>
 
 namespace higherpair::io_detail {
-
-/// Detects whether mistakes were reported since its construction.
-class Mistakes {
-public:
-  explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
-  [[nodiscard]] bool none() const { return reading_.mistakes.size() == before_; }
-
-private:
-  const Reading& reading_;
-  std::size_t before_;
-};
 
 /// Pieces of a boundary as they were read, each beginning where the one before ends.
 struct Outline {

@@ -1,6 +1,7 @@
 #include "read_boundary.hpp"
 #include "tolerances.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/core.h>
@@ -95,7 +96,7 @@ void report_fillet(TableReader& table, const Outline& outline, const FilletFault
   if (fault.kind == FilletFault::Kind::kOther) {
     rule = fmt::format("rounds corners between segments and arcs only: not {}", corner);
   } else if (fault.kind == FilletFault::Kind::kCusp) {
-    rule = fmt::format("the way turns back, there is no rounding {}", corner);
+    rule = fmt::format("the curve reverses its direction, there is no rounding {}", corner);
   } else {
     const double largest = largest_fillet(outline.pieces, outline.closed, radius);
     rule = fmt::format("is too large for {}; {}", corner,

@@ -1,4 +1,3 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "sweep_reading.hpp"
 
 #include <algorithm>
@@ -16,21 +15,16 @@ std::optional<std::size_t> variable_named(TableReader& table, const Item& item, 
   if (!name) {
     return std::nullopt;
   }
-  std::vector<std::string> names;
-  for (const SweepVariable& variable : plan.variables) names.push_back(variable.name);
-  const auto found = std::find(names.begin(), names.end(), *name);
-  if (found == names.end()) {
-    report(table.reading(), item,
-           fmt::format("there is no such {}; {}", words.one, suggestion(*name, names)));
+  const auto index = named_thing(table.reading(), item, *name, words.one, plan.variables);
+  if (!index) {
     return std::nullopt;
   }
-  const auto index = static_cast<std::size_t>(found - names.begin());
-  const Distribution& d = plan.variables[index].distribution;
+  const Distribution& d = plan.variables[*index].distribution;
   if (d.kind != DistributionKind::kNormal || d.is_truncated()) {
     report(table.reading(), item, fmt::format("only {} can be correlated", words.possible));
     return std::nullopt;
   }
-  return index;
+  return static_cast<std::size_t>(*index);
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> read_between(TableReader& table,
@@ -76,7 +70,7 @@ void read_correlation(TableReader& table, const CorrelationWords& words, Variant
   if (!between || !quantity) {
     return;
   }
-  const double number = quantity.value_or(Quantity{}).si;
+  const double number = quantity->si;
   const auto deviation = [&](std::size_t i) { return plan.variables[i].distribution.deviation; };
   const double scale = covariance ? deviation(between->first) * deviation(between->second) : 1;
   if (!(std::abs(number) < scale)) {

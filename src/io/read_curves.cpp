@@ -1,4 +1,3 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "read_boundary.hpp"
 #include "reading.hpp"
 
@@ -144,10 +143,10 @@ Side read_side(TableReader& table, const ConicType& type) {
 
 std::optional<NamedCurve> read_conic_curve(TableReader& table, const ConicType& type) {
   Reading& reading = table.reading();
-  const std::size_t mistakes_before = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   const Side side = read_side(table, type);
   const CurveReading curve = type.read(table, side);
-  if (reading.mistakes.size() != mistakes_before) {
+  if (!mistakes.none()) {
     return std::nullopt;
   }
   if (!curve.result) {
@@ -178,7 +177,7 @@ public:
     }
     for (const Offset& offset : offsets_) {
       if (states_[offset.curve] == State::kWaiting) {
-        report(reading_, offset.of, "an offset cannot be of itself, by whatever way round");
+        report(reading_, offset.of, "an offset cannot be of itself, directly or through other offsets");
       }
     }
   }
@@ -251,31 +250,20 @@ private:
       return;
     }
     const auto name = as_text(reading_, offset.of);
-    const auto found = std::find_if(body_.curves.begin(), body_.curves.end(),
-                                    [&](const NamedCurve& curve) { return curve.name == name; });
-    const auto source = static_cast<std::size_t>(found - body_.curves.begin());
-    if (name && found == body_.curves.end()) {
-      report(reading_, offset.of,
-             fmt::format("the body has no curve of this name; {}", suggestion(*name, names())));
-    }
-    if (!name || found == body_.curves.end() || states_[source] == State::kWrong) {
+    const auto index =
+        name ? named_thing(reading_, offset.of, *name, fmt::format("curve of `{}`", body_.name), body_.curves)
+             : std::nullopt;
+    const auto source = static_cast<std::size_t>(index.value_or(0));
+    if (!index || states_[source] == State::kWrong) {
       states_[offset.curve] = State::kWrong;
     } else if (states_[source] == State::kLate) {
       states_[offset.curve] = State::kLate;
-      body_.curves[offset.curve].curve = found->curve;
+      body_.curves[offset.curve].curve = body_.curves[source].curve;
       late_.offsets.push_back({body_.name, offset.curve, source, offset.table});
     } else if (states_[source] == State::kKnown) {
-      set(offset.curve, read_offset(offset.table, *found));
+      set(offset.curve, read_offset(offset.table, body_.curves[source]));
       offset.table.finish();
     }
-  }
-
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const NamedCurve& curve : body_.curves) {
-      all.push_back(curve.name);
-    }
-    return all;
   }
 
   Reading& reading_;

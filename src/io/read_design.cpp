@@ -3,7 +3,6 @@
 #include "higherpair/io/design_task.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -48,8 +47,8 @@ private:
       }
     }
     task_.keep_branch = table.flag("keep_branch", false);
-    if (const auto starts = table.count("starts", 1)) task_.starts = static_cast<int>(*starts);
-    if (const auto seed = table.count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto starts = table.take("starts", as_count, {1})) task_.starts = static_cast<int>(*starts);
+    task_.seed = table.take("seed", as_seed);
     task_.target = optional_plain_number(table, "target");
   }
 

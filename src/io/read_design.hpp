@@ -23,10 +23,6 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 [[nodiscard]] std::optional<DesignTask::PointPath> read_point_path(TableReader& table,
                                                                    const Mechanism& mechanism);
 
-/// The point named "body.point"; none if there is no such point, which is reported.
-[[nodiscard]] std::optional<PointRef> find_point(Reading& reading, const Item& item,
-                                                 const Mechanism& mechanism);
-
 /// Whether an objective or constraint has the key `reach` or `size`.
 [[nodiscard]] bool is_extent(TableReader& table);
 /// Reads it; none if it has a mistake. \pre is_extent
@@ -37,7 +33,7 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 /// The same for a key that may be absent.
 [[nodiscard]] std::optional<double> optional_plain_number(TableReader& table, const std::string& key);
 
-/// Reads [fit], if there is one.
-std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism);
+/// Reads [fit].
+void read_fit(TableReader& root, Profile& profile);
 
 }  // namespace higherpair::io_detail

@@ -17,8 +17,8 @@ std::optional<Extent> read_reach(TableReader& table, const Item& reach, const Me
   table.refuse("size", "this is a reach: make an entry of its own of the size");
   table.refuse("bodies", "a reach is that of one point");
   const auto from = table.need("from", "the point from which the reach is measured, such as \"ground.O\"");
-  const auto point = find_point(reading, reach, mechanism);
-  const auto origin = from ? find_point(reading, *from, mechanism) : std::nullopt;
+  const auto point = as_point(reading, reach, mechanism);
+  const auto origin = from ? as_point(reading, *from, mechanism) : std::nullopt;
   if (!point || !origin) {
     return std::nullopt;
   }

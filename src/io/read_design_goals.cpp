@@ -1,11 +1,10 @@
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "laws.hpp"
 #include "read_design.hpp"
 #include "read_measure.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,7 +20,7 @@ std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& m
   if (ends(".x") || ends(".y")) return dimension::kLength;
   for (const Joint& joint : mechanism.joints) {
     if (measure.column == joint.name + ".position") {
-      return has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
+      return coordinate_dimension(joint);
     }
   }
   return std::nullopt;
@@ -141,22 +140,15 @@ void check_transmission_limit(TableReader& table, const std::optional<double>& l
 }
 
 std::vector<EventType> read_events(Reading& reading, const Item& item) {
-  static const std::vector<std::pair<std::string, EventType>> types = {
-      {"dead_point", EventType::kDeadPoint},
-      {"stroke_end", EventType::kStrokeEnd},
-      {"contact_open", EventType::kContactOpen},
-      {"second_contact", EventType::kSecondContact},
-      {"conforming", EventType::kConforming},
-      {"curvature_jump", EventType::kCurvatureJump},
-      {"corner", EventType::kCorner},
-      {"law_jump", EventType::kLawJump},
-  };
+  constexpr EventType kTypes[] = {
+      EventType::kDeadPoint,  EventType::kStrokeEnd,     EventType::kContactOpen, EventType::kSecondContact,
+      EventType::kConforming, EventType::kCurvatureJump, EventType::kCorner,      EventType::kLawJump};
   std::vector<std::string> names;
-  for (const auto& [name, type] : types) names.push_back(name);
+  for (const EventType type : kTypes) names.emplace_back(name_of(type));
   std::vector<EventType> events;
   const auto items = as_items(reading, item, "a list of events, such as [\"dead_point\"]");
   for (const Item& one : items.value_or(std::vector<Item>{})) {
-    if (const auto choice = as_choice(reading, one, names)) events.push_back(types[*choice].second);
+    if (const auto choice = as_choice(reading, one, names)) events.push_back(kTypes[*choice]);
   }
   return events;
 }
@@ -186,10 +178,9 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     table.refuse("column", "this objective is a path: make an objective of its own of the column");
     table.refuse("of", "belongs to `column`");
     table.refuse("target", "a path is met as well as it can be");
-    if (const Table* content = as_table(reading, *path, "a path, { point = …, through = … }")) {
-      TableReader reader(reading, *content, path->value->mark, path->path);
-      objective.path = read_point_path(reader, profile.mechanism);
-      reader.finish();
+    if (auto reader = as_reader(reading, path, "a path, { point = …, through = … }")) {
+      objective.path = read_point_path(*reader, profile.mechanism);
+      reader->finish();
     }
   } else if (const auto follow = table.take("follow")) {
     read_follow(table, *follow, profile, laws, objective);
@@ -241,10 +232,10 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   } else {
     constraint.measure = read_measure(table);
   }
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
   if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
-  if (!constraint.below && !constraint.above && reading.mistakes.size() == mistakes) {
+  if (!constraint.below && !constraint.above && mistakes.none()) {
     report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     report_whole(table,

@@ -70,29 +70,12 @@ void read_free(Reading& reading, const Item& free, PointPath& path) {
 
 }  // namespace
 
-std::optional<PointRef> find_point(Reading& reading, const Item& item, const Mechanism& mechanism) {
-  const auto wanted = as_text(reading, item);
-  if (!wanted) {
-    return std::nullopt;
-  }
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const Body& body = mechanism.bodies[b];
-    for (std::size_t p = 0; p < body.points.size(); ++p) {
-      names.push_back(body.name + "." + body.points[p].name);
-      if (names.back() == *wanted) return PointRef{static_cast<int>(b), static_cast<int>(p)};
-    }
-  }
-  report(reading, item, "there is no such point; " + suggestion(*wanted, names));
-  return std::nullopt;
-}
-
 std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
   Reading& reading = table.reading();
   PointPath path;
   bool known = false;
   if (const auto item = table.need("point", "the point whose path is meant, \"coupler.E\"")) {
-    const auto point = find_point(reading, *item, mechanism);
+    const auto point = as_point(reading, *item, mechanism);
     if (point && point->body == 0) report(reading, *item, "a point of ground does not move");
     if (point) path.point = as_text(reading, *item).value();
     path.ref = point.value_or(PointRef());

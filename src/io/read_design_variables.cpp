@@ -20,9 +20,9 @@ constexpr std::string_view kDesignable[] = {"bodies.", "joints.",  "contacts.", 
                                             "loads.",  "springs.", "laws.",     "gravity."};
 
 bool is_designable(std::string_view path) {
-  const bool count = path.size() > 8 && path.substr(path.size() - 8) == ".samples";
-  return !count && std::any_of(std::begin(kDesignable), std::end(kDesignable),
-                               [&](std::string_view room) { return path.substr(0, room.size()) == room; });
+  return !path.ends_with(".samples") &&
+         std::any_of(std::begin(kDesignable), std::end(kDesignable),
+                     [&](std::string_view room) { return path.starts_with(room); });
 }
 
 class VariableReader {
@@ -34,7 +34,6 @@ public:
     DesignTask::Variable variable;
     variable.name = name;
     variable.place = place_of(reading_, table.mark());
-    std::optional<Item> first;
     std::optional<double> start;
     if (const auto item = table.need("path", "the number's path, \"bodies.crank.points.A.0\"")) {
       for (const Item& path : paths_in(*item)) {

@@ -1,7 +1,6 @@
 #include "higherpair/sweep/tolerances.hpp"
 #include "sweep_reading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -103,15 +102,6 @@ std::string form_of(TableReader& table, const Item& item) {
   return "";
 }
 
-void read_grid_count(TableReader& table, SweepVariable& variable) {
-  const auto item = table.need("count", "how many values from min to max a grid takes");
-  const auto count = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (count && *count < 1) {
-    report(table.reading(), *item, "must be at least 1");
-  }
-  variable.count = std::max<std::int64_t>(count.value_or(1), 1);
-}
-
 }  // namespace
 
 void read_distribution(TableReader& table, const Item& item, std::optional<SweepMethod> method,
@@ -143,7 +133,9 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
   }
   const bool spaced = method == SweepMethod::kGrid && form == "min";
   if (spaced) {
-    read_grid_count(table, variable);
+    variable.count =
+        table.need("count", "how many values from min to max a grid takes", as_count, {1, kMostVariants})
+            .value_or(1);
   } else if (method) {
     table.refuse("count", "belongs to `min` and `max` of a grid");
   } else {

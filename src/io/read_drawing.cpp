@@ -1,7 +1,5 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
 #include <string_view>
 
 #include <fmt/core.h>
@@ -45,7 +43,7 @@ std::vector<Look> read_parts(TableReader& table, const std::string& key, const T
   std::vector<Look> looks(things.size());
   for_each_table(table.reading(), table.take(key), "what it looks like (a table)",
                  [&](const std::string& name, TableReader& part) {
-                   if (const auto index = place_among(things, part, name, what)) {
+                   if (const auto index = named_thing(part, name, what, things)) {
                      looks[*index] = read_look(part, kind);
                      part.finish();
                    }
@@ -68,7 +66,7 @@ void read_drawing(TableReader& root, Profile& profile) {
   for_each_table(
       root.reading(), *drawing, "what a body looks like (a table)",
       [&](const std::string& name, TableReader& table) {
-        const auto index = place_among(bodies, table, name, "body");
+        const auto index = named_thing(table, name, "body", bodies);
         if (!index) return;
         BodyLook& look = profile.looks[*index];
         look.body = read_look(table, Kind::kBody);

@@ -4,8 +4,6 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
-
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {
@@ -180,8 +178,8 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
   }
   if (!one && !several) {
     reading.mistakes.push_back(
-        {root.mark(), fmt::format("driver is missing: add a table {}, the joint that is driven",
-                                  "[driver] with joint = \"...\"")});
+        {root.mark(),
+         "driver is missing: add a table [driver] with joint = \"...\", the joint that is driven"});
   }
   const auto* tables = several ? std::get_if<Table>(&several->value->content) : nullptr;
   if (tables != nullptr && find(*tables, "joint") != nullptr) {

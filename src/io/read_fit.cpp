@@ -1,12 +1,8 @@
-#include "document_content.hpp"
-#include "higherpair/io/diagnostic.hpp"
-#include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/tasks.hpp"
-#include "higherpair/numeric/contains.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 
-#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -36,8 +32,8 @@ public:
       }
       task_.confidence = share.value_or(task_.confidence);
     }
-    if (const auto starts = table.count("starts", 1)) task_.starts = static_cast<int>(*starts);
-    if (const auto seed = table.count("seed", 0)) task_.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto starts = table.take("starts", as_count, {1})) task_.starts = static_cast<int>(*starts);
+    task_.seed = table.take("seed", as_seed);
     table.refuse("variables", "the numbers to be found are the variables of [design], [design.variables]");
     table.finish();
     return std::move(task_);
@@ -72,8 +68,7 @@ private:
     frame.place = place_of(reading_, table.mark());
     frame.path = table.path();
     if (const auto point = table.need("point", "the point whose path was measured, \"coupler.E\"")) {
-      frame.point = as_text(reading_, *point).value_or("");
-      if (!frame.point.empty()) check_point(*point, frame.point);
+      frame.point = read_point(*point).value_or("");
     }
     static const std::vector<std::string> kFree = {"position", "turn", "scale"};
     const auto free =
@@ -90,19 +85,15 @@ private:
     task_.frames.push_back(std::move(frame));
   }
 
-  void check_point(const Item& item, const std::string& name) {
-    std::vector<std::string> names;
-    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
-      for (const NamedPoint& point : mechanism_.bodies[b].points) {
-        names.push_back(mechanism_.bodies[b].name + "." + point.name);
-      }
-    }
-    if (!contains(names, name)) {
-      report(reading_, item, "there is no such point of a moving body; " + suggestion(name, names));
-    }
+  std::optional<std::string> read_point(const Item& item) {
+    const auto point = as_point(reading_, item, mechanism_);
+    if (!point) return std::nullopt;
+    const auto name = as_text(reading_, item);
+    if (point->body == 0) report(reading_, item, "a point of ground does not move");
     for (const FitTask::Frame& other : task_.frames) {
       if (other.point == name) report(reading_, item, "this point has a frame already");
     }
+    return name;
   }
 
   void read_use(const Item& item) {
@@ -119,9 +110,10 @@ private:
 
 }  // namespace
 
-std::optional<FitTask> read_fit(TableReader& root, const Mechanism& mechanism) {
-  auto table = as_reader(root.reading(), root.take("fit"), "a fit (a table)");
-  return table ? std::optional(FitReader(root.reading(), mechanism).read(*table)) : std::nullopt;
+void read_fit(TableReader& root, Profile& profile) {
+  if (auto table = as_reader(root.reading(), root.take("fit"), "a fit (a table)")) {
+    profile.fit = std::make_shared<const FitTask>(FitReader(root.reading(), profile.mechanism).read(*table));
+  }
 }
 
 }  // namespace io_detail
@@ -133,29 +125,6 @@ const std::vector<std::string>& fit_loss_names() {
 
 std::string_view name_of(FitLoss loss) {
   return fit_loss_names()[static_cast<std::size_t>(loss)];
-}
-
-// Reads [fit] again from the text, which is known to have no mistakes, so that a Profile need not carry it.
-FitTask fit_task_of(const ProfileDocument& document, const Profile& profile) {
-  FitTask task;
-  task.place = {profile.source, 0, 0};
-  const auto text = document.text_with({});
-  auto root = text ? io_detail::parse_document(*text, profile.source) : tl::unexpected(Diagnostic());
-  io_detail::Reading reading;
-  reading.sources = {profile.source};
-  reading.units = profile.units;
-  for (const std::string& assignment : document.overrides()) {
-    if (!root) return task;
-    reading.sources.push_back("--set " + assignment);
-    if (auto changed =
-            io_detail::apply_override(*root, assignment, static_cast<int>(reading.sources.size()) - 1)) {
-      root = *std::move(changed);
-    }
-  }
-  if (!root) return task;
-  const auto& table = std::get<io_detail::Table>(root->content);
-  io_detail::TableReader reader(reading, table, root->mark, "");
-  return io_detail::read_fit(reader, profile.mechanism).value_or(std::move(task));
 }
 
 }  // namespace higherpair

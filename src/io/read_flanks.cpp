@@ -19,15 +19,6 @@
 namespace higherpair::io_detail {
 namespace {
 
-Body& body_named(Mechanism& mechanism, const std::string& name) {
-  return *std::find_if(mechanism.bodies.begin(), mechanism.bodies.end(),
-                       [&](const Body& body) { return body.name == name; });
-}
-
-int index_of(const Mechanism& mechanism, const Body& body) {
-  return static_cast<int>(&body - mechanism.bodies.data());
-}
-
 // The driveable joint between a body and ground; none unless there is exactly one.
 std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
   std::optional<int> found;
@@ -51,10 +42,11 @@ public:
       : reading_(reading), laws_(laws), mechanism_(mechanism) {}
 
   void make(LateCurves::Flank& late) {
-    Body& cam = body_named(mechanism_, late.body);
+    const int body = *index_of(mechanism_.bodies, late.body);
+    Body& cam = mechanism_.bodies[body];
     const auto choice = late.table.take("side", as_choice, {"inside", "outside"});
     late.table.finish();
-    const CurveRef own{index_of(mechanism_, cam), static_cast<int>(late.curve)};
+    const CurveRef own{body, static_cast<int>(late.curve)};
     const auto follower = follower_of(late, own);
     const auto cam_joint = follower ? joint_of_body(late, own.body) : std::nullopt;
     const auto follower_joint = cam_joint ? joint_of_body(late, follower->body) : std::nullopt;
@@ -86,17 +78,11 @@ private:
     if (!name) {
       return std::nullopt;
     }
-    std::vector<std::string> names;
-    for (const Contact& contact : mechanism_.contacts) {
-      names.push_back(contact.name);
-    }
-    const auto found = std::find(names.begin(), names.end(), *name);
-    if (found == names.end()) {
-      report(reading_, late.contact,
-             fmt::format("there is no contact of this name; {}", suggestion(*name, names)));
+    const auto index = named_thing(reading_, late.contact, *name, "contact", mechanism_.contacts);
+    if (!index) {
       return std::nullopt;
     }
-    const Contact& contact = mechanism_.contacts[found - names.begin()];
+    const Contact& contact = mechanism_.contacts[*index];
     const auto is_own = [&](const CurveRef& ref) {
       return ref.body == own.body && is_or_has(mechanism_.bodies[own.body].curves, ref.curve, own.curve);
     };
@@ -326,7 +312,7 @@ void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechani
     maker.make(flank);
   }
   for (LateCurves::Offset& offset : late.offsets) {
-    Body& body = body_named(mechanism, offset.body);
+    Body& body = mechanism.bodies[*index_of(mechanism.bodies, offset.body)];
     if (!body.curves[offset.source].boundary) {
       continue;  // its mistake has been reported
     }

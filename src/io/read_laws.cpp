@@ -1,8 +1,8 @@
+#include "higherpair/io/coordinate.hpp"
 #include "laws.hpp"
 #include "named_file.hpp"
 #include "tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -18,7 +18,7 @@ public:
       : table_(table), reading_(table.reading()), quantities_(quantities) {}
 
   std::optional<ReadLaw> read() {
-    const std::size_t mistakes = reading_.mistakes.size();
+    const Mistakes mistakes(reading_);
     const auto segments = table_.take("segments");
     const auto points = table_.take("points");
     const auto file = table_.take("file");
@@ -35,11 +35,11 @@ public:
       read_spline();
     }
     table_.finish();
-    if (reading_.mistakes.size() > mistakes) {
+    if (!mistakes.none()) {
       return std::nullopt;
     }
     segments ? close_segments() : close_points(points ? *points : *file);
-    if (reading_.mistakes.size() > mistakes || !check(segments, points, file)) {
+    if (!mistakes.none() || !check(segments, points, file)) {
       return std::nullopt;
     }
     return std::move(law_);
@@ -47,7 +47,7 @@ public:
 
 private:
   [[nodiscard]] bool turns() const { return quantities_.coordinate == dimension::kAngle; }
-  [[nodiscard]] double turn() const { return from_si(dimension::kAngle, reading_.units).apply(2 * kPi); }
+  [[nodiscard]] double turn() const { return full_turn(reading_.units); }
 
   void add_point(const Quantity& x, const Quantity& s) {
     law_.profile.points.emplace_back(x.profile, s.profile);

@@ -1,10 +1,7 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 #include "reading.hpp"
-
-#include <algorithm>
 
 #include <fmt/core.h>
 
@@ -108,7 +105,7 @@ std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std
   std::vector<LimitSet> sets(things.size());
   for_each_table(limits.reading(), limits.take(key), fmt::format("limits of a {} (a table)", kind),
                  [&](const std::string& name, TableReader& table) {
-                   const auto index = place_among(things, table, name, kind);
+                   const auto index = named_thing(table, name, kind, things);
                    if (!index) return;
                    sets[*index] = read_set(
                        table, [&](const KeyRow& row) { return (row.scopes & scope(things[*index])) != 0; });

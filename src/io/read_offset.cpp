@@ -1,8 +1,6 @@
 #include "read_boundary.hpp"
 #include "tolerances.hpp"
 
-#include <cmath>
-
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {
@@ -40,12 +38,12 @@ void report_offset(TableReader& table, const OffsetFault& fault) {
 std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& source) {
   Reading& reading = table.reading();
   const auto item = table.need("by", "a distance, > 0 outwards");
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   const double by = item ? as_quantity(reading, *item, {dimension::kLength}).value_or(Quantity{}).si : 0;
   for (const char* key : {"side", "material"}) {
     table.refuse(key, "an offset has its material where the other curve has it");
   }
-  if (!item || reading.mistakes.size() != mistakes) {
+  if (!item || !mistakes.none()) {
     return std::nullopt;
   }
   NamedCurve curve;

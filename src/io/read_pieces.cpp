@@ -2,6 +2,7 @@
 #include "tolerances.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -54,15 +55,9 @@ std::optional<NamedCurve> read_arc(TableReader& table) {
   if (arc.sweep < 2 * kPi) {
     return curve_of(table, {{*piece}, false, 0, true});
   }
-  // A full circle keeps its closed forms.
-  auto curve = curve_of(table, {{*piece}, true, arc.radius});
-  if (curve) {
-    const Vector2d n_B = curve->boundary->samples().front().point.n_B;
-    const Vector2d arm = curve->boundary->samples().front().point.p_B - arc.center;
-    curve->curve = *make_circle(arc.center, arc.radius, n_B.dot(arm) > 0 ? Side::kInside : Side::kOutside);
-    curve->boundary = nullptr;
-  }
-  return curve;
+  Outline circle = {{*piece}, true, arc.radius};
+  circle.whole = *make_circle(arc.center, arc.radius);
+  return curve_of(table, std::move(circle));
 }
 
 std::optional<NamedCurve> read_segment(TableReader& table) {

@@ -1,43 +1,14 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "reading.hpp"
+
+#include <algorithm>
+#include <cctype>
 
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
 
-template <class Thing>
-std::optional<int> index_of(const std::vector<Thing>& things, std::string_view name) {
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (things[i].name == name) return static_cast<int>(i);
-  }
-  return std::nullopt;
-}
-
-template <class Thing>
-std::vector<std::string> names_of(const std::vector<Thing>& things) {
-  std::vector<std::string> names;
-  names.reserve(things.size());
-  for (const Thing& thing : things) {
-    if (!thing.name.empty()) {
-      names.push_back(thing.name);
-    }
-  }
-  return names;
-}
-
-// The index of a name among the things of a kind; `kind` is "body", "joint", "point of `cam`" in messages.
-template <class Thing>
-std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
-                               std::string_view kind, const std::vector<Thing>& things) {
-  const auto index = index_of(things, name);
-  if (!index) {
-    report(reading, item,
-           fmt::format("there is no {} `{}`; {}", kind, name, suggestion(name, names_of(things))));
-  }
-  return index;
-}
-
+// The index of a body, and of its point or curve.
 struct Member {
   int body;
   int index;
@@ -58,11 +29,16 @@ struct Curves {
   static const std::vector<NamedPoint>& others_of(const Body& body) { return body.points; }
 };
 
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
 // Another body that has this member and whose name differs from that of `owner` in capital letters only.
 template <class Kind>
 const Body* spelt_alike(const Mechanism& mechanism, const Body& owner, const std::string& name) {
   for (const Body& body : mechanism.bodies) {
-    if (&body != &owner && edit_distance(body.name, owner.name) == 0 && index_of(Kind::of(body), name)) {
+    if (&body != &owner && same_letters(body.name, owner.name) && index_of(Kind::of(body), name)) {
       return &body;
     }
   }
@@ -183,6 +159,11 @@ std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& b
   const auto name = as_text(reading, item);
   return name ? named_thing(reading, item, *name, fmt::format("point of `{}`", body.name), body.points)
               : std::nullopt;
+}
+
+std::optional<PointRef> as_point(Reading& reading, const Item& item, const Mechanism& mechanism) {
+  const auto point = member<Points>(reading, item, mechanism);
+  return point ? std::optional(PointRef{point->body, point->index}) : std::nullopt;
 }
 
 std::optional<PointPair> as_point_pair(Reading& reading, const Item& item, const Mechanism& mechanism) {

@@ -1,3 +1,4 @@
+#include "higherpair/geometry/spline_span.hpp"
 #include "named_file.hpp"
 #include "numeric/decimal.hpp"
 #include "read_boundary.hpp"
@@ -119,8 +120,9 @@ std::string text_of(const Reading& reading, const Given& given, const SplineFaul
                          name(fault.second), place(fault.first),
                          fault.second == 0 ? "" : " (of a corner make a chain of several splines)");
     case SplineFault::Kind::kTurnsBack:
-      return fmt::format("the way turns back at {}, {}: are the points in their order along the curve?",
-                         name(fault.first), place(fault.first));
+      return fmt::format(
+          "the curve reverses its direction at {}, {}: are the points in their order along the curve?",
+          name(fault.first), place(fault.first));
     case SplineFault::Kind::kOpen:
       return fmt::format(
           "does not close: from {}, {}, back to {}, {}, it is {}, {:.3g} times the largest "
@@ -183,11 +185,11 @@ struct SplineReading {
 
 std::optional<SplineReading> read(TableReader& table, bool closed) {
   Reading& reading = table.reading();
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   auto given = given_points(table);
   const SplineOptions options = read_options(table, closed);
   const double stated = table.quantity("rounding", kTolerance, -1);
-  if (!given || reading.mistakes.size() != mistakes) {
+  if (!given || !mistakes.none()) {
     return std::nullopt;
   }
   auto span = spline_span(given->points, options);

@@ -1,12 +1,10 @@
 // [sweep]: the variants and the results wanted of each.
-#include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -22,26 +20,6 @@ std::optional<SweepMethod> read_method(TableReader& table) {
   const auto choice = table.need("method", "one of grid, list, random, sobol", as_choice,
                                  {"grid", "list", "random", "sobol"});
   return choice ? std::optional(static_cast<SweepMethod>(*choice)) : std::nullopt;
-}
-
-void read_count(TableReader& table, VariantPlan& plan) {
-  const auto item = table.need("count", "how many variants are drawn");
-  const auto count = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (count && *count < 1) {
-    report(table.reading(), *item, "must be at least 1");
-  } else if (count && *count > kMostVariants) {
-    report(table.reading(), *item, fmt::format("at most {} variants are possible", kMostVariants));
-  }
-  plan.count = count.value_or(1);
-}
-
-void read_seed(TableReader& table, VariantPlan& plan) {
-  const auto item = table.take("seed");
-  const auto seed = item ? as_integer(table.reading(), *item) : std::nullopt;
-  if (seed && *seed < 0) {
-    report(table.reading(), *item, "must be >= 0");
-  }
-  plan.seed = static_cast<std::uint64_t>(seed.value_or(1));
 }
 
 void read_results_of(TableReader& table, SweepTask& task) {
@@ -130,13 +108,14 @@ void read_results(TableReader& task,
 
 void read_sweep(TableReader& root, const Table& document, Profile& profile) {
   profile.sweep = read_task<SweepTask>(root, "sweep", [&](const Item&, TableReader& table, SweepTask& task) {
-    const std::size_t mistakes = table.reading().mistakes.size();
+    const Mistakes mistakes(table.reading());
     const auto method = read_method(table);
     const bool draws = method == SweepMethod::kRandom || method == SweepMethod::kSobol;
     task.plan.method = method.value_or(SweepMethod::kGrid);
     if (draws) {
-      read_count(table, task.plan);
-      read_seed(table, task.plan);
+      task.plan.count =
+          table.need("count", "how many variants are drawn", as_count, {1, kMostVariants}).value_or(1);
+      task.plan.seed = table.take("seed", as_seed).value_or(1);
     } else if (method) {
       table.refuse("count", "only random and sobol have one; a variable of a grid has its own `count`");
       table.refuse("seed", "only random and sobol have one");
@@ -152,7 +131,7 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
     read_what(table, task);
     table.finish();
     check_names(table, task);
-    if (table.reading().mistakes.size() == mistakes) {
+    if (mistakes.none()) {
       check_size(table, task.plan);
     }
   });

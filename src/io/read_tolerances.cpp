@@ -66,11 +66,11 @@ public:
     tolerance.name = name;
     tolerance.place = place_of(reading_, table.mark());
     SweepVariable variable;
-    const std::size_t mistakes = reading_.mistakes.size();
+    const Mistakes mistakes(reading_);
     read_paths(table, paths_, variable);
     tolerance.paths = std::move(variable.paths);
     dimension_ = {};
-    if (reading_.mistakes.size() == mistakes) read_values(table, tolerance);
+    if (mistakes.none()) read_values(table, tolerance);
     tolerance.unit = unit_text(dimension_, reading_.units);
     read_zone(table, tolerance);
     read_distribution(table, tolerance);
@@ -193,7 +193,7 @@ void read_correlations_of(TableReader& table, ToleranceTask& task) {
 void read_tolerances(TableReader& root, const Table& document, Profile& profile) {
   const auto read = [&](const Item& item, TableReader& table, ToleranceTask& task) {
     Reading& reading = table.reading();
-    const std::size_t mistakes = reading.mistakes.size();
+    const Mistakes mistakes(reading);
     task.in_time = table.flag("time", false);
     Table named;
     const auto& keys = std::get<Table>(item.value->content);
@@ -207,7 +207,7 @@ void read_tolerances(TableReader& root, const Table& document, Profile& profile)
                    });
     read_correlations_of(table, task);
     read_results_of(table, task);
-    if (reading.mistakes.size() == mistakes && task.tolerances.empty()) {
+    if (mistakes.none() && task.tolerances.empty()) {
       report(reading, item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
     }
   };

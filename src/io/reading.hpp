@@ -20,6 +20,10 @@ namespace higherpair::io_detail {
 [[nodiscard]] std::optional<int> as_body(Reading& reading, const Item& item, const Mechanism& mechanism);
 [[nodiscard]] std::optional<int> as_joint(Reading& reading, const Item& item, const Mechanism& mechanism);
 
+/// A point, "body.point".
+[[nodiscard]] std::optional<PointRef> as_point(Reading& reading, const Item& item,
+                                               const Mechanism& mechanism);
+
 /// A point of a body by its name alone.
 [[nodiscard]] std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& body);
 

@@ -62,8 +62,7 @@ RowPath path_in_time(const DriverSchedule& schedule) {
   result.path.motion = [schedule](double t, std::vector<DriverMotion>& drivers) {
     drivers.resize(schedule.driver_count());
     for (std::size_t i = 0; i < drivers.size(); ++i) {
-      const DriverValues si = schedule.at_time(t, i);
-      drivers[i] = {si.position, si.velocity, si.acceleration};
+      drivers[i] = schedule.at_time(t, i);
     }
   };
   result.row = [schedule](double t) {
@@ -83,8 +82,7 @@ RowPath path_in_time(const DriverSchedule& schedule) {
 std::vector<DriverMotion> drivers_in(const DriverSchedule& schedule, std::int64_t row) {
   std::vector<DriverMotion> drivers;
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const DriverValues si = schedule.state(row, i).si;
-    drivers.push_back({si.position, si.velocity, si.acceleration});
+    drivers.push_back(schedule.state(row, i).si);
   }
   return drivers;
 }

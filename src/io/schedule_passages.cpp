@@ -46,7 +46,7 @@ LawSide DriverSchedule::side_of(std::int64_t row) const {
   return timed_ && row == size_ - 1 && size_ > 1 ? LawSide::kBefore : LawSide::kAfter;
 }
 
-DriverValues DriverSchedule::at_time(double time_si, std::size_t driver) const {
+DriverMotion DriverSchedule::at_time(double time_si, std::size_t driver) const {
   assert(timed_);
   const OneDriver& one = drivers_[driver];
   if (one.law) {
@@ -54,7 +54,7 @@ DriverValues DriverSchedule::at_time(double time_si, std::size_t driver) const {
     return {one.position_to_si.apply(s.c[0]), one.velocity_to_si.apply(s.c[1]),
             one.acceleration_to_si.apply(2 * s.c[2])};
   }
-  DriverValues si{one.position_to_si.apply(one.start), one.velocity_to_si.apply(one.velocity),
+  DriverMotion si{one.position_to_si.apply(one.start), one.velocity_to_si.apply(one.velocity),
                   one.acceleration_to_si.apply(one.acceleration)};
   si.position += time_si * (si.velocity + time_si / 2 * si.acceleration);
   si.velocity += time_si * si.acceleration;

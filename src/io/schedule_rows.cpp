@@ -81,7 +81,7 @@ double DriverSchedule::time(std::int64_t row) const {
   return multiple.high + (multiple.low + steps * time_step_rest_);
 }
 
-DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
+DriverMotion DriverSchedule::values(std::int64_t row, const OneDriver& driver) const {
   if (timed_) {
     const double t = time(row);
     if (driver.law) {
@@ -106,7 +106,7 @@ DriverValues DriverSchedule::values(std::int64_t row, const OneDriver& driver) c
 DriverState DriverSchedule::state(std::int64_t row, std::size_t driver) const {
   assert(row >= 0 && row < size_ && driver < drivers_.size());
   const OneDriver& one = drivers_[driver];
-  const DriverValues profile = values(row, one);
+  const DriverMotion profile = values(row, one);
   DriverState state{profile,
                     {one.position_to_si.apply(profile.position), one.velocity_to_si.apply(profile.velocity),
                      one.acceleration_to_si.apply(profile.acceleration)},

@@ -1,6 +1,7 @@
 #include "schedule_timing.hpp"
 
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ namespace {
 
 // The name of a driver's key in messages.
 std::string key_name(const Profile& profile, std::size_t driver, std::string_view key) {
-  const std::string& name = profile.mechanism.drivers[driver].name;
-  return name.empty() ? fmt::format("driver.{}", key) : fmt::format("drivers.{}.{}", name, key);
+  return fmt::format("{}.{}", driver_path(profile.mechanism.drivers[driver]), key);
 }
 
 // Duration or time step: any driver may give it, and those that do must agree.

@@ -18,6 +18,34 @@ bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
+// How many single-character edits (insert, delete, replace, swap of neighbours) turn one name into the other;
+// upper and lower case count as equal.
+int edit_distance(std::string_view a, std::string_view b) {
+  if (a.size() > kLongestCompared || b.size() > kLongestCompared) {
+    return static_cast<int>(std::max(a.size(), b.size()));
+  }
+  // Rows i-2, i-1 and i of the table of distances between the first i letters of a and the first j of b.
+  std::vector<int> before(b.size() + 1);
+  std::vector<int> last(b.size() + 1);
+  std::vector<int> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    row[j] = static_cast<int>(j);
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before = last;
+    last = row;
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replace = same_letter(a[i - 1], b[j - 1]) ? 0 : 1;
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + replace});
+      if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1])) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+  }
+  return row[b.size()];
+}
+
 // One wrong letter is always allowed, and one more for every four letters.
 bool is_near(int distance, std::string_view name) {
   return distance <= 1 + static_cast<int>(name.size() / 4) && distance < static_cast<int>(name.size());
@@ -212,32 +240,6 @@ std::vector<std::string> meant(std::string_view name, const std::vector<std::str
 }
 
 }  // namespace
-
-int edit_distance(std::string_view a, std::string_view b) {
-  if (a.size() > kLongestCompared || b.size() > kLongestCompared) {
-    return static_cast<int>(std::max(a.size(), b.size()));
-  }
-  // Rows i-2, i-1 and i of the table of distances between the first i letters of a and the first j of b.
-  std::vector<int> before(b.size() + 1);
-  std::vector<int> last(b.size() + 1);
-  std::vector<int> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) {
-    row[j] = static_cast<int>(j);
-  }
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before = last;
-    last = row;
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int replace = same_letter(a[i - 1], b[j - 1]) ? 0 : 1;
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + replace});
-      if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1])) {
-        row[j] = std::min(row[j], before[j - 2] + 1);
-      }
-    }
-  }
-  return row[b.size()];
-}
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing) {
   std::vector<std::string> names = meant(name, existing);

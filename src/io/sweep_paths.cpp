@@ -28,6 +28,15 @@ std::vector<std::string> parts_of(const Value& value) {
   return parts;
 }
 
+// The path of the first number in a table or list; empty if there is none.
+std::string number_below(const Table& document, std::string_view path) {
+  std::string first;
+  for_each_number(document, [&](const std::string& other, double /*number*/) {
+    if (first.empty() && other.starts_with(fmt::format("{}.", path))) first = other;
+  });
+  return first;
+}
+
 // Why the path does not lead to a number of the profile; empty if it does.
 std::string path_objection(const Table& document, std::string_view path) {
   const Value* value = nullptr;
@@ -50,9 +59,12 @@ std::string path_objection(const Table& document, std::string_view path) {
   const bool number = std::holds_alternative<double>(content) ||
                       std::holds_alternative<std::int64_t>(content) ||
                       std::holds_alternative<std::string>(content);
-  return number ? ""
-                : fmt::format("this is {}; expected the path of a number, such as {}.{}", kind_of(*value),
-                              path, parts_of(*value).empty() ? "0" : parts_of(*value).front());
+  if (number) {
+    return "";
+  }
+  const std::string example = number_below(document, path);
+  return fmt::format("this is {}; expected the path of a number{}{}", kind_of(*value),
+                     example.empty() ? "" : ", such as ", example);
 }
 
 std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPaths& paths) {

@@ -57,7 +57,7 @@ std::shared_ptr<const Task> read_task(
     TableReader& root, const std::string& key,
     const std::function<void(const Item& item, TableReader& table, Task& task)>& read) {
   Reading& reading = root.reading();
-  const std::size_t mistakes = reading.mistakes.size();
+  const Mistakes mistakes(reading);
   const auto item = root.take(key);
   auto table = as_reader(reading, item, "a table");
   if (!table) {
@@ -66,7 +66,7 @@ std::shared_ptr<const Task> read_task(
   Task task;
   task.place = place_of(reading, table->mark());
   read(*item, *table, task);
-  return reading.mistakes.size() == mistakes ? std::make_shared<const Task>(std::move(task)) : nullptr;
+  return mistakes.none() ? std::make_shared<const Task>(std::move(task)) : nullptr;
 }
 
 }  // namespace higherpair::io_detail

@@ -92,7 +92,7 @@ Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
   return contains_text(message, "after '\\r'")
              ? Finding(
                    {scan.stop,
-                    "a line ends with a carriage return alone: save the file with the line ends of today"})
+                    "a line ends with a carriage return alone: save the file with LF or CR LF line ends"})
              : std::nullopt;
 }
 
@@ -150,7 +150,7 @@ bool begins_statement(std::string_view text) {
   return std::regex_match(text.begin(), text.end(), kStatement);
 }
 
-TextMistake explain_syntax(std::string_view text, const Mark& place, std::string_view message) {
+Mistake explain_syntax(std::string_view text, const Mark& place, std::string_view message) {
   const SyntaxScan scan = scan_syntax(text, byte_at(text, place.line, place.column));
   Finding found = redefinition(scan, message);
   const auto otherwise = [&](Finding next) {
@@ -165,8 +165,7 @@ TextMistake explain_syntax(std::string_view text, const Mark& place, std::string
   otherwise(bracket_mistake(scan, message));
   otherwise(value_mistake(scan, message));
   otherwise(key_mistake(scan));
-  return found ? TextMistake{mark_at(text, found->at), found->message}
-               : TextMistake{place, parsers_own(message)};
+  return found ? Mistake{mark_at(text, found->at), found->message} : Mistake{place, parsers_own(message)};
 }
 
 }  // namespace higherpair::io_detail

@@ -10,6 +10,6 @@ namespace higherpair::io_detail {
 /// what to write instead. Falls back to the parser's message where the cause is not clear.
 /// \param place    of the error in `text`
 /// \param message  from the parser
-[[nodiscard]] TextMistake explain_syntax(std::string_view text, const Mark& place, std::string_view message);
+[[nodiscard]] Mistake explain_syntax(std::string_view text, const Mark& place, std::string_view message);
 
 }  // namespace higherpair::io_detail

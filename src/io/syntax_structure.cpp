@@ -13,31 +13,26 @@ namespace {
 constexpr std::string_view kKeyCharacters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.";
 
+std::string path_of(const Statement& statement) {
+  return statement.key.empty() || statement.heading.empty() ? statement.heading + statement.key
+                                                            : statement.heading + "." + statement.key;
+}
+
 // An earlier statement of the same heading or key; otherwise one whose key or table contains it or is
 // contained in it.
 const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
-  const auto path = [](const Statement& statement) {
-    return statement.key.empty() || statement.heading.empty() ? statement.heading + statement.key
-                                                              : statement.heading + "." + statement.key;
-  };
-  const std::string wanted = path(last);
+  const std::string wanted = path_of(last);
   const auto end = scan.statements.end() - 1;
   const auto same =
-      std::find_if(scan.statements.begin(), end, [&](const Statement& s) { return path(s) == wanted; });
+      std::find_if(scan.statements.begin(), end, [&](const Statement& s) { return path_of(s) == wanted; });
   if (same != end) {
     return &*same;
   }
   const auto around = std::find_if(scan.statements.begin(), end, [&](const Statement& s) {
-    const std::string other = path(s);
+    const std::string other = path_of(s);
     return (!s.key.empty() && wanted.starts_with(other + ".")) || other.starts_with(wanted + ".");
   });
   return around == end ? nullptr : &*around;
-}
-
-// The path of the value that a bracket belongs to, as far as it is written before the bracket.
-std::string path_before(const SyntaxScan& scan) {
-  const Statement& last = scan.statements.back();
-  return last.heading.empty() || last.key.empty() ? last.heading + last.key : last.heading + "." + last.key;
 }
 
 // A decimal comma, 30,5, within a table in braces: its second half is found where a key is expected.
@@ -136,7 +131,7 @@ Finding bracket_mistake(const SyntaxScan& scan, std::string_view message) {
         scan.open.back(),
         fmt::format("the table that {{ begins here must be closed by }} on the same line; longer ones are "
                     "written as a table of their own, [{}], with a line for each key",
-                    path_before(scan))};
+                    path_of(scan.statements.back()))};
   }
   if (contains_text(message, "dangling comma") || contains_text(message, "saw comma")) {
     return Found{scan.stop, "there is a comma too many here"};

@@ -1,7 +1,7 @@
 #include "higherpair/io/names.hpp"
-#include "higherpair/io/units.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "syntax_rules.hpp"
+#include "unit_table.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -50,7 +50,7 @@ Finding unquoted_unit(std::size_t at, std::string_view token) {
   }
   const std::string unit = spelled_unit(match[2].str());
   const std::string_view name = word_of(unit);
-  const bool known = find_unit(name) || name == "rpm" || match[2].str() != unit;
+  const bool known = is_unit_name(name) || match[2].str() != unit;
   return known ? Finding({at, fmt::format("a number with its unit is written in quotes: \"{} {}\"",
                                           match[1].str(), unit)})
                : std::nullopt;

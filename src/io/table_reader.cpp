@@ -19,8 +19,7 @@ constexpr std::array<std::string_view, 14> kTopLevelKeys = {
 constexpr std::array<std::string_view, 8> kDriverKeys = {"start",    "end",          "samples",  "positions",
                                                          "velocity", "acceleration", "duration", "time_step"};
 
-constexpr std::int64_t kMostCounted = 1'000'000'000;
-// Those for which no other key is meant, however near it is.
+// Reported as misplaced even if a similar key exists in the table.
 constexpr std::array<std::string_view, 4> kOnlyTopLevel = {"format", "title", "description", "gravity"};
 
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
@@ -88,16 +87,6 @@ std::string TableReader::text(const std::string& key) {
 
 bool TableReader::flag(const std::string& key, bool otherwise) {
   return take(key, as_flag).value_or(otherwise);
-}
-
-std::optional<std::int64_t> TableReader::count(const std::string& key, std::int64_t least) {
-  const auto item = take(key);
-  const auto value = item ? as_integer(*reading_, *item) : std::nullopt;
-  if (value && (*value < least || *value > kMostCounted)) {
-    report(*reading_, *item, fmt::format("expected a number from {} to {}", least, kMostCounted));
-    return std::nullopt;
-  }
-  return value;
 }
 
 bool TableReader::has(std::string_view key) const {

@@ -4,7 +4,6 @@
 #include "typed_values.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -68,8 +67,6 @@ public:
   [[nodiscard]] Vector2d need_vector(const std::string& key, const Dimension& dimension);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] bool flag(const std::string& key, bool otherwise);
-  /// A count from `least` to 10⁹; none if absent or wrong.
-  [[nodiscard]] std::optional<std::int64_t> count(const std::string& key, std::int64_t least);
   /// @}
 
   /// Reports every key that was never asked for.
@@ -91,16 +88,47 @@ private:
 void report_whole(TableReader& table, std::string_view message);
 void note_whole(TableReader& table, std::string_view message);
 
-/// The index in `things` of the one that has the name `name`; reports that there is no such `what`.
+/// The index of the first of `things` that has this name.
 template <class Things>
-[[nodiscard]] std::optional<std::size_t> place_among(const Things& things, TableReader& table,
-                                                     const std::string& name, std::string_view what) {
+[[nodiscard]] std::optional<int> index_of(const Things& things, std::string_view name) {
+  const auto found =
+      std::find_if(things.begin(), things.end(), [&](const auto& thing) { return thing.name == name; });
+  return found == things.end() ? std::nullopt : std::optional(static_cast<int>(found - things.begin()));
+}
+
+/// All names, without empty ones.
+template <class Things>
+[[nodiscard]] std::vector<std::string> names_of(const Things& things) {
   std::vector<std::string> names;
-  for (const auto& thing : things) names.push_back(thing.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  report_whole(table, fmt::format("there is no {} `{}`; {}", what, name, suggestion(name, names)));
-  return std::nullopt;
+  for (const auto& thing : things) {
+    if (!thing.name.empty()) names.push_back(thing.name);
+  }
+  return names;
+}
+
+/// "there is no body `crnk`; did you mean `crank`?"
+template <class Things>
+[[nodiscard]] std::string no_such(std::string_view what, std::string_view name, const Things& things) {
+  return fmt::format("there is no {} `{}`; {}", what, name, suggestion(name, names_of(things)));
+}
+
+/// The index in `things` of the one named by an item; reports that there is no such `what`, "body", "point of
+/// `cam`".
+template <class Things>
+[[nodiscard]] std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
+                                             std::string_view what, const Things& things) {
+  const auto index = index_of(things, name);
+  if (!index) report(reading, item, no_such(what, name, things));
+  return index;
+}
+
+/// The same for the name of a table.
+template <class Things>
+[[nodiscard]] std::optional<int> named_thing(TableReader& table, std::string_view name, std::string_view what,
+                                             const Things& things) {
+  const auto index = index_of(things, name);
+  if (!index) report_whole(table, no_such(what, name, things));
+  return index;
 }
 
 /// A reader of an item, which must be a table; otherwise reports that `what` was expected.

@@ -172,6 +172,24 @@ std::optional<std::int64_t> as_integer(Reading& reading, const Item& item) {
   return std::nullopt;
 }
 
+std::optional<std::int64_t> as_count(Reading& reading, const Item& item, const CountRange& range) {
+  const auto count = as_integer(reading, item);
+  if (count && (*count < range.least || *count > range.most)) {
+    report(reading, item, fmt::format("expected an integer from {} to {}", range.least, range.most));
+    return std::nullopt;
+  }
+  return count;
+}
+
+std::optional<std::uint64_t> as_seed(Reading& reading, const Item& item) {
+  const auto seed = as_integer(reading, item);
+  if (seed && *seed < 0) {
+    report(reading, item, "must be >= 0");
+    return std::nullopt;
+  }
+  return seed ? std::optional(static_cast<std::uint64_t>(*seed)) : std::nullopt;
+}
+
 std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Expected& expected) {
   if (const auto varied = reading.varied.find(item.path); varied != reading.varied.end()) {
     varied->second = expected.dimension;

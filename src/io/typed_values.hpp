@@ -4,6 +4,7 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -14,11 +15,6 @@
 #include <vector>
 
 namespace higherpair::io_detail {
-
-struct Mistake {
-  Mark mark;
-  std::string message;
-};
 
 /// What all readers share: the units of the profile and the mistakes found so far.
 struct Reading {
@@ -39,6 +35,17 @@ struct Reading {
     double profile = 0;  ///< in the profile's unit
   };
   std::vector<ReadQuantity> quantities;
+};
+
+/// Detects whether mistakes were reported since its construction.
+class Mistakes {
+public:
+  explicit Mistakes(const Reading& reading) : reading_(reading), before_(reading.mistakes.size()) {}
+  [[nodiscard]] bool none() const { return reading_.mistakes.size() == before_; }
+
+private:
+  const Reading& reading_;
+  std::size_t before_;
 };
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);
@@ -78,6 +85,14 @@ void report_kind(Reading& reading, const Item& item, std::string_view what,
 [[nodiscard]] std::optional<bool> as_flag(Reading& reading, const Item& item);
 /// An integer, also one written as 361.0 or 1e3.
 [[nodiscard]] std::optional<std::int64_t> as_integer(Reading& reading, const Item& item);
+struct CountRange {
+  std::int64_t least = 0;
+  std::int64_t most = 1'000'000'000;
+};
+[[nodiscard]] std::optional<std::int64_t> as_count(Reading& reading, const Item& item,
+                                                   const CountRange& range);
+/// The seed of a pseudorandom sequence: an integer >= 0.
+[[nodiscard]] std::optional<std::uint64_t> as_seed(Reading& reading, const Item& item);
 /// A finite number in the profile's unit, or a string with its own unit.
 [[nodiscard]] std::optional<Quantity> as_quantity(Reading& reading, const Item& item,
                                                   const Expected& expected);

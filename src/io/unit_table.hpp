@@ -3,6 +3,11 @@
 #include "double_double.hpp"
 #include "higherpair/io/units.hpp"
 
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
 namespace higherpair::io_detail {
 
 /// A product of units: its size in SI units is numerator/denominator, both exact unless π is a factor.
@@ -17,6 +22,23 @@ struct UnitProduct {
 
 /// The unit of a dimension in the given base units.
 [[nodiscard]] UnitProduct product_of(const Dimension& dimension, const Units& units);
+
+/// The unit that a text names, "kg m^2/s"; the error says what is wrong with it.
+[[nodiscard]] tl::expected<UnitProduct, std::string> parse_unit(std::string_view text);
+
+/// How numbers in one unit become SI units, and units of the profile.
+struct UnitScalings {
+  Scaling to_si;
+  Scaling to_profile;
+};
+
+/// Of a unit as a text, which must be one of the dimension `expected`.
+[[nodiscard]] tl::expected<UnitScalings, std::string> scalings_of(std::string_view unit,
+                                                                  const Dimension& expected,
+                                                                  const Units& units);
+
+/// Whether a quantity may have this unit: those of profiles, rpm, and the units of pressure.
+[[nodiscard]] bool is_unit_name(std::string_view name);
 
 /// The factor from multiples of `from` to multiples of `to`.
 [[nodiscard]] Scaling scaling(const UnitProduct& from, const UnitProduct& to);

@@ -489,8 +489,7 @@ TEST(StrokeEnds, InTheFirstStepAreSaid) {
   auto run = start_run(profile.mechanism, schedule.first_positions()).value();
   std::vector<double> ends;
   for (const std::int64_t k : {0, 1}) {
-    const DriverValues at = schedule.state(k).si;
-    move_to(run, {{at.position, at.velocity, at.acceleration}});
+    move_to(run, {schedule.state(k).si});
     for (const RunEvent& event : run.events) {
       EXPECT_EQ(event.type, EventType::kStrokeEnd);
       ends.push_back(event.driver);

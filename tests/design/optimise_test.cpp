@@ -74,6 +74,17 @@ DesignOptions few(int starts, DesignMethod method = DesignMethod::kAuto) {
   return options;
 }
 
+// 3 times the step 0.1 is 0.30000000000000004, which counts as the bound 0.3.
+TEST(Optimise, RoundsToABoundThatIsAMultipleOfTheStep) {
+  DesignVariable variable{0.1, 0.3, 0.2};
+  variable.step = 0.1;
+  DesignProblem problem = problem_of({variable}, [](auto x, int, DesignValues& values) {
+    values.residuals = Eigen::VectorXd::Constant(1, x[0] - 0.28);
+  });
+  problem.residuals = 1;
+  EXPECT_EQ(optimise(problem, few(1)).best.x[0], 0.3);
+}
+
 TEST(Optimise, LeastSquaresFollowACurvedValleyToItsEnd) {
   const DesignOutcome outcome = optimise(rosenbrock(), few(1));
   EXPECT_LE(outcome.best.objective, 1e-25);

@@ -441,6 +441,29 @@ samples = 121
 
 // The second wheel's centre of curvature, the foot of the common tangent on its base circle, lies above all
 // bodies.
+// A contact that is open has no place: it does not enlarge the picture.
+TEST(Drawing, IsAsLargeFarFromTheOriginAsAtIt) {
+  const auto scale_at = [](double x) {
+    const std::string text = fmt::format(R"(
+bodies.ground.points = {{ O = [{0}, {0}], Q = [{0}, {0}] }}
+bodies.cam = {{ pose = {{ x = {0}, y = {0} }}, points.O = [0, 0], curves.e = {{ type = "circle", center = [3, 0], radius = 20 }} }}
+bodies.f = {{ pose = {{ x = {0}, y = {1} }}, points.Q = [0, 0], curves.e = {{ type = "circle", center = [0, 0], radius = 5 }} }}
+joints.a = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+joints.b = {{ type = "prismatic", between = ["ground.Q", "f.Q"], direction = [0, 1] }}
+contacts.t = {{ between = ["cam.e", "f.e"], keep = "gap" }}
+driver = {{ joint = "a", samples = 13 }}
+)",
+                                         x, x + 50);
+    const Model model = Model::from_text(text, "gap.toml").value();
+    const std::vector<MotionRow> rows = rows_of(model);
+    EXPECT_FALSE(rows.front().contacts.front().touches);
+    SceneMaker maker(model.mechanism(), rows);
+    const Scene& scene = maker.at(rows.front());
+    return Reading(draw_svg({&scene, 1}, {})).scale;
+  };
+  EXPECT_NEAR(scale_at(1000), scale_at(0), 1e-3);
+}
+
 TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   const Model model = shipped("involute_pair");
   const std::vector<MotionRow> rows = rows_of(model);

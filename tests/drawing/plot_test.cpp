@@ -234,6 +234,12 @@ TEST(Plot, BreaksALineAtALimitPosition) {
   EXPECT_THAT(plot(model, {"cam.angle"}).data.series[0].breaks, ::testing::IsEmpty());
 }
 
+TEST(Plot, KeepsAUnitWhosePowerIsNoNumber) {
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "x^y")}), HasSubstr("x^y"));
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "x^99999999999")}), HasSubstr("x^99999999999"));
+  EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "deg/s^-2")}), HasSubstr("deg/s⁻²"));
+}
+
 TEST(Plot, HasNoNumberThatIsNone) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),

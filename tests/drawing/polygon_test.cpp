@@ -1,5 +1,6 @@
 // Polygons: their arrows agree with the table, they close, and the picture shows them to scale.
 #include "drawing/svg_reading.hpp"
+#include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/higherpair.hpp"
 
@@ -135,6 +136,23 @@ TEST(Polygon, OfTheTextbooksSixBarHasItsEquations) {
   // v_BA²/BA with BA = 18 cm
   const double v_BA = along(arrow(velocity, "v_{BA}")).norm();
   EXPECT_NEAR(along(arrow(acceleration, "a_{BA}^{n}")).norm(), v_BA * v_BA / 18, 1e-8);
+}
+
+// A slider whose joint names ground last has the same polygons as one whose joint names it first.
+TEST(Polygon, OfASlideOnGroundDoesNotDependOnTheOrderOfItsBodies) {
+  const Polygons one = polygons_at(shipped("slider_crank"), 40);
+  const Polygons other = polygons_at(
+      shipped("slider_crank",
+              {"joints.slide.between=[\"piston.B\", \"ground.rail\"]", "joints.slide.direction=[1, 0]"}),
+      40);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(other.polygons[k].arrows.size(), one.polygons[k].arrows.size());
+    EXPECT_EQ(other.polygons[k].equations, one.polygons[k].equations);
+    for (std::size_t i = 0; i < one.polygons[k].arrows.size(); ++i) {
+      EXPECT_EQ(other.polygons[k].arrows[i].name, one.polygons[k].arrows[i].name);
+      EXPECT_EQ(other.polygons[k].arrows[i].item, one.polygons[k].arrows[i].item);
+    }
+  }
 }
 
 TEST(Polygon, OfASlideHasCoriolisAcceleration) {
@@ -309,7 +327,7 @@ TEST(Polygon, ChangesItsUnit) {
   Polygon polygon;
   polygon.arrows.push_back({Kind::kAbsolute, "v_{A}", "a.A", Vector2d(0, 0), Vector2d(0.3, -0.7)});
   polygon.points.push_back({"a", Vector2d(0.3, -0.7)});
-  convert(polygon, 1000, "mm/s");
+  polygon = in_unit(polygon, 1000, "mm/s");
   EXPECT_EQ(polygon.unit, "mm/s");
   EXPECT_EQ(polygon.arrows[0].to, Vector2d(300, -700));
   EXPECT_EQ(polygon.points[0].at, Vector2d(300, -700));

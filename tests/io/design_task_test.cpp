@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DesignGoals,
     ::testing::Values(
         Wrong{"[[design.objectives]]\npath = { point = \"crank.C\", through = [[0, 1], [2, 3]] }",
-              "there is no such point"},
+              "there is no point of `crank` `C`"},
         Wrong{"[[design.objectives]]\npath = { point = \"ground.O\", through = [[0, 1], [2, 3]] }",
               "a point of ground does not move"},
         Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1]] }",

@@ -52,6 +52,8 @@ TEST(TextOfADocument, HasNoPlaceForWhatItDoesNotHave) {
     ASSERT_FALSE(text) << path;
     EXPECT_THAT(text.error(), ::testing::HasSubstr(std::string(path) + ": the text has no such value"));
   }
+  // Nor has a body that was added by an override a heading there.
+  EXPECT_FALSE(changed("[bodies.a]\nmass = 1\n", {{"bodies.b.pose", "{ x = 1 }"}}, {"bodies.b.mass=2"}));
   // A value that was set by an override is not in the text.
   EXPECT_FALSE(changed("[bodies.a]\nmass = 1\n", {{"bodies.a.mass", "3"}}, {"bodies.a.mass=2"}));
 }

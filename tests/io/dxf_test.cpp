@@ -251,6 +251,11 @@ TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {
               HasSubstr(where + "10: \"zero\" is not a number (group 10 of LINE)"));
   EXPECT_THAT(first(drawing("0 LINE 8 0 10 0 20 0 11 1")), HasSubstr(where + "6: LINE has no second point "
                                                                              "(group 21)"));
+  EXPECT_THAT(first(drawing("0 CIRCLE 8 0 10 +-5 20 0 40 1")), HasSubstr("\"+-5\" is not a number"));
+  for (const char* flags : {"-1", "1e300", "0.5"}) {
+    EXPECT_THAT(first(drawing(fmt::format("0 LWPOLYLINE 8 0 90 2 70 {} 10 0 20 0 10 2 20 0", flags))),
+                HasSubstr("LWPOLYLINE has flags (group 70) that are not an integer from 0 to 65535"));
+  }
   EXPECT_THAT(first(drawing("0 CIRCLE 8 0 10 0 20 0 40 -1")),
               HasSubstr("CIRCLE has a radius that is not > 0"));
   EXPECT_THAT(first(drawing("0 ARC 8 0 10 0 20 0 40 1 50 0")), HasSubstr("ARC has no end angle (group 51)"));

@@ -2,6 +2,7 @@
 
 #include "io/boundary_testing.hpp"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -32,8 +33,8 @@ const ArcPolyline kSlot = {
 TEST(DxfWriter, WritesPolylinesWithBulgesInReleaseTwelve) {
   EXPECT_THAT(pairs_of(dxf_text({{"cam-slot", kSlot}}, Unit::kMillimetre)),
               ElementsAre("0 SECTION", "2 HEADER", "9 $ACADVER", "1 AC1009", "9 $INSUNITS", "70 4",
-                          "9 $MEASUREMENT", "70 1", "9 $EXTMIN", "10 -31.0", "20 -12.7", "30 0.0",
-                          "9 $EXTMAX", "10 31.0", "20 12.7", "30 0.0", "0 ENDSEC",                         //
+                          "9 $MEASUREMENT", "70 1", "9 $EXTMIN", "10 -43.7", "20 -12.7", "30 0.0",
+                          "9 $EXTMAX", "10 43.7", "20 12.7", "30 0.0", "0 ENDSEC",                         //
                           "0 SECTION", "2 TABLES", "0 TABLE", "2 LAYER", "70 1", "0 LAYER", "2 cam-slot",  //
                           "70 0", "62 7", "6 CONTINUOUS", "0 ENDTAB", "0 ENDSEC",                          //
                           "0 SECTION", "2 ENTITIES", "0 POLYLINE", "8 cam-slot", "66 1",                   //
@@ -43,6 +44,29 @@ TEST(DxfWriter, WritesPolylinesWithBulgesInReleaseTwelve) {
                           "0 VERTEX", "8 cam-slot", "10 -31.0", "20 12.7", "30 0.0", "42 1.0",             //
                           "0 VERTEX", "8 cam-slot", "10 -31.0", "20 -12.7", "30 0.0", "0 SEQEND",          //
                           "8 cam-slot", "0 ENDSEC", "0 EOF"));
+}
+
+// Arcs of radius 10 mm about the origin, either way round: which of the circle's extremes lie within them?
+TEST(DxfWriter, HasTheExtentsOfItsArcs) {
+  const struct {
+    double from, to;  // [deg]
+    std::array<double, 4> extents;
+  } cases[] = {{50, 130, {-6.427876096865393, 7.660444431189780, 6.427876096865394, 10}},
+               {100, 110, {-3.420201433256687, 9.396926207859083, -1.736481776669303, 9.848077530122081}},
+               {-60, 200, {-10, -8.660254037844386, 10, 10}},
+               {80, 100.0001, {-1.736498964, 9.848074499, 1.736481777, 10}}};
+  const auto at = [](double degrees) { return Vector2d(0.01 * unit_vector(degrees * kPi / 180)); };
+  for (const auto& one : cases) {
+    const double bulge = std::tan((one.to - one.from) * kPi / 720);
+    for (const bool back : {false, true}) {
+      const ArcVertex first = {at(back ? one.to : one.from), back ? -bulge : bulge};
+      const auto pairs =
+          pairs_of(dxf_text({{"a", {{first, {at(back ? one.from : one.to), 0}}, false}}}, Unit::kMillimetre));
+      const auto number = [&](std::size_t i) { return std::stod(pairs[i].substr(3)); };
+      const std::array found = {number(9), number(10), number(13), number(14)};
+      for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i], one.extents[i], 2e-9) << one.from << ' ' << i;
+    }
+  }
 }
 
 TEST(DxfWriter, SaysInWhichUnitItsNumbersAre) {

@@ -1,6 +1,5 @@
 // [fit] of a profile, and the tables that it is fitted to.
 #include "higherpair/io/measured_table.hpp"
-#include "higherpair/io/profile_document.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "higherpair/io/tasks.hpp"
 
@@ -31,9 +30,7 @@ joint = "O"
 )";
 
 FitTask task_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  const auto document =
-      ProfileDocument::parse(kFittedCrank + text, "test.toml").value().with(overrides).value();
-  return fit_task_of(document, document.read().value());
+  return *read_profile_text(kFittedCrank + text, "test.toml", overrides).value().fit;
 }
 
 std::string mistake_in(const std::string& text) {
@@ -74,9 +71,9 @@ free = ["turn", "scale"]
 }
 
 TEST(FitTask, HoldsWithoutATableAndWithOverrides) {
-  EXPECT_EQ(task_of("").confidence, 0.95);
-  EXPECT_EQ(task_of("").loss, FitLoss::kSquares);
+  EXPECT_EQ(read_profile_text(kFittedCrank, "test.toml").value().fit, nullptr);
   EXPECT_EQ(task_of("", {"fit.loss=huber"}).loss, FitLoss::kHuber);
+  EXPECT_EQ(task_of("[fit]\nseed = 5000000000").seed, 5'000'000'000U);
 }
 
 struct WrongFit {
@@ -96,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFit{"fit = 3", "fit"}, WrongFit{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
         WrongFit{"[fit]\nconfidence = 95",
                  "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
-        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected a number from 1 to 1000000000"},
-        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: expected a number from 0"},
+        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected an integer from 1 to 1000000000"},
+        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: must be >= 0"},
         WrongFit{"[fit]\nlos = \"huber\"", "fit.los"},
         WrongFit{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
         WrongFit{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
@@ -106,9 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "fit.columns.0.deviation = 0: must be > 0"},
         WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1",
                  "fit.columns.0.weight = -1: must be > 0"},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]", "or `crank.A`?"},
+        WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]",
+                 "there is no point of `crank` `B`; did you mean `O` or `A`?"},
         WrongFit{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
-                 "there is no such point of a moving body"},
+                 "a point of ground does not move"},
         WrongFit{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
         WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []",
                  "expected a list of \"position\", \"turn\""},

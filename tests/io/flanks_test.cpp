@@ -307,7 +307,7 @@ TEST(Flanks, SayWhatIsWrong) {
   parts.flank = R"({ type = "cam", law = "lfit", contact = "touch" })";
   EXPECT_THAT(mistakes_in(parts), HasSubstr("lift"));
   parts.flank = R"({ type = "cam", law = "lift", contact = "tuch" })";
-  EXPECT_THAT(mistakes_in(parts), HasSubstr("there is no contact of this name"));
+  EXPECT_THAT(mistakes_in(parts), HasSubstr("there is no contact `tuch`"));
   parts.flank = R"({ type = "cam", law = "lift" })";
   EXPECT_THAT(mistakes_in(parts), HasSubstr("the name of the contact with the follower"));
   parts.flank = R"({ type = "cam", contact = "touch" })";

@@ -311,7 +311,7 @@ TEST_F(ProfileBoundaries, FilletsThatDoNotFitAreRefusedWithTheLargestThatDoes) {
       messages_of(
           "{ type = \"chain\", closed = false, fillet = 1, spans = [{ type = \"segment\", from = [0, 0], "
           "to = [7, 0] }, { type = \"segment\", from = [7, 0], to = [2, 0] }] }"),
-      ElementsAre(HasSubstr("the way turns back, there is no rounding the corner at (7, 0)")));
+      ElementsAre(HasSubstr("the curve reverses its direction, there is no rounding the corner at (7, 0)")));
   EXPECT_THAT(
       messages_of(
           "{ type = \"chain\", closed = false, fillet = 1, spans = [{ type = \"segment\", from = [0, 0], "
@@ -379,10 +379,10 @@ TEST_F(ProfileBoundaries, SplinesSayWhichPointIsWrong) {
       spline("points = [[0, 0], [1, 0], [1, 0], [2, 1], [1, 2], [0, 1]]"),
       ElementsAre("test.toml:13:42: bodies.crank.curves.c: points.1 and points.2 are the same point (1, 0): "
                   "leave one out (of a corner make a chain of several splines)"));
-  EXPECT_THAT(
-      spline("points = [[0, 0], [2, 0], [1, 0.1], [3, 0], [4, 1], [2, 3]]"),
-      ElementsAre("test.toml:13:42: bodies.crank.curves.c: the way turns back at points.1, (2, 0): are the "
-                  "points in their order along the curve?"));
+  EXPECT_THAT(spline("points = [[0, 0], [2, 0], [1, 0.1], [3, 0], [4, 1], [2, 3]]"),
+              ElementsAre("test.toml:13:42: bodies.crank.curves.c: the curve reverses its direction at "
+                          "points.1, (2, 0): are the "
+                          "points in their order along the curve?"));
   EXPECT_THAT(
       spline("points = [[0, 0], [1, 0], [2, 0.2], [3, 0.6], [4, 1.2], [5, 2], [6, 3]]"),
       ElementsAre(AllOf(HasSubstr("does not close: from points.6, (6, 3), back to points.0, (0, 0), it is "
@@ -429,8 +429,15 @@ TEST_F(ProfileBoundaries, FilesOfPointsSayTheirLine) {
               ElementsAre(HasSubstr("line 1: x[kg]: kg is a mass, expected a length")));
   EXPECT_THAT(
       file("x;y\nmm;mm\n1;2\n"),
-      ElementsAre(where +
-                  "line 2: `mm` is no number: units stand behind the names in the first line, x[mm]"));
+      ElementsAre(where + "line 2: `mm` is no number: units follow the names in the first line, x[mm]"));
+  EXPECT_THAT(file("x,y\n1 GPa,2\n3[GPa],4\n"),
+              ElementsAre(HasSubstr("`1 GPa` is no number"), HasSubstr("no number")));
+  EXPECT_THAT(file("x;y\n[GPa];mm\n1;2\n"),
+              ElementsAre(HasSubstr("units follow the names in the first line, x[GPa]")));
+  EXPECT_THAT(file(",x,y\n0,1,2\n1,x,4\n"), ElementsAre(where + "line 3: `x` is no number"));
+  EXPECT_THAT(file("+-5,1\n"), ElementsAre(HasSubstr("`+-5` is no number")));
+  EXPECT_THAT(file("driver,a.x,a.y,b.x,b.y\n0,1,2,3,4\n"),
+              ElementsAre(where + "line 1: several columns may be x: a.x, b.x; leave one of them"));
   EXPECT_THAT(file("1e60 2\n"), ElementsAre(HasSubstr("line 1: 1e+60 is too large")));
   EXPECT_THAT(file("1 nan\n"), ElementsAre(HasSubstr("`nan` is no number")));
   EXPECT_THAT(file(""), ElementsAre(where + "has no points"));
@@ -520,7 +527,7 @@ TEST_F(ProfileBoundaries, OffsetsThatThereAreNotAreRefused) {
               ElementsAre(HasSubstr("c.of is missing: expected the name of another curve")));
   EXPECT_THAT(
       offset("of = \"plat\", by = 3", plate),
-      ElementsAre(HasSubstr("c.of = \"plat\": the body has no curve of this name; did you mean `plate`?")));
+      ElementsAre(HasSubstr("c.of = \"plat\": there is no curve of `crank` `plat`; did you mean `plate`?")));
   EXPECT_THAT(offset("of = \"plate\"", plate),
               ElementsAre(HasSubstr("c.by is missing: expected a distance")));
   EXPECT_THAT(offset("of = \"plate\", by = -1", plate),

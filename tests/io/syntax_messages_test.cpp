@@ -67,6 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"velocity = 60 rpm\n", "1:12: a number with its unit is written in quotes: \"60 rpm\""},
         Slip{"gravity = [0, 9.81 m/s^2]\n",
              "1:15: a number with its unit is written in quotes: \"9.81 m/s^2\""},
+        Slip{"elastic_modulus = 210 GPa\n", "1:19: a number with its unit is written in quotes: \"210 GPa\""},
         Slip{"angle = 30°\n", "1:9: a number with its unit is written in quotes: \"30 deg\""},
         Slip{"radius = 2\"\n", "1:10: a number with its unit is written in quotes: \"2 in\""},
         Slip{"radius = .5\n", "1:10: .5 is written 0.5 in TOML"},
@@ -155,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"{ \"driver\": 1 }\n",
              "1:1: this looks like JSON; a profile is TOML: lines key = value under headings [table]"},
         Slip{"x = 1\ry = 2\n",
-             "1:7: a line ends with a carriage return alone: save the file with the line ends of today"}));
+             "1:7: a line ends with a carriage return alone: save the file with LF or CR LF line ends"}));
 
 TEST(Encoding, OtherThanUtf8IsNamedWithTheRemedy) {
   const std::string save = "save it as UTF-8 (\"Save as\" of most editors offers the encoding)";

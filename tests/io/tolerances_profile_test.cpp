@@ -136,7 +136,7 @@ distribution = "uniform"
   EXPECT_EQ(task->tolerances.size(), 3U);
   const auto says = [&](const std::string& entry) { return tolerance_message({with(entry)}, two); };
   EXPECT_THAT(says("{ between = [\"e\", \"rr\"], coefficient = 0.6 }"),
-              HasSubstr("there is no such tolerance; did you mean"));
+              HasSubstr("there is no tolerance `rr`; did you mean"));
   EXPECT_THAT(says("{ between = [\"e\", \"flat\"], coefficient = 0.6 }"),
               HasSubstr("only tolerances with distribution = \"normal\" can be correlated"));
   EXPECT_THAT(says("{ between = [\"e\"], coefficient = 0.6 }"),

@@ -65,8 +65,10 @@ async function open(context, file, checks) {
   return page;
 }
 
+/** Of the background, one frame later: then the page has followed a change of the system's colours. */
 const luminance = (page) =>
-  page.evaluate(() => {
+  page.evaluate(async () => {
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
     const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
     return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
   });

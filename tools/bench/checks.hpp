@@ -10,8 +10,7 @@ inline constexpr FourBarByHand kFourBar{0.08, 0.01, 0.035, 0.06, 1};
 
 /// Each of these functions ends the program if the library's results over a whole turn are wrong.
 
-/// The four-bar by hand: its loop closes and its rates agree with differences of the angles; the library's
-/// function and kernel give the same results.
+/// The four-bar by hand: its loop closes and its rates agree with differences of the angles.
 void check_four_bar();
 
 /// Follows a contact over a turn. Tests closure at every step, q against a solution that does not use the

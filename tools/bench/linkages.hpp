@@ -13,9 +13,8 @@ struct LinkageCase {
   Run run;  ///< at the driver's start
 };
 
-/// Both end the program if the library's results over a turn differ from those by hand or contradict each
-/// other (closure; rates against differences; power of the driving torque against that of loads and
-/// inertias).
+/// Both end the program if the library's results over a turn differ from those by hand: the motion of the
+/// bodies, and in the six-bar all pin forces and the driving torque, by reactions and by power.
 [[nodiscard]] LinkageCase<FourBarByHand> checked_four_bar();
 [[nodiscard]] LinkageCase<SixBarByHand> checked_watt_sixbar();
 

@@ -122,14 +122,6 @@ std::string curve_text(const Shape& s) {
   return fmt::format(R"({{ type = "point", at = [{}, {}] }})", s.x, s.y);
 }
 
-double Cases::between(double low, double high) {
-  return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-}
-
-int Cases::pick(int count) {
-  return static_cast<int>(between(0, count));
-}
-
 Shape Cases::shape(int kind, bool ring) {
   Shape s;
   s.kind = static_cast<CurveKind>(kind);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "draw.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -48,22 +48,18 @@ struct Case {
 
 /// Random cases with all kinds of curves, sides, joints and sizes; a seed gives the same cases on every
 /// machine.
-class Cases {
+class Cases : private Draw {
 public:
-  explicit Cases(std::uint64_t seed) : engine_(seed) {}
+  explicit Cases(std::uint64_t seed) : Draw(seed) {}
   [[nodiscard]] Case next();
 
 private:
-  double between(double low, double high);
-  int pick(int count);
   Shape shape(int kind, bool ring);
   Mount mount();
   void make_conforming(Case& one);
   void make_singular(Case& one);
   void make_parallel(Case& one);
   void move_beside_limit(Case& one);
-
-  std::mt19937_64 engine_;
 };
 
 /// A curve as written in a profile, with all digits.

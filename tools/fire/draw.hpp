@@ -1,7 +1,6 @@
 #pragma once
 
 #include "higherpair/geometry/pose.hpp"
-#include "sketch.hpp"
 
 #include <cstdint>
 #include <random>
@@ -22,27 +21,5 @@ public:
 private:
   std::mt19937_64 engine_;
 };
-
-inline Sketch::Point as_point(const Vector2d& p) {
-  return {p.x(), p.y()};
-}
-
-/// A body that turns about O on ground, driven from `angle` over `range`.
-inline Sketch driven_at(const Vector2d& O, double angle, double range) {
-  Sketch sketch;
-  sketch.bodies.front().points = {as_point(O)};
-  sketch.bodies.push_back({O.x(), O.y(), angle, {{}}, {}, {}});
-  sketch.joints.push_back({Sketch::JointKind::kRevolute, {0, 0}, {1, 0}});
-  sketch.drivers.push_back({0, angle, angle + range});
-  return sketch;
-}
-
-/// Adds a body that turns about its origin on ground or slides along a direction.
-inline void mount(Sketch& sketch, const Vector2d& at, double angle, bool turns, double direction) {
-  sketch.bodies.front().points.push_back(as_point(at));
-  sketch.bodies.push_back({at.x(), at.y(), angle, {{}}, {}, {}});
-  sketch.joints.push_back(
-      {turns ? Sketch::JointKind::kRevolute : Sketch::JointKind::kPrismatic, {0, 1}, {2, 0}, direction});
-}
 
 }  // namespace higherpair::fire

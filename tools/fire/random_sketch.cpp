@@ -15,14 +15,7 @@ namespace {
 using JointKind = Sketch::JointKind;
 using Ref = Sketch::Ref;
 
-Vector2d turned(double angle, const Vector2d& v) {
-  return {std::cos(angle) * v.x() - std::sin(angle) * v.y(),
-          std::sin(angle) * v.x() + std::cos(angle) * v.y()};
-}
-
-Vector2d heading(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
+using Turn = Rotation<double>;
 
 // Spreads consecutive numbers over all bits (splitmix64).
 std::uint64_t mixed(std::uint64_t x) {
@@ -52,7 +45,7 @@ private:
 
   Sketch::Body& at(int body) { return sketch_.bodies[body]; }
   Vector2d in_body(int body, const Vector2d& p_W) {
-    return turned(-at(body).angle, p_W - Vector2d(at(body).x, at(body).y));
+    return Turn::from_angle(-at(body).angle) * Vector2d(p_W - Vector2d(at(body).x, at(body).y));
   }
   int body();
   Ref point(int body, const Vector2d& p_W);
@@ -118,7 +111,7 @@ int Drawing::joint_at(JointKind kind, int a, int b, const Vector2d& p_W) {
   made.kind = kind;
   const double direction_W = angle();
   const double back = kind == JointKind::kRevolute || drawn_in_place_ || chance(0.5) ? 0 : between(-0.5, 0.5);
-  made.first = point(a, p_W - back * heading(direction_W));
+  made.first = point(a, p_W - back * unit_vector(direction_W));
   made.second = point(b, p_W);
   made.direction = kind == JointKind::kRevolute ? 0 : direction_W - at(a).angle;
   sketch_.joints.push_back(made);
@@ -192,7 +185,8 @@ Ref Drawing::curve_at(int body, const Face& face, const Vector2d& p_W, double no
   Shape shape = face.shape;
   const double normal_B = normal_W - at(body).angle + (shape.side == Side::kOutside ? kPi : 0);
   shape.angle = shape.kind == CurveKind::kLine ? normal_B : normal_B - face.normal;
-  const Vector2d center = in_body(body, p_W) - turned(shape.angle, support_point(shape, face.normal));
+  const Vector2d center =
+      in_body(body, p_W) - Turn::from_angle(shape.angle) * support_point(shape, face.normal);
   shape.x = center.x();
   shape.y = center.y();
   at(body).curves.push_back(shape);
@@ -272,9 +266,9 @@ void Drawing::drive(int on) {
   } else {
     const auto p_of = [](const Sketch::Body& owner, int item) {
       const Sketch::Point& p = owner.points[item];
-      return Vector2d(Vector2d(owner.x, owner.y) + turned(owner.angle, {p.x, p.y}));
+      return Vector2d(Vector2d(owner.x, owner.y) + Turn::from_angle(owner.angle) * Vector2d(p.x, p.y));
     };
-    driver.start = heading(first.angle + driven.direction)
+    driver.start = unit_vector(first.angle + driven.direction)
                        .dot(p_of(second, driven.second.item) - p_of(first, driven.first.item));
   }
   set_range(driver, turns);
@@ -487,12 +481,12 @@ void Drawing::outlined_cam(bool any) {
     for (std::size_t k = 0; k < wave.size(); ++k) {
       radius += wave[k] * std::cos(static_cast<double>(k + 1) * at_angle + phase[k]);
     }
-    const Vector2d p = in_body(crank, O + size * radius * heading(at_angle));
+    const Vector2d p = in_body(crank, O + size * radius * unit_vector(at_angle));
     outline.points.push_back({p.x(), p.y()});
   }
   at(crank).outlines.push_back(outline);
   const double out = angle();
-  const Vector2d p = O + size * (2.5 * heading(out) + between(-0.3, 0.3) * heading(out + kPi / 2));
+  const Vector2d p = O + size * (2.5 * unit_vector(out) + between(-0.3, 0.3) * unit_vector(out + kPi / 2));
   const int follower = body();
   Face made = face();
   while (!is_round(made) && made.shape.kind != CurveKind::kLine && made.shape.kind != CurveKind::kPoint) {
@@ -502,7 +496,7 @@ void Drawing::outlined_cam(bool any) {
   made.shape.b *= size;
   const Ref curve = curve_at(follower, made, p, out + kPi);
   if (chance(0.5)) {
-    joint_at(JointKind::kRevolute, follower, 0, p + size * between(1, 2) * heading(out + kPi / 2));
+    joint_at(JointKind::kRevolute, follower, 0, p + size * between(1, 2) * unit_vector(out + kPi / 2));
   } else {
     Sketch::Joint slide;
     slide.kind = JointKind::kPrismatic;

@@ -4,6 +4,7 @@
 #include "higherpair/front/motion.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/io/row_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ constexpr double kValueTolerance = 1e-9;  // relative to the size of positions, 
 
 RowValues values_of(const Run& run) {
   RowValues values;
-  values.status = static_cast<int>(run.row.status);
+  values.status = run.row.status;
   values.rates = run.row.all_rates;
   for (std::size_t i = 1; i < run.row.bodies.size(); ++i) {
     const BodyMotion& B = run.row.bodies[i];
@@ -77,16 +78,11 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
 void Recorder::move(Run& run, std::int64_t k) {
   double from = 0;
   for (const DriverSchedule::TurningPoint& turning : schedule_.turning_points(k)) {
-    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
+    move_to(run, {turning.si});
     note(run, k, from, turning.share);
     from = turning.share;
   }
-  std::vector<DriverMotion> motions;
-  for (std::size_t i = 0; i < schedule_.driver_count(); ++i) {
-    const DriverValues si = schedule_.state(k, i).si;
-    motions.push_back({si.position, si.velocity, si.acceleration});
-  }
-  move_to(run, motions);
+  move_to(run, drivers_in(schedule_, k));
   note(run, k, from, 1);
 }
 
@@ -122,16 +118,14 @@ double largest(const std::vector<double>& values) {
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    most = std::max(most, std::abs(a[i] - b[i]));
+    const double one = std::abs(a[i] - b[i]);
+    if (std::isnan(one)) return std::numeric_limits<double>::infinity();
+    most = std::max(most, one);
   }
-  return std::isnan(most) ? std::numeric_limits<double>::infinity() : most;
+  return most;
 }
 
 namespace {
-
-std::string status_name(int status) {
-  return std::string(name_of(static_cast<RowStatus>(status)));
-}
 
 // Compares two runs of one mechanism.
 class Comparison {
@@ -211,10 +205,10 @@ Failure Comparison::events(bool beyond) {
 
 Failure Comparison::row(std::size_t k, const RowValues& a, const RowValues& b) {
   if (a.status != b.status) {
-    return {"status", fmt::format("{}: {} and {}", at(k), status_name(a.status), status_name(b.status)),
+    return {"status", fmt::format("{}: {} and {}", at(k), name_of(a.status), name_of(b.status)),
             static_cast<int>(k)};
   }
-  if (a.status == static_cast<int>(RowStatus::kNotAssemblable)) {
+  if (a.status == RowStatus::kNotAssemblable) {
     return {};
   }
   // Drivers' coordinates are rounded to eps. Near a limit the derivatives of position grow like δ^(-1/2),
@@ -286,15 +280,15 @@ Failure Comparison::compare() {
 Failure sound(const RunRecord& run) {
   const Happening* limit = first_limit(run);
   for (std::size_t k = 0; k < run.rows.size(); ++k) {
-    const int status = run.rows[k].status;
+    const RowStatus status = run.rows[k].status;
     const auto fail = [&](const char* law) {
       return Failure{law, fmt::format("row {} of {}", k, run.rows.size()), static_cast<int>(k)};
     };
-    if (status == static_cast<int>(RowStatus::kNotConverged)) {
+    if (status == RowStatus::kNotConverged) {
       return fail("not converged");
     }
     const double share = static_cast<double>(k) / static_cast<double>(run.rows.size() - 1);
-    if (status == static_cast<int>(RowStatus::kNotAssemblable) &&
+    if (status == RowStatus::kNotAssemblable &&
         (limit == nullptr || limit->share > share + kLimitTolerance)) {
       return fail("not assemblable without a limit");
     }

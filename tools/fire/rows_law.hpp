@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/io/profile.hpp"
 #include "trial.hpp"
 
@@ -11,7 +12,7 @@ namespace higherpair::fire {
 
 /// One row of a run.
 struct RowValues {
-  int status = 0;             ///< a RowStatus
+  RowStatus status = RowStatus::kOk;
   bool rates = true;          ///< whether the rates of all bodies are defined
   std::vector<double> place;  ///< x, y [m] and angle [rad] of all bodies
   std::vector<double> velocity;

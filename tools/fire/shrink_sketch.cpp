@@ -1,10 +1,8 @@
 #include "shrink_sketch.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <string>
+#include "round_numbers.hpp"
 
-#include <fmt/core.h>
+#include <optional>
 
 namespace higherpair::fire {
 namespace {
@@ -65,16 +63,7 @@ Sketch shrink(Sketch sketch, const std::function<bool(const Sketch&)>& fails) {
       }
     }
   }
-  for (std::size_t i = 0; i < numbers(sketch).size(); ++i) {
-    for (int digits = 0; digits <= 6; ++digits) {
-      Sketch rounder = sketch;
-      double& number = *numbers(rounder)[i];
-      number = digits == 0 ? 0 : std::stod(fmt::format("{:.{}g}", number, digits));
-      if (keep(rounder)) {
-        break;
-      }
-    }
-  }
+  round_numbers(sketch, 6, keep);
   return sketch;
 }
 

@@ -68,4 +68,26 @@ struct Sketch {
 /// Its profile, with all digits.
 [[nodiscard]] std::string profile_of(const Sketch& sketch, const std::string& title);
 
+inline Sketch::Point as_point(const Vector2d& p) {
+  return {p.x(), p.y()};
+}
+
+/// A body that turns about O on ground, driven from `angle` over `range`.
+inline Sketch driven_at(const Vector2d& O, double angle, double range) {
+  Sketch sketch;
+  sketch.bodies.front().points = {as_point(O)};
+  sketch.bodies.push_back({O.x(), O.y(), angle, {{}}, {}, {}});
+  sketch.joints.push_back({Sketch::JointKind::kRevolute, {0, 0}, {1, 0}});
+  sketch.drivers.push_back({0, angle, angle + range});
+  return sketch;
+}
+
+/// Adds a body that turns about its origin on ground or slides along a direction.
+inline void mount(Sketch& sketch, const Vector2d& at, double angle, bool turns, double direction) {
+  sketch.bodies.front().points.push_back(as_point(at));
+  sketch.bodies.push_back({at.x(), at.y(), angle, {{}}, {}, {}});
+  sketch.joints.push_back(
+      {turns ? Sketch::JointKind::kRevolute : Sketch::JointKind::kPrismatic, {0, 1}, {2, 0}, direction});
+}
+
 }  // namespace higherpair::fire

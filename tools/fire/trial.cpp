@@ -5,6 +5,8 @@
 #include "contact/pair_follower.hpp"
 #include "front/analysis_impl.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "round_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -161,21 +163,13 @@ Failure track_pair(const Case& one, const ContactPair& pair, Counts& counts) {
   return {};
 }
 
-const Vector2d& point(const Mechanism& m, const PointRef& at) {
-  return m.bodies[at.body].points[at.point].p_B;
-}
-
-const BodyMotion& body(const MotionRow& row, int index) {
-  return row.bodies[index];
-}
-
 // Both points of a joint coincide and move alike; in a slide or slot only across its line.
 Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row, int k) {
-  const BodyMotion& A = body(row, joint.first.body);
-  const PointMotion a = point_motion(A, point(m, joint.first));
-  const PointMotion b = point_motion(body(row, joint.second.body), point(m, joint.second));
-  const double length = a.p_W.norm() + b.p_W.norm() + point(m, joint.first).norm() +
-                        point(m, joint.second).norm() + A.X_WB.p_WB.norm();
+  const BodyMotion& A = row.bodies[joint.first.body];
+  const PointMotion a = point_motion(A, point_of(m, joint.first));
+  const PointMotion b = point_motion(row.bodies[joint.second.body], point_of(m, joint.second));
+  const double length = a.p_W.norm() + b.p_W.norm() + point_of(m, joint.first).norm() +
+                        point_of(m, joint.second).norm() + A.X_WB.p_WB.norm();
   Vector2d error = b.p_W - a.p_W;
   Vector2d v = b.v_W - a.v_W;
   if (joint.type != JointType::kRevolute) {
@@ -187,7 +181,7 @@ Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row,
     return {"joint " + joint.name + " closed", fmt::format("{} of {}", error.norm(), length), k};
   }
   const double speed = a.v_W.norm() + b.v_W.norm() +
-                       (std::abs(A.omega) + std::abs(body(row, joint.second.body).omega)) * length;
+                       (std::abs(A.omega) + std::abs(row.bodies[joint.second.body].omega)) * length;
   if (!(v.norm() <= 1e-10 * speed)) {
     return {"velocity of joint " + joint.name, fmt::format("{} of {}", v.norm(), speed), k};
   }
@@ -196,7 +190,7 @@ Failure joint_laws(const Mechanism& m, const Joint& joint, const MotionRow& row,
 
 testing::Standing stand(const Mechanism& m, const CurveRef& at, const MotionRow& row) {
   const Body& owner = m.bodies[at.body];
-  const BodyMotion& motion = body(row, at.body);
+  const BodyMotion& motion = row.bodies[at.body];
   OneFreedom fixed;
   fixed.turns = false;
   fixed.p_WO = motion.X_WB.p_WB;
@@ -219,13 +213,13 @@ Failure contact_laws(const Mechanism& m, const MotionRow& row, double size, int 
     return {"contact of the run", fmt::format("{} {} {} of {}", double(d1), double(d2), gap, length), k};
   }
   const auto speed = [&](const CurveRef& ref) {
-    const BodyMotion& B = body(row, ref.body);
+    const BodyMotion& B = row.bodies[ref.body];
     return Vector2d(B.v_WB + B.omega * perp(Vector2d(at.p1_W - B.X_WB.p_WB)));
   };
   const Vector2d v1 = speed(contact.first);
   const Vector2d v2 = speed(contact.second);
   const double arms =
-      (std::abs(body(row, contact.first.body).omega) + std::abs(body(row, contact.second.body).omega)) *
+      (std::abs(row.bodies[contact.first.body].omega) + std::abs(row.bodies[contact.second.body].omega)) *
       length;
   if (!(std::abs(at.n_W.dot(v2 - v1)) <= 1e-10 * (v1.norm() + v2.norm()) + 1e-12 * arms)) {
     return {"normal speeds of the run", fmt::format("{} {}", at.n_W.dot(v1), at.n_W.dot(v2)), k};
@@ -367,17 +361,7 @@ Case shrink(Case one, const std::string& law, Depth depth) {
   Case smaller = one;
   smaller.crank.reset();
   keep(smaller);
-  // Find the roundest value of each number that still fails: 0, then one digit more at a time.
-  for (std::size_t i = 0; i < numbers(one).size(); ++i) {
-    for (int digits = 0; digits <= 12; ++digits) {
-      Case rounder = one;
-      double& number = *numbers(rounder)[i];
-      number = digits == 0 ? 0 : std::stod(fmt::format("{:.{}g}", number, digits));
-      if (keep(rounder)) {
-        break;
-      }
-    }
-  }
+  round_numbers(one, 12, keep);
   return one;
 }
 

@@ -34,21 +34,13 @@ bool starts_elsewhere(const RunRecord& run, const testing::ReferenceMotion& refe
 Failure compare_rows(const RunRecord& run, const testing::ReferenceMotion& reference) {
   for (std::size_t k = 0; k < reference.places.size(); ++k) {
     const RowValues& row = run.rows[k];
-    if (row.status != static_cast<int>(RowStatus::kOk)) {
+    if (row.status != RowStatus::kOk) {
       continue;  // overlaps, say: that there is no limit has been compared
     }
-    double error = 0;
-    double size = 1;
-    for (std::size_t i = 0; i < row.place.size(); ++i) {
-      error = std::max(error, std::abs(row.place[i] - reference.places[k][i]));
-      size = std::max(size, std::abs(row.place[i]));
-    }
+    const double error = difference(row.place, reference.places[k]);
+    const double size = std::max(1.0, largest(row.place));
     // Near a limit, and near almost crossing branches, rounding errors grow with the rates.
-    double fastest = 0;
-    for (const double rate : row.velocity) {
-      fastest = std::max(fastest, std::abs(rate));
-    }
-    if (!(error <= kPositionTolerance * size + 1e-13 * fastest)) {
+    if (!(error <= kPositionTolerance * size + 1e-13 * largest(row.velocity))) {
       return {"truth: position", fmt::format("row {} of {}: off by {}", k, run.rows.size(), error),
               static_cast<int>(k)};
     }
@@ -109,11 +101,11 @@ Failure twin_law(const Profile& profile, const Profile& twin) {
   for (std::size_t k = 0; k < run.rows.size(); ++k) {
     const RowValues& a = run.rows[k];
     const RowValues& b = other.rows[k];
-    const auto ok = static_cast<int>(RowStatus::kOk);
     if (a.status != b.status) {
-      return {"twin: status", fmt::format("row {}: {} and {}", k, a.status, b.status), static_cast<int>(k)};
+      return {"twin: status", fmt::format("row {}: {} and {}", k, name_of(a.status), name_of(b.status)),
+              static_cast<int>(k)};
     }
-    if (a.status != ok) {
+    if (a.status != RowStatus::kOk) {
       return {};
     }
     // Near a limit every derivative amplifies rounding of the driver's coordinate.

@@ -1,6 +1,7 @@
 #include "short_motion.hpp"
 
 #include "front/analysis_impl.hpp"
+#include "higherpair/io/coordinate.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -31,9 +32,8 @@ Result<Model> stepping(const Model& model, const ShortMotion& motion) {
   for (std::size_t i = 0; i < programs.size(); ++i) {
     DriverProgram& program = programs[i];
     const Driver& driver = model.mechanism().drivers[i];
-    const bool turns = model.mechanism().joints[driver.joint].type == JointType::kRevolute;
-    const double step =
-        from_si(turns ? dimension::kAngle : dimension::kLength, model.units()).apply(motion.step);
+    const Dimension dimension = coordinate_dimension(model.mechanism().joints[driver.joint]);
+    const double step = from_si(dimension, model.units()).apply(motion.step);
     const double start = program.positions.empty() ? program.start : program.positions.front();
     program.positions.clear();
     for (int k = 0; k < motion.rows; ++k) {

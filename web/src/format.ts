@@ -22,7 +22,7 @@ function superscript(power: string): string {
 
 export function unit(text: string): string {
   if (text === "1") return "";
-  return text.replace(/deg/g, "°").replace(/\*/g, "·").replace(/\^2/g, "²").replace(/\^3/g, "³").replace(/\^4/g, "⁴");
+  return text.replace(/deg/g, "°").replace(/\*/g, "·").replace(/\^(-?\d+)/g, (_, power: string) => superscript(power));
 }
 
 /** "12.5 mm", "30°". */

@@ -104,7 +104,7 @@ class Sketch {
 function points(shape: Shape, numbers: Numbers): [number, number][] {
   const found: [number, number][] = [];
   const end = shape.kind === "circle" ? 2 : numbers.length;
-  for (let i = 0; i + 1 < end || (i === 0 && end === 2 && numbers.length > 1); i += 2) {
+  for (let i = 0; i + 1 < end; i += 2) {
     const [x, y] = [numbers[i] ?? null, numbers[i + 1] ?? null];
     if (x !== null && y !== null) found.push([x, y]);
   }

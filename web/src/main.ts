@@ -47,7 +47,8 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
   player.onRow((row) => stage.show(row));
   new PointerControl(stage.root, report, rows, player, view);
   new Transport(report, rows, player, view, columns, driverColumn);
-  addLayers(report, stage.root, () => stage.showAgain());
+  addLayers(report, stage.root, () => stage.show(player.row));
+  addTheme(() => plots.redraw()); // before the plots, which take their colours from the page
   const plots = new Plots(report, rows, player, columns, driverColumn);
   addFacts(report, unitOf(driverColumn), (row, column) => {
     player.pause();
@@ -60,7 +61,6 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
   new Values(report, rows, player, plots);
   addRowsTable(report, rows, driverColumn, plots);
   addSaving(report, rows, player, stage.root);
-  addTheme(() => plots.redraw());
   player.go(0);
   expose(report, rows, player, stage);
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) player.play();

@@ -72,7 +72,6 @@ export interface MapPlace {
 }
 
 export interface Driver {
-  readonly joint: string;
   /** Name of the column of its position. */
   readonly column: string;
   readonly body: number;
@@ -103,7 +102,6 @@ export interface MotionEvent {
 
 export interface Report {
   readonly title: string;
-  readonly description: string;
   readonly version: string;
   readonly file: string;
   readonly source: string;

@@ -1,5 +1,5 @@
 // Which row is shown, and the animation through the rows.
-import type { MotionEvent, Report, Rows } from "./model";
+import type { Report, Rows } from "./model";
 
 const SECONDS_PER_PASS = 6;
 const REFRESH = 80; // ms between two updates of numbers during the animation, so that they can be read
@@ -84,11 +84,6 @@ export class Player {
   toggle(): void {
     if (this.playing) this.pause();
     else this.play();
-  }
-
-  /** The event on the way to this row, if any. */
-  eventAt(row: number): MotionEvent | undefined {
-    return this.report.events.find((event) => event.row === row);
   }
 
   private frame(now: number): void {

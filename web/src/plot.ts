@@ -46,7 +46,6 @@ export class Plot {
     private readonly emptied: (plot: Plot) => void,
   ) {
     this.element.append(this.head, this.canvas);
-    this.rebuild();
     new ResizeObserver(() => this.resize()).observe(this.canvas);
   }
 

@@ -17,7 +17,7 @@ export function addSaving(report: Report, rows: Rows, player: Player, drawing: S
 }
 
 /** The drawing as a separate file, reduced to what is visible, with its styles. */
-export function pictureOf(drawing: SVGSVGElement, title: string): string {
+function pictureOf(drawing: SVGSVGElement, title: string): string {
   const copy = drawing.cloneNode(true) as SVGSVGElement;
   const originals = [drawing, ...drawing.querySelectorAll<SVGElement>("*")];
   const copies = [copy, ...copy.querySelectorAll<SVGElement>("*")];
@@ -42,7 +42,7 @@ export function pictureOf(drawing: SVGSVGElement, title: string): string {
   return new XMLSerializer().serializeToString(copy);
 }
 
-export function csvOf(report: Report, rows: Rows): string {
+function csvOf(report: Report, rows: Rows): string {
   const head = report.columns.map(({ name, unit, words }) => (words === undefined ? `${name}[${unit}]` : name));
   const lines = [head.join(",")];
   for (let row = 0; row < rows.length; ++row) {

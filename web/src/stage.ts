@@ -83,10 +83,6 @@ export class Stage {
     return quantity(millimetres * this.report.lengthPerMm, this.report.lengthUnit, 0, 4);
   }
 
-  showAgain(): void {
-    this.show(this.row);
-  }
-
   /** The drawn position of a point of a body [mm], read back from the drawing; null if nothing of the body is drawn. */
   drawn(body: number, point: readonly [number, number]): [number, number] | null {
     if (this.root.classList.contains("undefined")) return null;

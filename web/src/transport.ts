@@ -3,7 +3,7 @@ import { byId, element } from "./dom";
 import { number, quantity, words } from "./format";
 import type { Report, Rows } from "./model";
 import type { Player } from "./player";
-import type { View } from "./view";
+import { ZOOM, type View } from "./view";
 
 const PAGE = 10; // rows per step with the shift key
 
@@ -96,7 +96,6 @@ export class Transport {
     const types = target.matches("input:not([type=range]), select, textarea");
     if (types || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === " " && target.matches("button, summary, a")) return;
-    const onSlider = target === this.slider;
     const rows = event.shiftKey ? PAGE : 1;
     const actions: Readonly<Record<string, () => void>> = {
       " ": () => this.player.toggle(),
@@ -104,13 +103,13 @@ export class Transport {
       ArrowRight: () => this.player.step(rows),
       Home: () => this.goAndPause(0),
       End: () => this.goAndPause(this.rows.length - 1),
-      "+": () => this.view.zoom(1.3),
-      "-": () => this.view.zoom(1 / 1.3),
+      "+": () => this.view.zoom(ZOOM),
+      "-": () => this.view.zoom(1 / ZOOM),
       "0": () => this.view.fit(),
       f: () => this.fullscreen(),
     };
     const action = actions[event.key];
-    if (action === undefined || (onSlider && event.key.startsWith("Page"))) return;
+    if (action === undefined) return;
     event.preventDefault();
     action();
   }

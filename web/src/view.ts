@@ -3,7 +3,8 @@ import { byId } from "./dom";
 import type { Report } from "./model";
 
 const MARGIN = 0.06; // relative to the picture: margin around everything that moves
-const ZOOM = 1.3; // factor per click of a button
+/** Factor per click of a button, or per key. */
+export const ZOOM = 1.3;
 
 export class View {
   /** mm per px, and the centre of the picture [mm, y down] */

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace higherpair {
 
 /// Highest order of time derivative that is computed.
@@ -43,5 +45,9 @@ enum class EventType {
 [[nodiscard]] constexpr bool ends_path(EventType type) {
   return loses_motion(type) || type == EventType::kOverlap || type == EventType::kContactOpen;
 }
+
+/// The name as results print it: "not_assemblable", "limit_position".
+[[nodiscard]] std::string_view name_of(RowStatus status);
+[[nodiscard]] std::string_view name_of(EventType type);
 
 }  // namespace higherpair

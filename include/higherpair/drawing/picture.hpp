@@ -2,7 +2,6 @@
 
 #include "higherpair/geometry/pose.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -243,13 +242,11 @@ struct Polygon {
   std::vector<std::string> notes;  ///< why something is missing
 };
 
-/// Converts a polygon to another unit.
-void convert(Polygon& polygon, double factor, const std::string& unit);
-
 /// The polygons one below the other as an SVG picture, each to the largest scale that fits, with a scale
 /// bar, its equations and the values of its arrows. Elements carry data-role (`velocity`, `acceleration`,
 /// `force`, `label`) and data-name; the group of a polygon carries data-scale (px per unit) and data-origin
 /// ("x y" in px of the pole, y up).
+/// \param width  [px], at least 200
 [[nodiscard]] std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title,
                                        double width = 860);
 

@@ -65,10 +65,6 @@ struct Event {
 /// The word in a column of words; empty where undefined.
 [[nodiscard]] std::string_view word_of(const Column& column, double value);
 
-/// The name of a status or of an event as results print it: "not_assemblable", "limit_position".
-[[nodiscard]] std::string_view name_of(RowStatus status);
-[[nodiscard]] std::string_view name_of(EventType type);
-
 /// A column's name with its unit, as in the header of CSV: "crank.angle[deg]".
 [[nodiscard]] std::string csv_head(const Column& column);
 

@@ -33,16 +33,12 @@ using Diagnostics = std::vector<Diagnostic>;
 /// The same for a note, on something valid that is probably a slip: "file:line:column: note: message".
 [[nodiscard]] std::string note_text(const Diagnostic& note);
 
-/// How many single-character edits (insert, delete, replace, swap of neighbours) turn one name into the
-/// other; upper and lower case count as equal.
-[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
-
 /// "did you mean `revolute`?": the existing names for which `name` is a common synonym (pin, hinge), else at
 /// most three of the most similar; empty if there is none.
 [[nodiscard]] std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing);
 
 /// The end of a message about a name that does not exist: did_you_mean; if that is empty, a list of the
-/// existing names, or "there is none".
+/// existing names, or "none is defined".
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& existing);
 
 enum class ErrorKind {

@@ -41,6 +41,7 @@ inline constexpr std::int64_t kDefaultSamples = 361;
 
 struct CheckLimits;
 struct DesignTask;
+struct FitTask;
 struct SweepTask;
 struct ToleranceTask;
 
@@ -55,6 +56,7 @@ struct Profile {
   Diagnostics notes;                                ///< on what is valid but probably a slip
   std::shared_ptr<const CheckLimits> limits;        ///< [limits]; null without it
   std::shared_ptr<const DesignTask> design;         ///< [design]; null without it
+  std::shared_ptr<const FitTask> fit;               ///< [fit]; null without it
   std::shared_ptr<const SweepTask> sweep;           ///< [sweep]; null without it
   std::shared_ptr<const ToleranceTask> tolerances;  ///< [tolerances]; null without it
 };

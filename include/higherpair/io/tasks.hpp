@@ -13,8 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
 namespace higherpair {
 
 /// How a measure reduces the values v of its column, over all rows of a run that have one.
@@ -106,8 +104,6 @@ struct ToleranceTask {
   [[nodiscard]] VariantPlan variants() const;
 };
 
-class ProfileDocument;
-
 /// How a residual counts, by its size in units of the noise of its column.
 enum class FitLoss {
   kSquares,  ///< by its square
@@ -151,9 +147,6 @@ struct FitTask {
   std::optional<std::uint64_t> seed;
   Place place;  ///< of [fit]; of the whole profile if there is none
 };
-
-/// [fit] of a profile that was read without a mistake; the defaults if there is none.
-[[nodiscard]] FitTask fit_task_of(const ProfileDocument& document, const Profile& profile);
 
 /// The keys of [limits]: limits for the behaviour of a mechanism, and the material of its bodies.
 enum class LimitKey {

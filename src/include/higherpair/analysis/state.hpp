@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/driver_motion.hpp"
 #include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/dwell_contact.hpp"
 #include "higherpair/contact/tracker.hpp"
@@ -46,17 +47,5 @@ struct LeastViolation {
   Eigen::VectorXd left, right;  ///< singular vectors of J, continuous along the path; empty: J is not square
   int sign = 0;                 ///< sign of the bordered determinant where the path began; 0: unknown
 };
-
-/// A driver's coordinate and its rates.
-struct DriverMotion {
-  double position = 0;  ///< [rad or m]
-  double velocity = 0;
-  double acceleration = 0;
-
-  friend bool operator==(const DriverMotion&, const DriverMotion&) = default;
-};
-
-/// The third to the sixth time derivative of a driver's coordinate [rad/s³ or m/s³, …].
-using HigherRates = std::array<double, 4>;
 
 }  // namespace higherpair

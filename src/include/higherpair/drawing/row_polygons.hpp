@@ -5,6 +5,7 @@
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/mechanism/description.hpp"
 
+#include <string>
 #include <vector>
 
 namespace higherpair {
@@ -24,5 +25,9 @@ namespace higherpair {
 /// that the balance does not determine.
 [[nodiscard]] std::vector<Polygon> force_polygons(const Mechanism& mechanism, const MotionRow& row,
                                                   const Reactions& reactions);
+
+/// The polygon in another unit.
+/// \param factor  by which its numbers are multiplied
+[[nodiscard]] Polygon in_unit(Polygon polygon, double factor, const std::string& unit);
 
 }  // namespace higherpair

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
 namespace higherpair {
 
 /// A vertex of an arc polyline and the bulge of the piece to the next vertex, as drawings define it: the
@@ -29,5 +31,8 @@ struct ArcPolyline {
 /// error of a biarc falls with the cube of its length, so the number of biarcs grows with tolerance^(-1/3).
 /// \param tolerance  at least kFinestTolerance of the boundary's size
 [[nodiscard]] ArcPolyline arc_polyline(const Boundary& boundary, double tolerance);
+
+/// The least upright box that contains it [m].
+[[nodiscard]] Eigen::AlignedBox2d box_of(const ArcPolyline& line);
 
 }  // namespace higherpair

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
@@ -24,6 +25,11 @@ namespace higherpair {
 /// The dimension of a driver's position.
 [[nodiscard]] inline Dimension driver_dimension(const Mechanism& mechanism, std::size_t driver = 0) {
   return coordinate_dimension(driven_joint(mechanism, driver));
+}
+
+/// A turn in the unit of angles: 360 for degrees.
+[[nodiscard]] inline double full_turn(const Units& units) {
+  return from_si(dimension::kAngle, units).apply(2 * kPi);
 }
 
 }  // namespace higherpair

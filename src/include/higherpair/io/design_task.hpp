@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
+#include "higherpair/analysis/status.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"

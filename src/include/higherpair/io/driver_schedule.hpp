@@ -1,5 +1,6 @@
 #pragma once
 
+#include "higherpair/analysis/driver_motion.hpp"
 #include "higherpair/cam/motion_law.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
@@ -15,19 +16,11 @@
 
 namespace higherpair {
 
-/// Position, velocity and acceleration of a driver.
-struct DriverValues {
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
-};
-
 /// One driver in one row.
 struct DriverState {
-  DriverValues profile;  ///< in the profile's units, as tables show them
-  DriverValues si;       ///< the same in SI units and radians
-  /// The third to the sixth time derivative, in SI units and radians; 0 unless a law drives.
-  std::array<double, 4> higher_si{};
+  DriverMotion profile;  ///< in the profile's units, as tables show them
+  DriverMotion si;
+  HigherRates higher_si{};  ///< 0 unless a law drives
 };
 
 /// The driver positions of a run, row by row. Rows are computed on demand: a schedule of ten million rows
@@ -81,7 +74,7 @@ public:
 
   /// The drivers at any time of a schedule in time [s], in SI units and radians; at a jump of a law, after
   /// it.
-  [[nodiscard]] DriverValues at_time(double time_si, std::size_t driver) const;
+  [[nodiscard]] DriverMotion at_time(double time_si, std::size_t driver) const;
 
   /// The time, in the profile's unit, at which the drivers pass a place on their path from the row before to
   /// `row`: a single driver by its law of motion, several in proportion to their path.
@@ -97,7 +90,7 @@ public:
 
   /// Where the driver turns back between a row and the one before.
   struct TurningPoint {
-    DriverValues si;   ///< the driver at rest, in SI units and radians
+    DriverMotion si;   ///< the driver at rest, in SI units and radians
     double share = 0;  ///< fraction of the time between the rows
   };
 
@@ -144,7 +137,7 @@ private:
   static tl::expected<DriverSchedule, Diagnostics> in_time(const Profile& profile,
                                                            std::optional<std::int64_t> samples,
                                                            bool equally_spaced);
-  [[nodiscard]] DriverValues values(std::int64_t row, const OneDriver& driver) const;
+  [[nodiscard]] DriverMotion values(std::int64_t row, const OneDriver& driver) const;
   [[nodiscard]] LawSide side_of(std::int64_t row) const;
   [[nodiscard]] static std::vector<double> reversals(const OneDriver& driver, double from, double to);
 

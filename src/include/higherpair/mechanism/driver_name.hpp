@@ -15,4 +15,9 @@ namespace higherpair {
   return name;
 }
 
+/// The path of its table in a profile: "driver", or "drivers.NAME".
+[[nodiscard]] inline std::string driver_path(const Driver& driver) {
+  return driver.name.empty() ? "driver" : "drivers." + driver.name;
+}
+
 }  // namespace higherpair
