@@ -38,7 +38,8 @@ std::string number_below(const Table& document, std::string_view path) {
 }
 
 // Why the path does not lead to a number of the profile; empty if it does.
-std::string path_objection(const Table& document, std::string_view path) {
+// \param plain  whether the number must be written without a unit of its own
+std::string path_objection(const Table& document, std::string_view path, bool plain) {
   const Value* value = nullptr;
   std::string done;
   for (std::string_view rest = path; !rest.empty();) {
@@ -56,11 +57,16 @@ std::string path_objection(const Table& document, std::string_view path) {
     return "expected the path of a number";
   }
   const auto& content = value->content;
-  const bool number = std::holds_alternative<double>(content) ||
-                      std::holds_alternative<std::int64_t>(content) ||
-                      std::holds_alternative<std::string>(content);
-  if (number) {
+  if (std::holds_alternative<double>(content) || std::holds_alternative<std::int64_t>(content)) {
     return "";
+  }
+  if (const auto* text = std::get_if<std::string>(&content)) {
+    return !plain
+               ? ""
+               : fmt::format(
+                     "the profile writes this with a unit of its own, \"{}\", and the values of a sweep are "
+                     "in its `units`: write it without",
+                     *text);
   }
   const std::string example = number_below(document, path);
   return fmt::format("this is {}; expected the path of a number{}{}", kind_of(*value),
@@ -73,7 +79,7 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
     return std::nullopt;
   }
   const bool own = *path == paths.task || path->starts_with(paths.task + ".");
-  std::string objection = !own                    ? path_objection(paths.document, *path)
+  std::string objection = !own ? path_objection(paths.document, *path, paths.task == "sweep")
                           : paths.task == "sweep" ? "a sweep cannot vary itself"
                                                   : "tolerances have none themselves";
   if (objection.empty() && contains(paths.taken, *path)) {

@@ -149,6 +149,12 @@ TEST(SweepProfiles, NameWhatDoesNotExist) {
   EXPECT_THAT(path("[\"driver.end\", \"driver.end\"]"), HasSubstr("another variable sets this already"));
 }
 
+TEST(SweepProfiles, RefuseToVaryANumberWithAUnitOfItsOwn) {
+  EXPECT_THAT(message({"bodies.cam.curves.disc.radius=\"2 cm\"",
+                       "sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\", values = [19, 21] }"}),
+              HasSubstr("with a unit of its own, \"2 cm\", and the values of a sweep are in its `units`"));
+}
+
 TEST(SweepProfiles, SayWhatIsWrongWithValues) {
   const auto with = [](const std::string& keys) {
     return message({"sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\", " + keys + " }"});
