@@ -3,7 +3,13 @@
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "plot_marks.hpp"
+#include "tolerances.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace higherpair {
@@ -47,6 +53,49 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
     }
   }
   return names;
+}
+
+double largest_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+// The largest value of all columns of each unit, by its name.
+std::map<std::string_view, double> scales_of(const Motion& motion) {
+  std::map<std::string_view, double> scales;
+  for (const Column& column : motion.columns()) {
+    double& scale = scales[column.unit];
+    scale = std::max(scale, largest_of(motion.column(column.name).values));
+  }
+  return scales;
+}
+
+// Values that are tiny may be so in their unit, or be what rounding has left of 0: that shows beside the
+// other columns of this unit, which are computed only then.
+void clear_rounding(const Model& model, RunSettings run, PlotData& data) {
+  const auto is_tiny = [](const PlotSeries& series) {
+    const double largest = largest_of(series.y);
+    return largest > 0 && largest < kTinyInAPlot;
+  };
+  if (std::none_of(data.series.begin(), data.series.end(), is_tiny)) {
+    return;
+  }
+  run = settings_with_columns(model.data(), run).value_or(run);
+  run.columns.clear();
+  const auto motion = model.run(run);
+  if (!motion) {
+    return;
+  }
+  const auto scales = scales_of(*motion);
+  for (PlotSeries& series : data.series) {
+    const auto scale = scales.find(series.unit);
+    if (is_tiny(series) && scale != scales.end() && largest_of(series.y) < kRoundingInAPlot * scale->second) {
+      std::fill(series.y.begin(), series.y.end(), 0);
+    }
+  }
 }
 
 }  // namespace
@@ -94,6 +143,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
     const ColumnValues y = motion.column(name);
     plot.data.series.push_back({name, std::string(y.unit), xs, {y.begin(), y.end()}});
   }
+  clear_rounding(model, run, plot.data);
   const ColumnValues driver = motion.column(driver_column);
   const XColumn column = x_column(x);
   add_ranges(motion, column, driver, plot.data);

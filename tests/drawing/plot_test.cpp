@@ -240,6 +240,56 @@ TEST(Plot, KeepsAUnitWhosePowerIsNoNumber) {
   EXPECT_THAT(plots_svg({line({0, 1}, {0, 1}, "deg/s^-2")}), HasSubstr("deg/s⁻²"));
 }
 
+constexpr const char* kTinyFourBar = R"(
+[units]
+length = "m"
+mass   = "kg"
+[bodies.ground]
+points.O2 = [0, 0]
+points.O4 = [6e-5, 0]
+[bodies.crank]
+points.O2 = [0, 0]
+points.A  = [2e-5, 0]
+[bodies.coupler]
+pose     = { x = 2e-5, y = 0, angle = 60 }
+points.A = [0, 0]
+points.B = [5e-5, 0]
+[bodies.rocker]
+pose      = { x = 6e-5, y = 0, angle = 100 }
+points.O4 = [0, 0]
+points.B  = [4.5e-5, 0]
+[joints]
+j1 = { type = "revolute", between = ["ground.O2", "crank.O2"] }
+j2 = { type = "revolute", between = ["crank.A", "coupler.A"] }
+j3 = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+j4 = { type = "revolute", between = ["ground.O4", "rocker.O4"] }
+[driver]
+joint    = "j1"
+end      = 360
+samples  = 73
+velocity = 360
+[loads]
+push = { body = "rocker", point = "B", force = [-1e-8, 0] }
+)";
+
+// The torque on the crank of a mechanism of micrometres and nanonewtons is 1e-13 N m, and no rounding.
+TEST(Plot, ShowsWhatIsTinyInItsUnit) {
+  const Model model = Model::from_text(kTinyFourBar).value();
+  const PlotSeries effort = plot(model, {"driver.effort"}).data.series[0];
+  const double largest = *std::max_element(effort.y.begin(), effort.y.end());
+  EXPECT_GT(largest, 1e-13);
+  EXPECT_LT(largest, 1e-12);
+  const auto drawn = read_back(plots_svg({plot(model, {"driver.effort"}).data}));
+  const Axis y = axis(drawn, "y", "N*m");
+  EXPECT_LT(y.px(-largest) - y.px(largest), 1e3);
+  EXPECT_GT(y.px(-largest) - y.px(largest), 50);
+}
+
+TEST(Plot, ShowsWhatRoundingHasLeftOfNoughtAsNought) {
+  const PlotSeries aside = plot(shipped("toggle_press"), {"ram.x"}).data.series[0];
+  EXPECT_THAT(aside.y, ::testing::Each(0.0));
+}
+
 TEST(Plot, HasNoNumberThatIsNone) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),
