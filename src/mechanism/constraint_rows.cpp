@@ -166,6 +166,15 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
 
 void append_driver_row(const Mechanism& mechanism, const Joint& joint, double position,
                        const std::vector<BodyMotion>& bodies, double size, std::vector<ConstraintRow>& rows) {
+  if (has_angle(joint.type)) {  // the same in a fraction of the time
+    const double off = bodies[joint.second.body].theta - bodies[joint.first.body].theta - position;
+    ConstraintRow& row = rows.emplace_back();
+    row.body = {joint.first.body, joint.second.body, 0};
+    row.coefficient[0].z() = -size;
+    row.coefficient[1].z() = size;
+    row.value = size * off;
+    return;
+  }
   rows.push_back(
       row_of(driver_condition(joint_dimensions(mechanism, joint), variable<6>(bodies, joint.first.body, 1),
                               variable<6>(bodies, joint.second.body, 4), Partials<double, 6>(position), size),
