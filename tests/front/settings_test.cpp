@@ -90,7 +90,7 @@ TEST(Settings, OfToleranceVariantsNeedOne) {
     settings.count = count;
     EXPECT_THAT(refusal(tolerance_variants(model, report, settings)),
                 HasSubstr("ToleranceVariantSettings::count = " + std::to_string(count) +
-                          ": must be from 1 to 100000000000"));
+                          ": must be from 1 to 100000000"));
   }
 }
 
