@@ -8,8 +8,8 @@
 #include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/newton.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "numeric/least_norm.hpp"
-#include "numeric/tolerances.hpp"
 #include "place_points.hpp"
 
 #include <algorithm>

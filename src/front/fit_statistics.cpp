@@ -2,9 +2,9 @@
 
 #include "fit_loss.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "numeric/joined_words.hpp"
 #include "numeric/singular_values.hpp"
-#include "numeric/tolerances.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

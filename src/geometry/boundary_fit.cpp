@@ -3,9 +3,9 @@
 
 #include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
-#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

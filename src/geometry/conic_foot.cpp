@@ -2,7 +2,7 @@
 #include "higherpair/geometry/boundary_fit.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

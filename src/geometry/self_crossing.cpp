@@ -1,7 +1,7 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/geometry/tolerances.hpp"
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "read_boundary.hpp"
 
 #include "higherpair/geometry/tolerances.hpp"
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "numeric/band_matrix.hpp"
 
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>

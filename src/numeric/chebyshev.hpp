@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

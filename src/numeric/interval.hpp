@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/numeric/special_values.hpp"
-#include "numeric/tolerances.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "least_norm.hpp"
-#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "numeric/chebyshev.hpp"
-#include "numeric/tolerances.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "numeric/spline.hpp"
 
 #include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/tolerances.hpp"
 #include "numeric/spline_basis.hpp"
-#include "numeric/tolerances.hpp"
 
 #include <array>
 #include <cassert>

@@ -1,11 +1,8 @@
 #pragma once
 
-namespace higherpair {
+#include "higherpair/numeric/tolerances.hpp"
 
-/// Steps of Newton's method are expected to converge quadratically below this size [rad, units of length].
-inline constexpr double kNewtonQuadratic = 1e-9;
-/// Steps up to this size count as zero [rad, units of length].
-inline constexpr double kNewtonLeast = 1e-17;
+namespace higherpair {
 
 /// Whether Newton's method has converged: rounding keeps the steps from shrinking, or they are below all
 /// rounding. (If a component is nearly 0, as along an axis of ground, it has no rounding and steps may shrink

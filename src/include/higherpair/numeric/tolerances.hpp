@@ -22,7 +22,9 @@ inline constexpr double kSameSum = 1e-14;     // increase of the sum, as a fract
 inline constexpr double kNoGain = 1e-8;
 inline constexpr double kNoFitStep = 4e-16;  // steps below this fraction of the variables count as 0
 
-// Roots by Newton's method.
+// Newton's method. Steps are expected to converge quadratically below this size [rad, units of length].
+inline constexpr double kNewtonQuadratic = 1e-9;
+inline constexpr double kNewtonLeast = 1e-17;  // steps up to this size count as zero [rad, units of length]
 // Root of a function in an interval: steps below this fraction of its width converge quadratically, or are
 // rounding.
 inline constexpr double kNewtonRootNear = 1e-9;
