@@ -108,11 +108,13 @@ const DesignValues& Search::evaluate(const Eigen::VectorXd& u) {
 }
 
 void Search::work_out(const Eigen::VectorXd& u, DesignValues& values) {
-  set_x(u);
-  evaluator_->evaluate(x_, branch_, values);
-  ++evaluations_;
-  const bool finite =
-      std::isfinite(values.cost) && values.residuals.allFinite() && values.constraints.allFinite();
+  bool finite = u.allFinite();  // a minimiser may step to what is no number where nothing changes its values
+  if (finite) {
+    set_x(u);
+    evaluator_->evaluate(x_, branch_, values);
+    ++evaluations_;
+    finite = std::isfinite(values.cost) && values.residuals.allFinite() && values.constraints.allFinite();
+  }
   if (!finite) {
     values.cost = problem_.has_cost ? kRefused : 0;
     values.residuals.setConstant(problem_.residuals, std::sqrt(kRefused));
@@ -139,8 +141,10 @@ const DesignJacobian& Search::differentiate(const Eigen::VectorXd& u) {
     return jacobian_;
   }
   jacobian_at_ = u;
-  set_x(u);
-  if (!evaluator_->differentiate(x_, branch_, jacobian_)) {
+  if (u.allFinite()) {
+    set_x(u);
+  }
+  if (!u.allFinite() || !evaluator_->differentiate(x_, branch_, jacobian_)) {
     by_differences(u);
     return jacobian_;
   }

@@ -172,13 +172,26 @@ TEST(Scenes, OfALongStripAreInSeveralLines) {
   EXPECT_EQ(places.size(), 17U);
 }
 
+PointRef point_named(const Mechanism& mechanism, const std::string& name) {
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto& points = mechanism.bodies[b].points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (mechanism.bodies[b].name + "." + points[p].name == name) {
+        return {static_cast<int>(b), static_cast<int>(p)};
+      }
+    }
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
 // The path through a few given positions is the point's curve, not a chain of chords.
 TEST(Scenes, HavePathsBetweenTheGivenPositions) {
   for (const char* name : {"design_arch_path", "design_five_points"}) {
     const Model model = shipped(name);
     SceneSettings settings;
     settings.traces = {model.profile().design->objectives.front().path->point};
-    const PointRef point = find_point(model, settings.traces.front()).value();
+    const PointRef point = point_named(model.mechanism(), settings.traces.front());
     const Vector2d p_B = model.mechanism().bodies[point.body].points[point.point].p_B;
     const auto scenes = scenes_of(model, settings).value();
     const auto& fixed = scenes.scenes.front().fixed;

@@ -340,6 +340,46 @@ TEST(Design, AConstantConstraintIsKnownWhereTheStartDoesNotAssemble) {
               HasSubstr("design.constraints.0: is 1973.92088 whatever the variables, and does not hold"));
 }
 
+// Crank, coupler and rocker are together at most 60 mm long, and the pivots 100 mm apart: no candidate
+// assembles, and nothing changes that.
+TEST(Design, OfWhatNeverAssemblesIsAReportThatDoesNotHold) {
+  const Model model = model_of(R"(
+[bodies.ground]
+points.A = [0, 0]
+points.D = [100, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [10, 0]
+[bodies.coupler]
+pose = { x = 10 }
+points.B = [0, 0]
+points.C = [20, 0]
+[bodies.rocker]
+pose = { x = 100 }
+points.D = [0, 0]
+points.C = [20, 0]
+[joints]
+A = { type = "revolute", between = ["ground.A", "crank.A"] }
+B = { type = "revolute", between = ["crank.B", "coupler.B"] }
+C = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+D = { type = "revolute", between = ["ground.D", "rocker.D"] }
+[driver]
+joint   = "A"
+samples = 13
+[design.variables]
+b = { path = "bodies.coupler.points.C.0", min = 15, max = 30 }
+[[design.objectives]]
+column = "rocker.angle"
+of     = "range"
+)");
+  const DesignReport report = designed(model, few(8));
+  EXPECT_FALSE(report.holds);
+  for (const auto& optimum : report.optima) {
+    EXPECT_FALSE(optimum.holds);
+    EXPECT_TRUE(std::isfinite(optimum.variables.at(0)));
+  }
+}
+
 TEST(Design, UnitsOfObjectivesAreKnownWhereTheStartDoesNotAssemble) {
   std::string text = text_of_profile("design_log_generator");
   const auto set = [&](const std::string& from, const std::string& to) {
