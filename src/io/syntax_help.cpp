@@ -90,9 +90,8 @@ Finding string_mistake(const SyntaxScan& scan, std::string_view message) {
 
 Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
   return contains_text(message, "after '\\r'")
-             ? Finding(
-                   {scan.stop,
-                    "a line ends with a carriage return alone: save the file with LF or CR LF line ends"})
+             ? Finding({scan.stop,
+                        "a line ends with a carriage return alone: save the file with LF or CR LF line ends"})
              : std::nullopt;
 }
 

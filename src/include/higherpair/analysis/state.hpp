@@ -1,8 +1,8 @@
 #pragma once
 
 #include "higherpair/analysis/driver_motion.hpp"
-#include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/dwell_contact.hpp"
+#include "higherpair/contact/rolling.hpp"
 #include "higherpair/contact/tracker.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
