@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -131,11 +130,8 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   for (const int contact : group.contacts) {
     slipping.contacts[contact].rolling = false;
   }
-  std::vector<int> held;
-  std::copy_if(run_.plan().phase_bodies.begin(), run_.plan().phase_bodies.end(), std::back_inserter(held),
-               [&](int body) { return contains(group.bodies, body); });
-  const GroupStatus status =
-      place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.drivers, state_, held);
+  const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.drivers, state_,
+                                           phase_bodies_of(run_.plan(), group));
   begin_arcs(group);
   judge_coupled(model_, g, state_);
   return status;

@@ -2,10 +2,12 @@
 
 #include "group_kinds.hpp"
 #include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
 #include "joint_ends.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -54,11 +56,16 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
         names_of(run.mechanism().bodies, group.bodies), distance / limit,
         far ? "reach together" : "differ in length");
   }
+  const std::vector<int> phased = phase_bodies_of(run.plan(), group);
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
-      "there; give them the poses they have there (others may lead elsewhere), or change driver.start or the "
+      "there{}; give them the poses they have there (others may lead elsewhere), or change driver.start or "
+      "the "
       "dimensions",
-      names_of(run.mechanism().bodies, group.bodies));
+      names_of(run.mechanism().bodies, group.bodies),
+      phased.empty() ? ""
+                     : fmt::format(" ({}, turned by rolling alone, with the angle of the pose)",
+                                   names_of(run.mechanism().bodies, phased)));
 }
 
 }  // namespace higherpair

@@ -44,7 +44,7 @@ AxisRange x_range(const PlotData& data) {
   if (extent.empty()) {
     return {0, 1};
   }
-  const AxisRange padded = padded_range(extent.low, extent.high);
+  const AxisRange padded = padded_range(extent.low, extent.high, kNoTickValue);
   const bool wide =
       extent.high - extent.low > kNoTickSpread * std::max(std::abs(extent.low), std::abs(extent.high));
   return wide && data.points.empty() && is_monotone(data) ? AxisRange{extent.low, extent.high} : padded;
@@ -52,11 +52,13 @@ AxisRange x_range(const PlotData& data) {
 
 AxisRange y_range(const PlotPanel& panel) {
   ValueRange extent;
+  double noise = panel.series.empty() ? kNoTickValue : kInf;
   for (const PlotSeries* series : panel.series) {
     for (const double y : series->y) extent.add(y);
+    noise = std::min(noise, series->noise);
   }
   for (const PlotPoint* point : panel.points) extent.add(point->y);
-  return extent.empty() ? AxisRange{0, 1} : padded_range(extent.low, extent.high);
+  return extent.empty() ? AxisRange{0, 1} : padded_range(extent.low, extent.high, noise);
 }
 
 std::vector<PlotPanel> make_panels(const PlotData& data) {

@@ -107,9 +107,9 @@ Ticks make_ticks(double low, double high, std::string_view unit, int most) {
   return ticks;
 }
 
-AxisRange padded_range(double lowest, double highest) {
+AxisRange padded_range(double lowest, double highest, double noise) {
   const double largest = std::max(std::abs(lowest), std::abs(highest));
-  if (largest < kNoTickValue) {
+  if (largest < std::max(noise, kLeastTickValue)) {
     return {-1, 1};
   }
   const double span = highest - lowest;

@@ -25,12 +25,13 @@ struct Ticks {
 [[nodiscard]] Ticks make_ticks(double low, double high, std::string_view unit, int most);
 
 /// The range of an axis for values from `lowest` to `highest`, with a margin. If the values are equal to
-/// within rounding, the range is wide enough to show a constant.
+/// within rounding, the range is wide enough to show a constant; if none is beyond `noise`, it is one about
+/// 0.
 struct AxisRange {
   double low = 0;
   double high = 0;
 };
-[[nodiscard]] AxisRange padded_range(double lowest, double highest);
+[[nodiscard]] AxisRange padded_range(double lowest, double highest, double noise);
 
 /// A unit in print after a factor: "×10⁶ mm", "×10⁶"; without it if the exponent is 0.
 [[nodiscard]] std::string printed_unit(std::string_view unit, int exponent);

@@ -7,8 +7,10 @@ namespace higherpair {
 
 // Axes.
 
-/// Values below this count as 0: the powers of ten of their ticks would not be numbers.
-inline constexpr double kNoTickValue = 1e-290;
+/// Places on the axis x below this count as 0, in any unit that a profile is likely to use.
+inline constexpr double kNoTickValue = 1e-10;
+/// Anything below this is 0: the powers of ten of its ticks would not be numbers.
+inline constexpr double kLeastTickValue = 1e-290;
 /// Relative to the largest of the values: a smaller spread is rounding.
 inline constexpr double kNoTickSpread = 1e-9;
 /// As a fraction of a step: a tick this far beyond an end of the axis is still on it.

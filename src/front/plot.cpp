@@ -75,12 +75,12 @@ std::map<std::string_view, double> scales_of(const Motion& motion) {
 
 // Values that are tiny may be so in their unit, or be what rounding has left of 0: that shows beside the
 // other columns of this unit, which are computed only then.
-void clear_rounding(const Model& model, RunSettings run, PlotData& data) {
+void set_noise(const Model& model, RunSettings run, std::vector<PlotSeries>& all) {
   const auto is_tiny = [](const PlotSeries& series) {
     const double largest = largest_of(series.y);
-    return largest > 0 && largest < kTinyInAPlot;
+    return largest > 0 && largest < series.noise;
   };
-  if (std::none_of(data.series.begin(), data.series.end(), is_tiny)) {
+  if (std::none_of(all.begin(), all.end(), is_tiny)) {
     return;
   }
   run = settings_with_columns(model.data(), run).value_or(run);
@@ -90,11 +90,9 @@ void clear_rounding(const Model& model, RunSettings run, PlotData& data) {
     return;
   }
   const auto scales = scales_of(*motion);
-  for (PlotSeries& series : data.series) {
+  for (PlotSeries& series : all) {
     const auto scale = scales.find(series.unit);
-    if (is_tiny(series) && scale != scales.end() && largest_of(series.y) < kRoundingInAPlot * scale->second) {
-      std::fill(series.y.begin(), series.y.end(), 0);
-    }
+    if (is_tiny(series) && scale != scales.end()) series.noise = kRoundingInAPlot * scale->second;
   }
 }
 
@@ -143,7 +141,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
     const ColumnValues y = motion.column(name);
     plot.data.series.push_back({name, std::string(y.unit), xs, {y.begin(), y.end()}});
   }
-  clear_rounding(model, run, plot.data);
+  set_noise(model, run, plot.data.series);
   const ColumnValues driver = motion.column(driver_column);
   const XColumn column = x_column(x);
   add_ranges(motion, column, driver, plot.data);

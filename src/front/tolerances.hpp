@@ -16,8 +16,6 @@ inline constexpr double kPinAtCenter = 1e-9;
 
 // Plots.
 
-/// In the unit of a column: one whose values are all smaller is compared with the other columns of its unit.
-inline constexpr double kTinyInAPlot = 1e-10;
 /// Relative to the largest value of any column of the unit: smaller ones are rounding.
 inline constexpr double kRoundingInAPlot = 1e-10;
 

@@ -37,40 +37,40 @@ std::string number_below(const Table& document, std::string_view path) {
   return first;
 }
 
-// Why the path does not lead to a number of the profile; empty if it does.
-// \param plain  whether the number must be written without a unit of its own
-std::string path_objection(const Table& document, std::string_view path, bool plain) {
+struct NumberAtPath {
+  std::string objection;  // why it does not lead to a number of the profile; empty if it does
+  std::string text;       // the number, where it is written with a unit of its own
+};
+
+NumberAtPath number_at(const Table& document, std::string_view path) {
   const Value* value = nullptr;
   std::string done;
   for (std::string_view rest = path; !rest.empty();) {
     const std::string part(rest.substr(0, rest.find('.')));
     const Value* next = value == nullptr ? find(document, part) : find_part(*value, part);
     if (next == nullptr) {
-      return fmt::format("there is no `{}` in {}; {}", part, done.empty() ? "the profile" : done,
-                         suggestion(part, value == nullptr ? keys_of(document) : parts_of(*value)));
+      return {fmt::format("there is no `{}` in {}; {}", part, done.empty() ? "the profile" : done,
+                          suggestion(part, value == nullptr ? keys_of(document) : parts_of(*value))),
+              ""};
     }
     value = next;
     done += done.empty() ? part : "." + part;
     rest.remove_prefix(std::min(part.size() + 1, rest.size()));
   }
   if (value == nullptr) {
-    return "expected the path of a number";
+    return {"expected the path of a number", ""};
   }
   const auto& content = value->content;
-  if (std::holds_alternative<double>(content) || std::holds_alternative<std::int64_t>(content)) {
-    return "";
-  }
   if (const auto* text = std::get_if<std::string>(&content)) {
-    return !plain
-               ? ""
-               : fmt::format(
-                     "the profile writes this with a unit of its own, \"{}\", and the values of a sweep are "
-                     "in its `units`: write it without",
-                     *text);
+    return {"", *text};
+  }
+  if (std::holds_alternative<double>(content) || std::holds_alternative<std::int64_t>(content)) {
+    return {};
   }
   const std::string example = number_below(document, path);
-  return fmt::format("this is {}; expected the path of a number{}{}", kind_of(*value),
-                     example.empty() ? "" : ", such as ", example);
+  return {fmt::format("this is {}; expected the path of a number{}{}", kind_of(*value),
+                      example.empty() ? "" : ", such as ", example),
+          ""};
 }
 
 std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPaths& paths) {
@@ -79,15 +79,21 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
     return std::nullopt;
   }
   const bool own = *path == paths.task || path->starts_with(paths.task + ".");
-  std::string objection = !own ? path_objection(paths.document, *path, paths.task == "sweep")
-                          : paths.task == "sweep" ? "a sweep cannot vary itself"
-                                                  : "tolerances have none themselves";
-  if (objection.empty() && contains(paths.taken, *path)) {
+  auto [objection, text] = own ? NumberAtPath{} : number_at(paths.document, *path);
+  if (own) {
+    objection = paths.task == "sweep" ? "a sweep cannot vary itself" : "tolerances have none themselves";
+  } else if (objection.empty() && contains(paths.taken, *path)) {
     objection = "another variable sets this already";
   }
   paths.taken.push_back(*path);
   if (!objection.empty()) {
     report(reading, item, objection);
+  } else if (!text.empty() && paths.task == "sweep") {
+    reading.notes.push_back(
+        {item.value->mark,
+         fmt::format("{}: the profile gives {} as \"{}\", and the values of a sweep are in the "
+                     "profile's `units`: if that is not meant, write it without a unit of its own",
+                     item.path, *path, text)});
   }
   return path;
 }

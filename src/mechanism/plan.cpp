@@ -77,6 +77,13 @@ std::optional<std::string> cannot_part(const Mechanism& mechanism, const Plan& p
   return std::nullopt;
 }
 
+std::vector<int> common(const std::vector<int>& some, const std::vector<int>& others) {
+  std::vector<int> both;
+  std::copy_if(some.begin(), some.end(), std::back_inserter(both),
+               [&](int one) { return contains(others, one); });
+  return both;
+}
+
 }  // namespace
 
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
@@ -140,10 +147,11 @@ std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body)
 }
 
 std::vector<int> idle_bodies_of(const Plan& plan, const Group& group) {
-  std::vector<int> idle;
-  std::copy_if(plan.idle_bodies.begin(), plan.idle_bodies.end(), std::back_inserter(idle),
-               [&](int body) { return contains(group.bodies, body); });
-  return idle;
+  return common(plan.idle_bodies, group.bodies);
+}
+
+std::vector<int> phase_bodies_of(const Plan& plan, const Group& group) {
+  return common(plan.phase_bodies, group.bodies);
 }
 
 std::optional<std::size_t> group_with_contact(const Plan& plan, int contact) {

@@ -310,6 +310,7 @@ points = { P0 = [0, -0.83], P1 = [0.6, 0.06] }
 [bodies.b2]
 points = { P0 = [0.6, 0], P1 = [0.2, -0.3] }
 [bodies.b3]
+pose = { x = -0.0692425628845484, y = -0.0001908210026980793, angle = 0.25515127892918693 }
 points = { P0 = [0.2, -0.3] }
 curves.C0 = { type = "circle", center = [0.4, 0.2], radius = 0.7, side = "outside" }
 [joints]

@@ -11,6 +11,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kCamProfile;
 using testing::messages;
+using ::testing::Not;
 using testing::Overrides;
 using testing::read;
 
@@ -149,10 +150,21 @@ TEST(SweepProfiles, NameWhatDoesNotExist) {
   EXPECT_THAT(path("[\"driver.end\", \"driver.end\"]"), HasSubstr("another variable sets this already"));
 }
 
-TEST(SweepProfiles, RefuseToVaryANumberWithAUnitOfItsOwn) {
-  EXPECT_THAT(message({"bodies.cam.curves.disc.radius=\"2 cm\"",
-                       "sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\", values = [19, 21] }"}),
-              HasSubstr("with a unit of its own, \"2 cm\", and the values of a sweep are in its `units`"));
+TEST(SweepProfiles, NoteThatANumberWithAUnitOfItsOwnIsVariedInTheUnitOfTheProfile) {
+  const auto notes = [](const char* radius) {
+    std::string all;
+    for (const Diagnostic& note :
+         read(cam(), {std::string("bodies.cam.curves.disc.radius=") + radius}).notes) {
+      all += to_string(note) + "\n";
+    }
+    return all;
+  };
+  EXPECT_THAT(
+      notes("\"2 cm\""),
+      HasSubstr(
+          "sweep.variables.r.path: the profile gives bodies.cam.curves.disc.radius as \"2 cm\", and the "
+          "values of a sweep are in the profile's `units`"));
+  EXPECT_THAT(notes("20"), Not(HasSubstr("sweep")));
 }
 
 TEST(SweepProfiles, SayWhatIsWrongWithValues) {

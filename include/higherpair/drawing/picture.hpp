@@ -159,7 +159,8 @@ struct PlotSeries {
   std::vector<double> y;  ///< as many as x
   PlotLine line = PlotLine::kOwn;
   std::vector<std::size_t> breaks =
-      {};  ///< points that no line joins to the point before, in ascending order
+      {};                ///< points that no line joins to the point before, in ascending order
+  double noise = 1e-10;  ///< where all values are within this of 0 the line is one at 0 [unit]
 };
 
 /// An event at x, in all panels: a thin vertical line with a label.

@@ -197,6 +197,9 @@ struct Plan {
 /// Those bodies of a group whose rotation is not determined.
 [[nodiscard]] std::vector<int> idle_bodies_of(const Plan& plan, const Group& group);
 
+/// Those of a group whose angle is determined by nothing but a rolling contact.
+[[nodiscard]] std::vector<int> phase_bodies_of(const Plan& plan, const Group& group);
+
 /// Index of the group that has a contact; none if no group does.
 [[nodiscard]] std::optional<std::size_t> group_with_contact(const Plan& plan, int contact);
 
