@@ -1,5 +1,7 @@
 #include "fit_loss.hpp"
 
+#include "higherpair/front/fit.hpp"
+
 #include <cmath>
 
 namespace higherpair {
