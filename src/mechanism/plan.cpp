@@ -171,7 +171,7 @@ bool can_be_redimensioned(const Plan& plan, const Mechanism& mechanism) {
 Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   Plan other;
   other.idle_bodies = plan.idle_bodies;
-  other.phase_bodies = phase_bodies(mechanism);
+  other.phase_bodies = plan.phase_bodies;
   other.surplus = plan.surplus;
   other.coincidences = plan.coincidences;
   fill_in(other, mechanism, {plan.groups.begin(), plan.groups.end()});

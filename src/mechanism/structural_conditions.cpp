@@ -3,7 +3,9 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "idle_turning.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -225,6 +227,26 @@ std::vector<Condition> structural_conditions(const Mechanism& mechanism, const N
   return Conditions(mechanism, order).all();
 }
 
+namespace {
+
+// Of the bodies of rolling contacts, whether they are nearly round: of these the plan chooses those that keep
+// their angles.
+void append_nearly_round(const Mechanism& mechanism, std::vector<bool>& coincide) {
+  std::optional<double> size;
+  for (const Contact& contact : mechanism.contacts) {
+    if (!contact.rolling) {
+      continue;
+    }
+    if (!size) {
+      size = size_of(mechanism);
+    }
+    coincide.push_back(is_nearly_round({mechanism, *size}, contact.first.body));
+    coincide.push_back(is_nearly_round({mechanism, *size}, contact.second.body));
+  }
+}
+
+}  // namespace
+
 std::vector<bool> coincidences_of(const Mechanism& mechanism) {
   const References references(mechanism, by_name(mechanism.joints));
   std::vector<bool> coincide;
@@ -238,6 +260,7 @@ std::vector<bool> coincidences_of(const Mechanism& mechanism) {
     coincide.push_back(references.is_about(contact.first));
     coincide.push_back(references.is_about(contact.second));
   }
+  append_nearly_round(mechanism, coincide);
   return coincide;
 }
 

@@ -37,8 +37,9 @@ struct NameOrder {
 [[nodiscard]] std::vector<Condition> structural_conditions(const Mechanism& mechanism,
                                                            const NameOrder& order);
 
-/// Of the ends of pins, whether they are at their body's reference point, and of the curves of contacts,
-/// whether they are round about it: all dimensions on which structural_conditions() depend.
+/// Of the ends of pins, whether they are at their body's reference point, of the curves of contacts, whether
+/// they are round about it, and of the bodies of rolling contacts, whether they are nearly round: all
+/// dimensions on which structural_conditions() and phase_bodies() depend.
 [[nodiscard]] std::vector<bool> coincidences_of(const Mechanism& mechanism);
 
 }  // namespace higherpair

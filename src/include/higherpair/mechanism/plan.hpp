@@ -188,7 +188,7 @@ struct Plan {
   /// Those whose angle is determined by nothing but a rolling contact: they start with the angle of their
   /// pose.
   std::vector<int> phase_bodies;
-  std::vector<bool> coincidences;  ///< of pins and round curves, which the order of solution depends on
+  std::vector<bool> coincidences;  ///< of pins and round curves, on which the order and phase_bodies depend
   int surplus = 0;                 ///< number of conditions in excess of the coordinates
   bool couples = false;            ///< some of the groups are CoupledBodies
   double size = 1;                 ///< size_of the mechanism [m]
