@@ -1,7 +1,8 @@
-#include "report_data.hpp"
+#include "column_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
 
@@ -9,18 +10,6 @@ namespace higherpair {
 namespace {
 
 using LargestOfUnit = std::map<std::string, double>;
-
-LargestOfUnit largest_of(const ReportData& data) {
-  LargestOfUnit largest;
-  for (std::size_t k = 0; k < data.columns.size(); ++k) {
-    const auto& [low, high] = data.extremes[k];
-    if (!std::isnan(low.value)) {
-      double& found = largest[data.columns[k].unit];
-      found = std::max({found, std::abs(low.value), std::abs(high.value)});
-    }
-  }
-  return largest;
-}
 
 // Scale of "mm/s^2" from those of "mm/s" and "mm": accelerations that ought to vanish are rounding of that
 // size.
@@ -37,12 +26,23 @@ double from_speed(const std::string& unit, const LargestOfUnit& largest) {
 
 }  // namespace
 
-std::vector<double> scales_of(const ReportData& data) {
-  const LargestOfUnit largest = largest_of(data);
+double largest_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+std::vector<double> scales_of(const std::vector<Column>& columns, const std::vector<double>& largest) {
+  LargestOfUnit of_unit;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    double& found = of_unit[columns[k].unit];
+    found = std::max(found, largest[k]);
+  }
   std::vector<double> scales;
-  for (const Column& column : data.columns) {
-    const auto found = largest.find(column.unit);
-    scales.push_back(std::max(found == largest.end() ? 0 : found->second, from_speed(column.unit, largest)));
+  for (const Column& column : columns) {
+    scales.push_back(std::max(of_unit[column.unit], from_speed(column.unit, of_unit)));
   }
   return scales;
 }

@@ -1,5 +1,6 @@
 #include "jumps.hpp"
 
+#include "column_scales.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "tolerances.hpp"
 
@@ -44,8 +45,7 @@ double step_to(std::span<const double> values, std::size_t row) {
 
 std::vector<std::size_t> jumps_of(std::span<const double> values, const std::vector<Event>& events,
                                   const std::function<std::size_t(std::int64_t)>& index_of) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::isfinite(value) ? std::abs(value) : 0);
+  const double largest = largest_of(values);
   std::vector<std::size_t> jumps;
   for (const Event& event : events) {
     const auto growth = least_growth(event.type);

@@ -1,4 +1,6 @@
 #include "analysis_impl.hpp"
+#include "column_scales.hpp"
+#include "column_set.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/contains.hpp"
@@ -6,11 +8,8 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <span>
-#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace higherpair {
 namespace {
@@ -55,24 +54,6 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
   return names;
 }
 
-double largest_of(std::span<const double> values) {
-  double largest = 0;
-  for (const double value : values) {
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
-// The largest value of all columns of each unit, by its name.
-std::map<std::string_view, double> scales_of(const Motion& motion) {
-  std::map<std::string_view, double> scales;
-  for (const Column& column : motion.columns()) {
-    double& scale = scales[column.unit];
-    scale = std::max(scale, largest_of(motion.column(column.name).values));
-  }
-  return scales;
-}
-
 // Values that are tiny may be so in their unit, or be what rounding has left of 0: that shows beside the
 // other columns of this unit, which are computed only then.
 void set_noise(const Model& model, RunSettings run, std::vector<PlotSeries>& all) {
@@ -89,10 +70,12 @@ void set_noise(const Model& model, RunSettings run, std::vector<PlotSeries>& all
   if (!motion) {
     return;
   }
-  const auto scales = scales_of(*motion);
+  const std::vector<Column>& columns = motion->columns();
+  std::vector<double> largest;
+  for (const Column& column : columns) largest.push_back(largest_of(motion->column(column.name).values));
+  const std::vector<double> scales = scales_of(columns, largest);
   for (PlotSeries& series : all) {
-    const auto scale = scales.find(series.unit);
-    if (is_tiny(series) && scale != scales.end()) series.noise = kRoundingInAPlot * scale->second;
+    if (is_tiny(series)) series.noise = kColumnNoise * scales[column_slot(columns, series.name)];
   }
 }
 

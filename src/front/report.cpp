@@ -1,4 +1,5 @@
 #include "analysis_impl.hpp"
+#include "column_scales.hpp"
 #include "column_set.hpp"
 #include "demands.hpp"
 #include "higherpair/dynamics/reactions.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -58,7 +60,7 @@ void note(std::vector<ColumnExtremes>& extremes, const Row& row, double driver) 
 void name_first(ReportData& data, std::size_t driver) {
   for (std::size_t k = 0; k < data.extremes.size(); ++k) {
     auto& [low, high] = data.extremes[k];
-    const double rounding = kReportNoise * std::max(std::abs(low.value), std::abs(high.value));
+    const double rounding = kColumnNoise * std::max(std::abs(low.value), std::abs(high.value));
     for (ColumnExtremes::Value* extreme : {&low, &high}) {
       const auto first = std::find_if(data.rows.begin(), data.rows.end(), [&](const Row& row) {
         return std::abs(row.values[k] - extreme->value) <= rounding;
@@ -98,7 +100,11 @@ ReportData collect(const Model& model, Analysis& analysis, const ReportSettings&
   }
   data.events = analysis.events();
   data.good = analysis.good();
-  data.scales = scales_of(data);
+  std::vector<double> largest;
+  for (const auto& [low, high] : data.extremes) {
+    largest.push_back(std::isnan(low.value) ? 0 : std::max(std::abs(low.value), std::abs(high.value)));
+  }
+  data.scales = scales_of(data.columns, largest);
   name_first(data, driver);
   return data;
 }

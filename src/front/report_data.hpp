@@ -31,15 +31,10 @@ struct ReportData {
   std::vector<MotionRow> motions;        ///< of these rows
   std::vector<Reactions> reactions;      ///< of these rows, in a run with forces
   std::vector<ColumnExtremes> extremes;  ///< of the columns, over the whole run
-  /// Scale of each column: kReportNoise times it is rounding.
-  std::vector<double> scales;
+  std::vector<double> scales;            ///< of the columns; see scales_of
   std::vector<Event> events;
   bool good = true;
 };
-
-/// The largest absolute value of all columns with the unit of each column; for accelerations at least
-/// speed²/travel.
-[[nodiscard]] std::vector<double> scales_of(const ReportData& data);
 
 /// A fact at the top of the page, such as the stroke of the follower.
 struct Fact {

@@ -21,11 +21,11 @@ struct Found {
   [[nodiscard]] const ColumnExtremes::Value& largest() const {
     const auto& [low, high] = extremes;
     const double a = std::abs(low.value), b = std::abs(high.value);
-    const bool same = std::abs(a - b) <= kReportNoise * std::max(a, b);
+    const bool same = std::abs(a - b) <= kColumnNoise * std::max(a, b);
     return (same ? low.row < high.row : a > b) ? low : high;
   }
   [[nodiscard]] bool is_constant() const {
-    return range() <= noise || range() <= kReportNoise * std::abs(largest().value);
+    return range() <= noise || range() <= kColumnNoise * std::abs(largest().value);
   }
   [[nodiscard]] double rounded(double value) const { return std::abs(value) <= noise ? 0 : value; }
 };
@@ -34,7 +34,7 @@ struct Found {
 std::optional<Found> find(const ReportData& data, const std::string& name) {
   const std::size_t k = column_slot(data.columns, name);
   if (k == data.columns.size() || std::isnan(data.extremes[k].low.value)) return std::nullopt;
-  return Found{data.columns[k], data.extremes[k], kReportNoise * data.scales[k]};
+  return Found{data.columns[k], data.extremes[k], kColumnNoise * data.scales[k]};
 }
 
 bool column_is_rate(const Column& column) {

@@ -50,7 +50,7 @@ void write_columns(JsonWriter& json, const ReportData& data) {
   for (std::size_t k = 0; k < data.columns.size(); ++k) {
     const Column& column = data.columns[k];
     json.open('{').key("name").string(column.name).key("unit").string(column.unit);
-    json.key("noise").number(kReportNoise * data.scales[k], 3);
+    json.key("noise").number(kColumnNoise * data.scales[k], 3);
     if (!column.words.empty()) {
       json.key("words").open('[');
       for (const std::string_view word : column.words) json.string(word);

@@ -14,11 +14,6 @@ namespace higherpair {
 /// A pin this close to the centre of a round curve is at it.
 inline constexpr double kPinAtCenter = 1e-9;
 
-// Plots.
-
-/// Relative to the largest value of any column of the unit: smaller ones are rounding.
-inline constexpr double kRoundingInAPlot = 1e-10;
-
 // Rows and events.
 
 /// Fraction of the path between two rows: an event this close to the end is at the row.
@@ -100,7 +95,7 @@ inline constexpr double kNoNumber = 1e-12;
 // Pictures and reports.
 
 /// Relative to the scale of a column: smaller values and changes are rounding.
-inline constexpr double kReportNoise = 1e-9;
+inline constexpr double kColumnNoise = 1e-9;
 // Rounding steps of what a report draws.
 inline constexpr double kPlaceStep = 1e-8;  // of the picture's size: positions of bodies
 inline constexpr double kAngleStep = 1e-8;  // [rad]
