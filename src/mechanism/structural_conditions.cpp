@@ -80,8 +80,7 @@ private:
 
 class Conditions {
 public:
-  Conditions(const Mechanism& mechanism, const NameOrder& order)
-      : mechanism_(mechanism), references_(mechanism, order.joints) {
+  Conditions(const Mechanism& mechanism, const NameOrder& order) : references_(mechanism, order.joints) {
     for (const int index : order.drivers) {
       add_driver(driven_joint(mechanism, static_cast<std::size_t>(index)));
     }
@@ -210,7 +209,6 @@ private:
     conditions_.push_back(slip);
   }
 
-  const Mechanism& mechanism_;
   References references_;
   std::vector<Condition> conditions_;
 };
