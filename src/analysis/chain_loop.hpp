@@ -41,9 +41,9 @@ template <class T>
   const Rotation<T>& n = bodies[touch.link].R_WB;
   const OneFreedom& freedom = touch.freedom;
   if (!freedom.turns) {
-    const Rotation<T> way =
+    const Rotation<T> turn =
         n.inverse() * all_lanes<T>(Rotation<double>{freedom.direction_W.x(), freedom.direction_W.y()});
-    return arctangent(abs(way.sin), abs(way.cos));
+    return arctangent(abs(turn.sin), abs(turn.cos));
   }
   const ChainPoint<T> p = chain_point<ChainRates::kNone>(bodies[touch.link], Vector2d(touch.p_x, 0));
   const Vector2<T> arm =

@@ -86,15 +86,15 @@ struct Numbers {
     row.phi_dot = phi_dot[k];
     row.gap_q = gap_q[k];
     row.gap_q_rate = gap_q_rate[k];
-    const double way = position[k] - position[k - 1];
-    const double uneven = way - (position[k - 1] - position[k - 2]);
-    if (way != 0) {
-      row.phi_ddot = (phi_dot[k] - phi_dot[k - 1]) / way;
+    const double step = position[k] - position[k - 1];
+    const double uneven = step - (position[k - 1] - position[k - 2]);
+    if (step != 0) {
+      row.phi_ddot = (phi_dot[k] - phi_dot[k - 1]) / step;
     }
-    if (way != 0 && std::abs(uneven) <= kUnevenRows * std::abs(way)) {
-      row.third_rate = (second_rate[k] - second_rate[k - 1]) / way;
-      row.phi_third = (phi_dot[k] - 2 * phi_dot[k - 1] + phi_dot[k - 2]) / (way * way);
-      row.phi_ddot += way / 2 * row.phi_third;
+    if (step != 0 && std::abs(uneven) <= kUnevenRows * std::abs(step)) {
+      row.third_rate = (second_rate[k] - second_rate[k - 1]) / step;
+      row.phi_third = (phi_dot[k] - 2 * phi_dot[k - 1] + phi_dot[k - 2]) / (step * step);
+      row.phi_ddot += step / 2 * row.phi_third;
     }
     return row;
   }
@@ -135,10 +135,10 @@ template <class T, std::size_t kRows>
 template <class T>
 [[nodiscard]] inline Guess<T> predicted(const OvalRow& from, const T& position) {
   const T h = position - T(from.position);
-  const T way = h * (T(from.rate) + T(0.5) * h * (T(from.second_rate) + h * T(from.third_rate / 3)));
+  const T travel = h * (T(from.rate) + T(0.5) * h * (T(from.second_rate) + h * T(from.third_rate / 3)));
   const T turn = h * (T(from.phi_dot) + T(0.5) * h * (T(from.phi_ddot) + h * T(from.phi_third / 3)));
   const Rotation<T> n{T(from.n_W.x()), T(from.n_W.y())};
-  return {renewed(renewed(all_lanes<T>(from.turn) * small_turn(way))), T(from.slide) + way,
+  return {renewed(renewed(all_lanes<T>(from.turn) * small_turn(travel))), T(from.slide) + travel,
           renewed(renewed(n * small_turn(turn)))};
 }
 

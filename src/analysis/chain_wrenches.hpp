@@ -105,11 +105,11 @@ inline void add_spring(const ChainLoads::PointSpring& spring, const ChainBalance
   const ChainBody<T>& two = in.bodies[spring.second.body];
   const ChainPoint<T> p = chain_point<ChainRates::kVelocities>(one, spring.first.p_B);
   const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
-  const Vector2<T> way = less(q.p_W, p.p_W);
-  const T square = dot(way, way);
+  const Vector2<T> apart = less(q.p_W, p.p_W);
+  const T square = dot(apart, apart);
   *in.shortest = max(*in.shortest, -square);
   const T length = sqrt(square);
-  const Vector2<T> u = times(safe_inverse(length), way);
+  const Vector2<T> u = times(safe_inverse(length), apart);
   const Vector2<T> force =
       times(tension_of(spring.tension, length, in.rates.first(dot(less(q.v_W, p.v_W), u))), u);
   in.wrenches[spring.first.body].push(force, arm_of(one, spring.first.p_B));
@@ -125,9 +125,9 @@ inline void add_spring(const ChainLoads::LineSpring& spring, const ChainBalance<
   const ChainPoint<T> q = chain_point<ChainRates::kVelocities>(two, spring.second.p_B);
   const Rotation<T> line = one.R_WB * all_lanes<T>(spring.line.u_B);
   const Vector2<T> u(line.cos, line.sin);
-  const Vector2<T> way = less(q.p_W, p.p_W);
-  const T rate = dot(less(q.v_W, p.v_W), u) + one.omega * dot(way, left_of(u));
-  const Vector2<T> force = times(tension_of(spring.tension, dot(way, u), in.rates.first(rate)), u);
+  const Vector2<T> apart = less(q.p_W, p.p_W);
+  const T rate = dot(less(q.v_W, p.v_W), u) + one.omega * dot(apart, left_of(u));
+  const Vector2<T> force = times(tension_of(spring.tension, dot(apart, u), in.rates.first(rate)), u);
   in.wrenches[spring.line.body].push(force, less(q.p_W, one.p_WB));
   in.wrenches[spring.second.body].push(times(T(-1), force), less(q.p_W, two.p_WB));
 }

@@ -270,8 +270,8 @@ double ratio_of_determinants(const Eigen::MatrixXd& b, const Eigen::MatrixXd& a)
 // their determinants have opposite signs. Returns two changes from one solution, at `to`, to where the other
 // one should be: as far beyond the zero of the determinant, or, if the two are already far apart, beyond
 // where the bodies came from.
-std::array<Eigen::VectorXd, 2> ways_across(const Planned& model, const Group& group, const State& from,
-                                           const State& to) {
+std::array<Eigen::VectorXd, 2> changes_across(const Planned& model, const Group& group, const State& from,
+                                              const State& to) {
   const BodyCoordinates coordinates(model, group, to);
   const Eigen::MatrixXd J = jacobian_at(model, group, to);
   Eigen::MatrixXd by_coordinates = J;
@@ -312,7 +312,7 @@ GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State&
   bool found = is_found();
   if (!found && to.groups[g].mode != mode) {
     take_group(group, to, near);
-    for (const Eigen::VectorXd& across : ways_across(model, group, from, near)) {
+    for (const Eigen::VectorXd& across : changes_across(model, group, from, near)) {
       State other = near;
       BodyCoordinates(model, group, near).move(across, other);
       found = found || (place_from(other) == GroupStatus::kOk && is_found());

@@ -12,7 +12,7 @@ namespace higherpair {
 /// \param state  near the crossing; the faster its bodies move, the nearer
 [[nodiscard]] double crossing_reach(const Run& run, const Path& path, const State& state);
 
-/// Sets `b` to the position at the fraction t of the way from `a` to it, which lead from one side of a
+/// Sets `b` to the position at the fraction t of the step from `a` to it, which lead from one side of a
 /// crossing to the other: quintics of Hermite from positions, velocities and accelerations.
 /// \param h  from `a` to `b`, in s
 void interpolate(const Run& run, const State& a, double h, double t, State& b);

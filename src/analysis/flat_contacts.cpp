@@ -12,9 +12,9 @@ namespace {
 
 // The end of the other body's flat span if it comes before that of the own one.
 std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
-                                    double way) {
+                                    double length) {
   const auto end = end_ahead(other, place, forward);
-  return end && end->distance < way && !is_flat(other, end->behind) ? end : std::nullopt;
+  return end && end->distance < length && !is_flat(other, end->behind) ? end : std::nullopt;
 }
 
 }  // namespace
@@ -40,10 +40,10 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   const BoundaryPlace from = motion.place[1 - passage.side];
   JointPassage rests = passage;
   rests.before = passage.after;
-  const double way = end_of_own->distance;  // t of the two curves runs in opposite senses
+  const double length = end_of_own->distance;  // t of the two curves runs in opposite senses
   BoundaryPlace place = end_of_own->behind;
-  BoundaryPlace opposite = other.advance(from, forward ? -way : way, 0).place;
-  if (const auto end = end_of_other(other, from, !forward, way)) {
+  BoundaryPlace opposite = other.advance(from, forward ? -length : length, 0).place;
+  if (const auto end = end_of_other(other, from, !forward, length)) {
     place = own.advance(passage.after, forward ? end->distance : -end->distance, 0).place;
     opposite = end->behind;
     rests.side = 1 - passage.side;

@@ -82,7 +82,7 @@ std::optional<double> passing_within(Run& run, const Path& path, double s, doubl
   };
   std::optional<double> x;
   if (const auto bracket = bracket_of(beyond, h)) {
-    x = root_between([&](double way) { return beyond(bracket->from + way).value_or(kNoValue); },
+    x = root_between([&](double ahead) { return beyond(bracket->from + ahead).value_or(kNoValue); },
                      bracket->at_from, bracket->to - bracket->from, bracket->at_to);
     x = x ? std::optional(bracket->from + *x) : std::nullopt;
   }

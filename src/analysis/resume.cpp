@@ -79,7 +79,7 @@ double share_of(const Run& run, const std::vector<double>& drivers) {
 }
 
 // A part of the path between two rows, on its line.
-Path part_of_way(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+Path part_of_path(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
   Path path;
   set_path(path, from, to);
   path.share_from = share_of(run, from);
@@ -107,10 +107,10 @@ bool follow_part(Run& run, const Path& path, double first_step = kInf) {
 
 // Continues the motion from where it was lost, after the drivers have come back from the limit.
 bool come_back(Run& run, const std::vector<double>& drivers) {
-  const Path path = part_of_way(run, run.at.lost.from, drivers);
+  const Path path = part_of_path(run, run.at.lost.from, drivers);
   hold_again(run);
   report_limit(run, path, run.at.lost.event);
-  const double to_limit = way_between(run, run.at.lost.from, run.at.lost.at);
+  const double to_limit = distance_between(run, run.at.lost.from, run.at.lost.at);
   return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
 }
 
@@ -137,7 +137,7 @@ std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const 
   back.at.on_branch = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  (void)follow_part(back, part_of_way(run, at, from));
+  (void)follow_part(back, part_of_path(run, at, from));
   return back;
 }
 
@@ -237,7 +237,7 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
   hold_again(run_);
   run_.at.beside.reset();
   run_.at.drivers = drivers_at(from);
-  const Path path = part_of_way(run_, line_.begin(), drivers_);
+  const Path path = part_of_path(run_, line_.begin(), drivers_);
   for (const RunEvent& event : back.events) {
     // At the end of a curve the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
@@ -278,7 +278,7 @@ bool StretchSearch::come_to_begin(double x) {
 
 // \param first_step  in x
 bool StretchSearch::follow_from(double from, double first_step) {
-  const Path path = part_of_way(run_, drivers_at(from), drivers_);
+  const Path path = part_of_path(run_, drivers_at(from), drivers_);
   const double per_x = path.is_single() ? 1 : path.length / std::abs(to_ - from);
   return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
 }

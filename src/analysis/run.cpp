@@ -199,8 +199,8 @@ void set_shares(Run& run) {
 // About two pivots only circles about their centres and equal ellipses about their foci roll through a whole
 // turn, and after any number of turns they are as they were.
 double within_two_turns(const ContactPair& pair, double start, double u) {
-  const double way = u - start;
-  return pair.motion1.turns && std::abs(way) > 4 * kPi ? start + std::fmod(way, 2 * kPi) : u;
+  const double turned = u - start;
+  return pair.motion1.turns && std::abs(turned) > 4 * kPi ? start + std::fmod(turned, 2 * kPi) : u;
 }
 
 }  // namespace

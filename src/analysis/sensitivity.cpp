@@ -157,11 +157,11 @@ PlaceDerivative Sensitivity::at_fixed_place(std::size_t contact, std::size_t sid
   return derivative_.boundaries ? derivative_.boundaries->at(contact, side, place) : PlaceDerivative{};
 }
 
-// With s₁ and s₂ the ways of the contact along the boundaries, each along its own n turned +90°, the angle φ
-// of the common normal and the common point require
+// With s₁ and s₂ the arc lengths of the contact along the boundaries, each along its own n turned +90°, the
+// angle φ of the common normal and the common point require
 //     κ₁ ds₁ = dφ - (turn of n₁ without it),  κ₂ ds₂ likewise,  ds₁ + ds₂ = shift of boundary 2 along n₁
 //     +90°.
-// The more curved boundary determines its own way, and the shift that of the other, which may be straight.
+// The more curved boundary determines its own ds, and the shift that of the other, which may be straight.
 std::array<PlaceDerivative, 2> Sensitivity::of_places(const Run& run, const RowSensitivity& of_row,
                                                       std::size_t contact) const {
   const ContactMotion& motion = run.row.contacts[contact];

@@ -32,7 +32,7 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
 /// If the contact of group g, in run.at.state at s, has just gone over a joint of spans behind which the
 /// bodies would come to overlap at another place where they touch: goes on with that place, and adds an
 /// event. Otherwise returns false and changes nothing. Gaps that begin to grow or fall there do so with the
-/// square of the way, so that for long it could not be seen from them which place holds.
+/// square of the distance, so that for long it could not be seen from them which place holds.
 [[nodiscard]] bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g);
 
 /// If the contact of group g has come to the end of a curve in run.at.state, at s: goes on with another place

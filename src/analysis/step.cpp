@@ -65,11 +65,11 @@ public:
 
   // A body's contact point, which may jump to another place of two nearly flat curves where the bodies hardly
   // feel it.
-  // \param way  from begin to end along the boundary
-  void add_way(double way, double v0, double v1) {
-    const double mismatch = per_size_ * std::abs(way - half_ * (v0 + v1));
-    const double longest = per_size_ * (std::abs(way) + std::abs(half_) * (std::abs(v0) + std::abs(v1)));
-    jumps_ = jumps_ || mismatch > kSmoothWay * longest + kLeastJump;
+  // \param travel  from begin to end along the boundary
+  void add_travel(double travel, double v0, double v1) {
+    const double mismatch = per_size_ * std::abs(travel - half_ * (v0 + v1));
+    const double longest = per_size_ * (std::abs(travel) + std::abs(half_) * (std::abs(v0) + std::abs(v1)));
+    jumps_ = jumps_ || mismatch > kSmoothTravel * longest + kLeastJump;
   }
 
   // \param kinks  whether a contact may have begun the step at a joint with a kink too small for a corner
@@ -96,10 +96,10 @@ private:
   bool jumps_ = false;        // whether a contact point does
 };
 
-// The way of a contact's point along one of its bodies in a step, positive to the left of the normal.
+// How far a contact's point travels along one of its bodies in a step, positive to the left of the normal.
 // \param point  of the contact, on the body
-double way_of(const BodyMotion& from, const CommonNormal& a, const BodyMotion& to, const CommonNormal& b,
-              Vector2d CommonNormal::*point) {
+double travel_of(const BodyMotion& from, const CommonNormal& a, const BodyMotion& to, const CommonNormal& b,
+                 Vector2d CommonNormal::*point) {
   const Vector2d p_B = to.X_WB.inverse_times(b.*point) - from.X_WB.inverse_times(a.*point);
   const Vector2d n_B = from.X_WB.R_WB.inverse() * a.n_W + to.X_WB.R_WB.inverse() * b.n_W;
   return p_B.dot(perp(n_B)) / n_B.norm();
@@ -120,10 +120,10 @@ bool is_smooth(const Run& run, const Group& group, double h) {
     const Contact& pair = run.mechanism().contacts[i];
     if (pair.by_boundary && a.touches && b.touches) {
       const int one = pair.first.body, two = pair.second.body;
-      smoothness.add_way(way_of(from.bodies[one], a.at, to.bodies[one], b.at, &CommonNormal::p1_W),
-                         a.rates.along1, b.rates.along1);
-      smoothness.add_way(way_of(from.bodies[two], a.at, to.bodies[two], b.at, &CommonNormal::p2_W),
-                         a.rates.along2, b.rates.along2);
+      smoothness.add_travel(travel_of(from.bodies[one], a.at, to.bodies[one], b.at, &CommonNormal::p1_W),
+                            a.rates.along1, b.rates.along1);
+      smoothness.add_travel(travel_of(from.bodies[two], a.at, to.bodies[two], b.at, &CommonNormal::p2_W),
+                            a.rates.along2, b.rates.along2);
     }
   }
   return smoothness.holds(run.local.has_value());
@@ -225,21 +225,21 @@ GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, 
 }  // namespace
 
 std::size_t leading_driver(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
-  const auto way = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
+  const auto moved = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
   std::size_t leading = 0;
   for (std::size_t i = 1; i < to.size(); ++i) {
-    leading = way(i) > way(leading) ? i : leading;
+    leading = moved(i) > moved(leading) ? i : leading;
   }
   return leading;
 }
 
-double way_between(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+double distance_between(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
   const std::size_t i = leading_driver(run, from, to);
   return std::abs(to[i] - from[i]) / driver_scale(run, i);
 }
 
 double unit_of(const Run& run, const Path& path) {
-  return path.is_single() ? driver_scale(run, 0) : 1 / way_between(run, path.from, path.to);
+  return path.is_single() ? driver_scale(run, 0) : 1 / distance_between(run, path.from, path.to);
 }
 
 double size_at(const Run& run, const Path& path, double s) {

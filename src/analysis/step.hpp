@@ -54,7 +54,7 @@ struct StepResult {
 /// smooth.
 [[nodiscard]] std::optional<std::size_t> broken_off(const Run& run, double h);
 
-/// How fast the fastest body moves, per unit of the path: turns, or ways relative to the size.
+/// How fast the fastest body moves, per unit of the path: turns, or distances relative to the size.
 [[nodiscard]] double fastest_body(const Run& run, const State& state);
 
 /// One unit of a driver's coordinate: a radian, or the size of the mechanism.
@@ -65,8 +65,8 @@ struct StepResult {
                                          const std::vector<double>& to);
 
 /// How far that driver moves, in its unit.
-[[nodiscard]] double way_between(const Run& run, const std::vector<double>& from,
-                                 const std::vector<double>& to);
+[[nodiscard]] double distance_between(const Run& run, const std::vector<double>& from,
+                                      const std::vector<double>& to);
 
 /// One unit of the drivers in the path's coordinate.
 [[nodiscard]] double unit_of(const Run& run, const Path& path);

@@ -56,9 +56,9 @@ inline constexpr double kFarthestBodyTurn = 2;
 /// Largest mismatch between a step and a smooth motion, as a fraction of the step's change; see Smoothness in
 /// step.cpp.
 inline constexpr double kSmoothStep = 0.04;
-/// The same of the way of a contact point along a body, and the least way, relative to the size, that counts
-/// as a jump.
-inline constexpr double kSmoothWay = 0.3;
+/// The same of the travel of a contact point along a body, and the least travel, relative to the size, that
+/// counts as a jump.
+inline constexpr double kSmoothTravel = 0.3;
 inline constexpr double kLeastJump = 1e-4;
 /// Mismatch of a step that is accepted as rounding [rad, of the size].
 inline constexpr double kNoMismatch = 1e-9;

@@ -68,8 +68,8 @@ FlankRates rates_of_arc(const MotionOver& motion, const Arc& arc, const Interval
   const IntervalVector n = unit_interval(phi);
   const IntervalVector t = n.turned();
   const Interval rho = arc.radius(phi);
-  const Interval way = rho * (phi - arc.middle);
-  const IntervalVector p = {arc.p.x() + way * t.x, arc.p.y() + way * t.y};
+  const Interval distance = rho * (phi - arc.middle);
+  const IntervalVector p = {arc.p.x() + distance * t.x, arc.p.y() + distance * t.y};
   const Interval h = p.dot(n);
   const Interval& omega = motion.omega.c[0];
   const Interval along = term(motion.w, 0).dot(t);

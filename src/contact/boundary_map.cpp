@@ -241,8 +241,8 @@ private:
         const auto there = trace_->at(draft.path, leg, leg.share_a + x);
         return there ? there->gap_u : kNoValue;
       };
-      const double way = leg.share_b - leg.share_a;
-      share = leg.share_a + root_between(gap_u, gap_u(0), way, gap_u(way)).value_or(0);
+      const double length = leg.share_b - leg.share_a;
+      share = leg.share_a + root_between(gap_u, gap_u(0), length, gap_u(length)).value_or(0);
     }
     auto at = trace_->at(draft.path, leg, share);
     if (!at) {

@@ -34,7 +34,7 @@ std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) con
   // u may be past the last leg by rounding.
   leg = leg == path.legs.end() ? leg - 1 : leg;
   const double from = leg->share_a;
-  const double way = leg->share_b - from;
+  const double length = leg->share_b - from;
   const auto error = [&](double x) {
     const auto there = at(path, *leg, from + x);
     return there ? there->u - path.shift_u - wanted : kNoValue;
@@ -43,7 +43,7 @@ std::optional<SheetPoint> BoundaryTrace::at(const TracePath& path, double u) con
   if (leg->u_b - wanted <= 0) {
     share = leg->share_b;
   } else if (leg->u_a < wanted) {
-    const auto x = root_between(error, error(0), way, error(way));
+    const auto x = root_between(error, error(0), length, error(length));
     if (!x) {
       return std::nullopt;
     }

@@ -104,10 +104,10 @@ Fit fit_mixed(const OneFreedom& turning, const Element& on_turning, const OneFre
   fit.N_W = sliding.R_WB * on_sliding.N_B;
   const Vector2d arm = in_frame(on_turning.p_B - turning.p_BO, on_turning.N_B);
   const Vector2d p_W = turning.p_WO + arm.x() * fit.N_W + arm.y() * perp(fit.N_W);
-  const Vector2d way = p_W - pose_at(sliding, 0) * on_sliding.p_B;
-  fit.error = cross(sliding.direction_W, way) * (arm.norm() + way.norm());
+  const Vector2d offset = p_W - pose_at(sliding, 0) * on_sliding.p_B;
+  fit.error = cross(sliding.direction_W, offset) * (arm.norm() + offset.norm());
   fit.u = angle_of(fit.N_W) - angle_of(on_turning.N_B);
-  fit.q = way.dot(sliding.direction_W);
+  fit.q = offset.dot(sliding.direction_W);
   return fit;
 }
 
@@ -115,16 +115,16 @@ Fit fit_sliding(const ContactPair& pair, const Element& one, const Element& two)
   Fit fit;
   fit.N_W = pair.motion1.R_WB * one.N_B;
   const Vector2d N2_W = pair.motion2.R_WB * two.N_B;
-  const Vector2d way = pose_at(pair.motion2, 0) * two.p_B - pose_at(pair.motion1, 0) * one.p_B;
-  const double size = way.norm() + size_of(pair.curve1) + size_of(pair.curve2);
+  const Vector2d offset = pose_at(pair.motion2, 0) * two.p_B - pose_at(pair.motion1, 0) * one.p_B;
+  const double size = offset.norm() + size_of(pair.curve1) + size_of(pair.curve2);
   // Opposite normals do not fit: the error is made to jump there instead of passing through 0.
   const double sine = cross(fit.N_W, N2_W);
   fit.error = (fit.N_W.dot(N2_W) > 0 ? sine : std::copysign(2 - std::abs(sine), sine)) * size * size;
   // p1 + u d1 = p2 + q d2
   const Vector2d& d1 = pair.motion1.direction_W;
   const Vector2d& d2 = pair.motion2.direction_W;
-  fit.u = cross(way, d2) / cross(d1, d2);
-  fit.q = cross(way, d1) / cross(d1, d2);
+  fit.u = cross(offset, d2) / cross(d1, d2);
+  fit.q = cross(offset, d1) / cross(d1, d2);
   return fit;
 }
 

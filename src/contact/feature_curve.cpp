@@ -69,9 +69,9 @@ std::optional<Stretch> FeatureCurve::over(int span, const Bounds& t) const {
   const Interval phi =
       around(angle_of(n_W), kErrorOfPoints) + to_interval(bounds->turn) * stretch.from_middle;
   const IntervalVector n = unit_interval(phi);
-  const Interval way = sense_ * to_interval(bounds->speed) * stretch.from_middle;  // along n turned +90°
+  const Interval distance = sense_ * to_interval(bounds->speed) * stretch.from_middle;  // along n turned +90°
   const Interval error = around(0, error_at(m));
-  const IntervalVector p = {m.x() + error - way * n.y, m.y() + error + way * n.x};
+  const IntervalVector p = {m.x() + error - distance * n.y, m.y() + error + distance * n.x};
   if (follower_.turns) {
     stretch.q = phi;
     enclose_turning({m, n_W}, p, *bounds, n, stretch);
@@ -185,8 +185,9 @@ std::vector<Stretch> FeatureCurve::parts_near(const BoundaryPlace& place, double
       continue;
     }
     const BoundaryPlace& next = end->behind;
-    const double way = step_along(next, reach);
-    parts.push_back(*over(next.span, forward ? Bounds{next.t, next.t + way} : Bounds{next.t - way, next.t}));
+    const double length = step_along(next, reach);
+    parts.push_back(
+        *over(next.span, forward ? Bounds{next.t, next.t + length} : Bounds{next.t - length, next.t}));
     if (auto gap = gap_at(forward ? place.span : next.span)) {
       parts.push_back(*std::move(gap));
     }

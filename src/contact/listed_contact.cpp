@@ -16,10 +16,11 @@ namespace {
 // How far the follower moves from q in the sense of `direction` to a contact; if it turns, less than a
 // whole turn.
 // \param near  a contact that is behind q by less than this counts as at q
-double way_to(const ContactPair& pair, double q, int direction, const CurveContact& contact, double near) {
-  const double way = direction * (contact.q - q);
+double distance_to(const ContactPair& pair, double q, int direction, const CurveContact& contact,
+                   double near) {
+  const double distance = direction * (contact.q - q);
   const double turn = 2 * kPi;
-  const double ahead = pair.motion2.turns ? way - turn * std::floor((way + near) / turn) : way;
+  const double ahead = pair.motion2.turns ? distance - turn * std::floor((distance + near) / turn) : distance;
   return ahead < 0 && ahead >= -near ? 0 : ahead;
 }
 
@@ -56,17 +57,18 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const int branch = overlapping ? direction : -direction;
   double shortest = kInf;
   for (const CurveContact& contact : list_->contacts) {
-    const double way = way_to(pair, q, direction, contact, kTouching * (pair.motion2.turns ? 1 : size));
-    if (!contact.free || !(way >= 0) || !(way < shortest)) {
+    const double distance =
+        distance_to(pair, q, direction, contact, kTouching * (pair.motion2.turns ? 1 : size));
+    if (!contact.free || !(distance >= 0) || !(distance < shortest)) {
       continue;
     }
     if (contact.branch == 0 && !contact.coincident) {
       ContactPosition at;
       at.u = u;
-      at.q = q + direction * way;
+      at.q = q + direction * distance;
       at.n_W = contact.n_W;
       if (place_points(pair, at)) {
-        shortest = way;
+        shortest = distance;
         result = {FindStatus::kFound, at, 0};
       }
       continue;
@@ -74,9 +76,10 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
     if (contact.branch != branch) {
       continue;
     }
-    const ContactResult solved = solve_contact(pair, u, q + direction * way, contact.n_W, contact.branch);
+    const ContactResult solved =
+        solve_contact(pair, u, q + direction * distance, contact.n_W, contact.branch);
     if (solved.status == ContactStatus::kOk) {
-      shortest = way;
+      shortest = distance;
       result = {FindStatus::kFound, solved.at, contact.branch};
     }
   }

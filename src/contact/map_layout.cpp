@@ -14,8 +14,8 @@ constexpr int kFewest = 9;  // fewest points of a branch, however short it is
 
 std::vector<SampleTarget> sample_targets(const MapBranch& branch, const MapRange& range, bool cyclic,
                                          double size) {
-  const double way = cyclic ? kTurn : range.end - range.start;
-  const double spacing = way / static_cast<double>(range.samples - 1);
+  const double width = cyclic ? kTurn : range.end - range.start;
+  const double spacing = width / static_cast<double>(range.samples - 1);
   const double unit = cyclic ? 1 : size;
   const auto margin = [&](const MapEnd& end) {
     const bool included = end.type == MapEndType::kClosed || end.type == MapEndType::kRange;

@@ -170,11 +170,11 @@ private:
   // The event of a cut at which a node's contact ends; -1: none.
   [[nodiscard]] int event_at(const MapCut& cut, const MapNode& node, double u) const {
     ContactTrack track = node.track;
-    const double way = u - track.at.u;
+    const double du = u - track.at.u;
     int nearest = -1;
     for (const double margin : kNearEnd) {
-      const double left = std::min(margin * unit1_, std::abs(way) / 4);
-      const bool held = walk_to(track, u - std::copysign(left, way), false);
+      const double left = std::min(margin * unit1_, std::abs(du) / 4);
+      const bool held = walk_to(track, u - std::copysign(left, du), false);
       double best = kInf;
       double second = kInf;
       for (const int index : cut.events) {

@@ -107,12 +107,12 @@ std::vector<Vector2d> rim_towards(const Sketch& sketch, int index, std::size_t c
   };
   std::vector<Vector2d> rim;
   for (const NamedPoint& point : body.points) {
-    const Vector2d way = point.p_B - middle;
-    const Vector2d d = way.norm() > 0 ? Vector2d(way.normalized()) : Vector2d(Vector2d::UnitX());
+    const Vector2d offset = point.p_B - middle;
+    const Vector2d d = offset.norm() > 0 ? Vector2d(offset.normalized()) : Vector2d(Vector2d::UnitX());
     const double radius = radius_of(ring, middle, d);
-    if (way.norm() > radius + thickness) {
+    if (offset.norm() > radius + thickness) {
       rim.push_back(on_rim(d, from_outside));
-    } else if (way.norm() < radius - thickness) {
+    } else if (offset.norm() < radius - thickness) {
       rim.push_back(on_rim(-edge_direction(sketch, index, curve), from_inside));
     }
   }

@@ -63,14 +63,14 @@ bool is_within(const Box& box, const Vector2d& p) {
 std::array<double, 2> part_within(const Box& box, const Vector2d& a, const Vector2d& b) {
   double from = 0, to = 1;
   for (const int axis : {0, 1}) {
-    const double way = b[axis] - a[axis];
+    const double extent = b[axis] - a[axis];
     const double low = box.low[axis] - a[axis], high = box.high[axis] - a[axis];
-    if (way == 0) {
+    if (extent == 0) {
       if (low > 0 || high < 0) return {1, 0};
       continue;
     }
-    from = std::max(from, std::min(low / way, high / way));
-    to = std::min(to, std::max(low / way, high / way));
+    from = std::max(from, std::min(low / extent, high / extent));
+    to = std::min(to, std::max(low / extent, high / extent));
   }
   return {from, to};
 }

@@ -161,12 +161,12 @@ DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotio
 
 double DriverPath::place_of(double share, double from, double to) const {
   const std::vector<DriverMotion> first = at(from), last = at(to);
-  const auto way = [&](std::size_t i) { return last[i].position - first[i].position; };
+  const auto travel = [&](std::size_t i) { return last[i].position - first[i].position; };
   std::size_t most = 0;
   for (std::size_t i = 1; i < first.size(); ++i) {
-    most = std::abs(way(i)) > std::abs(way(most)) ? i : most;
+    most = std::abs(travel(i)) > std::abs(travel(most)) ? i : most;
   }
-  const double target = first[most].position + share * way(most);
+  const double target = first[most].position + share * travel(most);
   std::vector<DriverMotion> there;
   const auto ahead = [&](double x) {
     motion(from + x, there);

@@ -74,13 +74,13 @@ void add_passages(const DriverPath& path, double coordinate, bool turns, std::ve
   std::vector<DriverMotion> first, last;
   path.motion(path.knots.front(), first);
   path.motion(path.knots.back(), last);
-  const double from = first.front().position, way = last.front().position - from;
-  const double low = std::min(from, from + way), high = std::max(from, from + way);
+  const double from = first.front().position, travel = last.front().position - from;
+  const double low = std::min(from, from + travel), high = std::max(from, from + travel);
   const double period = turns ? 2 * kPi : 1;
   double x = turns ? coordinate + std::ceil((low - coordinate) / period) * period : coordinate;
   for (; x <= high; x += period) {
     if (x >= low) {
-      breaks.push_back(std::lerp(path.knots.front(), path.knots.back(), (x - from) / way));
+      breaks.push_back(std::lerp(path.knots.front(), path.knots.back(), (x - from) / travel));
     }
     if (!turns) {
       return;

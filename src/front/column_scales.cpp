@@ -19,9 +19,9 @@ double from_speed(const std::string& unit, const LargestOfUnit& largest) {
     return 0;
   }
   const auto speed = largest.find(unit.substr(0, unit.size() - 2));
-  const auto way = largest.find(unit.substr(0, slash));
-  const bool known = speed != largest.end() && way != largest.end() && way->second > 0;
-  return known ? speed->second * speed->second / way->second : 0;
+  const auto distance = largest.find(unit.substr(0, slash));
+  const bool known = speed != largest.end() && distance != largest.end() && distance->second > 0;
+  return known ? speed->second * speed->second / distance->second : 0;
 }
 
 }  // namespace

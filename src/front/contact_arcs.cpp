@@ -29,11 +29,11 @@ std::array<double, 2> ContactArcs::between(const ArcPoint& from, const ArcPoint&
       lengths_[side].emplace(boundaries_[side]);
     }
   });
-  const auto way = [&](std::size_t side) {
+  const auto arc_on = [&](std::size_t side) {
     return lengths_[side]->at(to.place[side], to.normal_angle[side]) -
            lengths_[side]->at(from.place[side], from.normal_angle[side]);
   };
-  return {way(0), -way(1)};  // the tangents of the two bodies are opposed
+  return {arc_on(0), -arc_on(1)};  // the tangents of the two bodies are opposed
 }
 
 }  // namespace higherpair

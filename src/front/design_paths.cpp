@@ -272,14 +272,14 @@ private:
   // Takes places that have passed each other back to their rows, which are in order.
   // \param lap  as in put_in_order
   void keep_rows(std::vector<Block>& blocks, double lap, std::span<const PathMiss> in_rows) const {
-    const double way = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
+    const double sense = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
     const auto keep = [&](std::size_t k) { blocks[k].place = {blocks[k].start, in_rows[k]}; };
     for (bool passed = true; passed;) {
       passed = false;
       for (std::size_t k = 0; k + (lap == 0 ? 1 : 0) < blocks.size(); ++k) {
         const std::size_t next = (k + 1) % blocks.size();
         const double beyond = next > k ? 0 : lap;
-        if (way * (blocks[next].place.t + beyond - blocks[k].place.t) >= 0) continue;
+        if (sense * (blocks[next].place.t + beyond - blocks[k].place.t) >= 0) continue;
         keep(k);
         keep(next);
         passed = true;
@@ -302,7 +302,7 @@ private:
   // \param lap  of a loop: the last place is at most so far beyond the first; 0: no loop
   template <class F>
   void put_in_order(std::vector<Block>& blocks, double lap, F find) const {
-    const double way = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
+    const double sense = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
     const auto merge = [&](Block& into, const Block& next, double shift) {
       const double both = static_cast<double>(into.count + next.count);
       const double mean = (static_cast<double>(into.count) * into.start +
@@ -315,7 +315,7 @@ private:
       find(into);
     };
     for (std::size_t k = 0; k + 1 < blocks.size();) {
-      if (way * (blocks[k + 1].place.t - blocks[k].place.t) >= 0) {
+      if (sense * (blocks[k + 1].place.t - blocks[k].place.t) >= 0) {
         ++k;
         continue;
       }
@@ -324,12 +324,12 @@ private:
       k = k > 0 ? k - 1 : 0;
     }
     while (lap != 0 && blocks.size() > 1 &&
-           way * (blocks.front().place.t + lap - blocks.back().place.t) < 0) {
+           sense * (blocks.front().place.t + lap - blocks.back().place.t) < 0) {
       merge(blocks.back(), blocks.front(), lap);
       blocks.erase(blocks.begin());
       // What was moved back may have passed the places before it.
       for (std::size_t k = blocks.size(); k-- > 1;) {
-        if (way * (blocks[k].place.t - blocks[k - 1].place.t) >= 0) break;
+        if (sense * (blocks[k].place.t - blocks[k - 1].place.t) >= 0) break;
         merge(blocks[k - 1], blocks[k], 0);
         blocks.pop_back();
       }

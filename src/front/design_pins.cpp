@@ -52,10 +52,10 @@ void PinnedRows::add_places(const DesignSetup& setup) {
       for (std::size_t i = 0; i < next.size(); ++i) {
         const double from = last.empty() ? next[i] : last[i];
         turns_.push_back(Rotation<double>::from_angle(std::lerp(from, next[i], double(part) / parts)));
-        const double way = (next[i] - from) / parts;
-        if (step.size() < next.size()) step.push_back(way);
-        even = even && std::abs(way - step[i]) <= kEvenStep * std::abs(way);
-        step[i] = way;
+        const double stride = (next[i] - from) / parts;
+        if (step.size() < next.size()) step.push_back(stride);
+        even = even && std::abs(stride - step[i]) <= kEvenStep * std::abs(stride);
+        step[i] = stride;
       }
       place.even = even;
     }

@@ -136,8 +136,8 @@ public:
       bool assembled = false;
       const DesignVariable& range = task_.variables[i].range;
       for (const double share : kIdleShares) {
-        const double way = share * (range.high - range.low);
-        if (vary(i, x_[i] + (x_[i] + way <= range.high ? way : -way))) assembled = true;
+        const double step = share * (range.high - range.low);
+        if (vary(i, x_[i] + (x_[i] + step <= range.high ? step : -step))) assembled = true;
       }
       if (!assembled) idle_.assign(idle_.size(), false);  // nothing is known then
     }

@@ -178,12 +178,12 @@ void put_linkage(const ContactDetails& details, double* out) {
   }
 }
 
-void put_ways(const RowSource& source, std::size_t contact, const ContactDetails& details,
+void put_arcs(const RowSource& source, std::size_t contact, const ContactDetails& details,
               const ContactArcs& arcs, double* out) {
   const ArcPoint* start = source.history != nullptr ? source.history->start_of(source.run, contact) : nullptr;
   if (start != nullptr) {
-    const auto ways = arcs.between(*start, arc_point(source.run, contact, details));
-    std::copy(ways.begin(), ways.end(), out);
+    const auto arc_lengths = arcs.between(*start, arc_point(source.run, contact, details));
+    std::copy(arc_lengths.begin(), arc_lengths.end(), out);
   }
 }
 
@@ -223,7 +223,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
     if (row.has_rates[own.first.body] && row.has_rates[own.second.body]) {
       out[11] = row.contacts[index].rates.sliding;
     }
-    put_ways(source, index, details, *arcs, out + 12);
+    put_arcs(source, index, details, *arcs, out + 12);
     put(details.pressure, out + 14);
     put(details.transmission, out + 15);
   });

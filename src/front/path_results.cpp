@@ -17,10 +17,11 @@ constexpr int kSamples = 720;   // of a path, among which other extremes are sou
 constexpr int kMarkEvery = 24;  // samples between states that are kept to continue from
 constexpr std::size_t kMostTies = 6;
 constexpr std::size_t kMostRefined = 12;
-constexpr std::size_t kMostFlat = 48;   // places on a stretch on which a column is constant
-constexpr int kEdgeHalvings = 40;       // between two samples, to find where such a stretch ends
-constexpr double kEdgeFalls = 8;        // factor between what the column has fallen by at three places beyond
-constexpr double kLeastEdgeBend = 0.2;  // if it falls with a higher power of the way, the end is left there
+constexpr std::size_t kMostFlat = 48;  // places on a stretch on which a column is constant
+constexpr int kEdgeHalvings = 40;      // between two samples, to find where such a stretch ends
+constexpr double kEdgeFalls = 8;       // factor between what the column has fallen by at three places beyond
+constexpr double kLeastEdgeBend =
+    0.2;  // if it falls with a higher power of the distance, the end is left there
 
 }  // namespace
 
@@ -148,8 +149,8 @@ private:
   };
 
   // The end of a stretch between a sample on it and one beside it. A column that leaves its extreme as a
-  // power of the way has fallen by noise, by 8 and by 64 times as much at places in geometric progression
-  // from the end.
+  // power of the distance has fallen by noise, by 8 and by 64 times as much at places in geometric
+  // progression from the end.
   [[nodiscard]] Edge edge(std::size_t column, double sign, double value, double noise, std::size_t inside,
                           std::size_t outside) const {
     if (!assembled_[outside]) {

@@ -53,7 +53,7 @@ inline constexpr double kNoColumnJump = 1e-6;
 inline constexpr double kBesideExtreme = 1e-5;
 inline constexpr double kSmoothFall = 3e-7;
 /// The end of a stretch on which a column is constant, as found by halving, is taken back by this fraction of
-/// the way to the sample within it: at the end itself rounding decides on which side a place is.
+/// the distance to the sample within it: at the end itself rounding decides on which side a place is.
 inline constexpr double kInsideEdge = 1e-6;
 /// Relative difference below which scaling may make two values equal; a generous bound.
 inline constexpr double kScalingRounding = 1e-15;

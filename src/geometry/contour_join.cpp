@@ -85,14 +85,15 @@ EndIndex other_end(EndIndex end) {
 }
 
 // The path from an end over unused pieces, as the ends at which it enters them.
-std::vector<EndIndex> way_from(EndIndex end, const std::vector<EndIndex>& partner, std::vector<char>& used) {
-  std::vector<EndIndex> way;
+std::vector<EndIndex> chain_from(EndIndex end, const std::vector<EndIndex>& partner,
+                                 std::vector<char>& used) {
+  std::vector<EndIndex> chain;
   while (end != kNone && used[end / 2] == 0) {
     used[end / 2] = 1;
-    way.push_back(end);
+    chain.push_back(end);
     end = partner[other_end(end)];
   }
-  return way;
+  return chain;
 }
 
 }  // namespace
@@ -119,18 +120,18 @@ tl::expected<std::vector<Contour>, JoinFault> join(const std::vector<ContourPiec
       continue;
     }
     // Forwards to an end or all the way round; if open, also the pieces before.
-    std::vector<EndIndex> way = way_from(2 * piece, partner, used);
-    const EndIndex last = other_end(way.back());
+    std::vector<EndIndex> chain = chain_from(2 * piece, partner, used);
+    const EndIndex last = other_end(chain.back());
     Contour contour;
-    contour.closed = partner[last] == way.front();
-    const EndIndex before = partner[way.front()];
+    contour.closed = partner[last] == chain.front();
+    const EndIndex before = partner[chain.front()];
     if (!contour.closed && before != kNone) {
-      std::vector<EndIndex> back = way_from(before, partner, used);
+      std::vector<EndIndex> back = chain_from(before, partner, used);
       std::reverse(back.begin(), back.end());
       std::transform(back.begin(), back.end(), back.begin(), other_end);
-      way.insert(way.begin(), back.begin(), back.end());
+      chain.insert(chain.begin(), back.begin(), back.end());
     }
-    for (const EndIndex end : way) {
+    for (const EndIndex end : chain) {
       const ContourPiece& one = pieces[end / 2];
       contour.pieces.push_back(end % 2 == 0 ? one : reversed(one));
       contour.sources.push_back(static_cast<int>(end / 2));

@@ -16,8 +16,9 @@ namespace {
 bool turned_round(TableReader& table, bool has_inside) {
   const char* const key = has_inside ? "side" : "material";
   table.refuse(has_inside ? "material" : "side",
-               has_inside ? "this curve has its material inside or outside: `side`"
-                          : "an open curve has its material on the left or right of its way: `material`");
+               has_inside
+                   ? "this curve has its material inside or outside: `side`"
+                   : "an open curve has its material on the left or right of its direction: `material`");
   const auto choice = has_inside ? table.take(key, as_choice, {"inside", "outside"})
                                  : table.take(key, as_choice, {"left", "right"});
   return choice == 1U;
@@ -62,9 +63,9 @@ std::string between_points(const Outline& outline, const Vector2d& p) {
   const auto& points = outline.points;
   const auto distance = [&](std::size_t i) {
     const Vector2d& a = points[i];
-    const Vector2d way = points[(i + 1) % points.size()] - a;
-    const double part = std::clamp((p - a).dot(way) / std::max(way.squaredNorm(), kNeverZero), 0.0, 1.0);
-    return (a + part * way - p).norm();
+    const Vector2d side = points[(i + 1) % points.size()] - a;
+    const double part = std::clamp((p - a).dot(side) / std::max(side.squaredNorm(), kNeverZero), 0.0, 1.0);
+    return (a + part * side - p).norm();
   };
   std::vector<std::size_t> order(points.size() - (outline.closed ? 0 : 1));
   std::iota(order.begin(), order.end(), 0);

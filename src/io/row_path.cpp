@@ -12,7 +12,7 @@ namespace {
 RowPath path_through(const DriverSchedule& schedule) {
   const auto last = static_cast<std::size_t>(schedule.size() - 1);
   std::vector<std::vector<DriverMotion>> rows;
-  std::vector<double> ways{0};
+  std::vector<double> travelled{0};
   RowPath result;
   result.path.knots = {0};
   double sense = 0;
@@ -24,22 +24,22 @@ RowPath path_through(const DriverSchedule& schedule) {
     const double step = rows[k][0].position - rows[k - 1][0].position;
     const bool single = schedule.driver_count() == 1;
     const bool turns_back = single ? step * sense < 0 : k > 1;
-    if (turns_back && ways.back() > result.path.knots.back()) {
-      result.path.knots.push_back(ways.back());
+    if (turns_back && travelled.back() > result.path.knots.back()) {
+      result.path.knots.push_back(travelled.back());
     }
     sense = step != 0 ? step : sense;
-    ways.push_back(ways.back() + (single ? std::abs(step) : 1));
+    travelled.push_back(travelled.back() + (single ? std::abs(step) : 1));
   }
-  if (ways.back() > result.path.knots.back()) {
-    result.path.knots.push_back(ways.back());
+  if (travelled.back() > result.path.knots.back()) {
+    result.path.knots.push_back(travelled.back());
   }
-  result.row = [ways, last](double at) {
-    const auto after = std::lower_bound(ways.begin() + 1, ways.end(), at);
-    if (after == ways.end()) {
+  result.row = [travelled, last](double at) {
+    const auto after = std::lower_bound(travelled.begin() + 1, travelled.end(), at);
+    if (after == travelled.end()) {
       return static_cast<double>(last);
     }
     const double share = *after > after[-1] ? (at - after[-1]) / (*after - after[-1]) : 1;
-    return static_cast<double>(after - ways.begin() - 1) + share;
+    return static_cast<double>(after - travelled.begin() - 1) + share;
   };
   result.path.motion = [rows, row = result.row](double at, std::vector<DriverMotion>& drivers) {
     const double place = row(at);

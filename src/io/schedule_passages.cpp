@@ -83,14 +83,14 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
         times.begin(), times.end(), [&](double a, double b) { return std::abs(a - t) < std::abs(b - t); });
     return nearest == times.end() ? t : *nearest;
   }
-  const double way = position - driver.start;
+  const double travel = position - driver.start;
   if (driver.acceleration == 0) {
-    return driver.velocity == 0 ? t : std::clamp(way / driver.velocity, before, after);
+    return driver.velocity == 0 ? t : std::clamp(travel / driver.velocity, before, after);
   }
   // A parabola passes a position twice: take the time within the interval, or else the nearer one.
-  const double discriminant = driver.velocity * driver.velocity + 2 * driver.acceleration * way;
+  const double discriminant = driver.velocity * driver.velocity + 2 * driver.acceleration * travel;
   const double sum = driver.velocity + std::copysign(std::sqrt(std::max(discriminant, 0.0)), driver.velocity);
-  const double one = sum == 0 ? 0 : 2 * way / sum;
+  const double one = sum == 0 ? 0 : 2 * travel / sum;
   const double other = -sum / driver.acceleration;
   const auto missed = [&](double root) { return std::abs(std::clamp(root, before, after) - root); };
   const auto from_share = [&](double root) { return std::abs(root - t); };
