@@ -5,7 +5,7 @@
 function(higherpair_add_exact_sources)
   find_package(CGAL 5.4 REQUIRED)
   add_library(higherpair_exact OBJECT ${ARGN})
-  target_include_directories(higherpair_exact PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src/include)
+  target_include_directories(higherpair_exact PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include)
   target_compile_features(higherpair_exact PRIVATE cxx_std_20)
   # sign_at of CGAL 5.5 goes on with its interval when a refinement has made that a point: it finds no variation
   # of signs there, which is right, but its own checks do not allow it.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "column_set.hpp"
+#include "front/columns/column_set.hpp"
+#include "front/columns/row_scout.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/io/contact_report.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "model_data.hpp"
-#include "row_scout.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "higherpair/front/motion.hpp"
 
-#include "column_set.hpp"
+#include "front/columns/column_set.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "model_data.hpp"
 

@@ -1,5 +1,5 @@
 // Rows have the same bits whatever the width of the packs.
-#include "analysis/chain_loop.hpp"
+#include "analysis/packs/chain_loop.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "contact/freedoms.hpp"
 #include "contact/pair_follower.hpp"
-#include "contact/stroke_end.hpp"
+#include "contact/touch/stroke_end.hpp"
 #include "higherpair/contact/finder.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "contact/pair_limits.hpp"
 
-#include "contact/contact_points.hpp"
-#include "contact/gap_derivatives.hpp"
-#include "contact/place_points.hpp"
+#include "contact/touch/contact_points.hpp"
+#include "contact/touch/gap_derivatives.hpp"
+#include "contact/touch/place_points.hpp"
 #include "higherpair/numeric/newton.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "contact/pair_stops.hpp"
 
-#include "contact/last_step.hpp"
+#include "contact/touch/last_step.hpp"
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 #include "higherpair/contact/step_agreement.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/inner_step.hpp"
 #include "contact/pair_follower.hpp"
+#include "contact/touch/inner_step.hpp"
 #include "higherpair/contact/gap_scale.hpp"
 
 #include <optional>

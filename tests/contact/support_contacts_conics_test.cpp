@@ -1,5 +1,5 @@
 #include "contact/random_pair.hpp"
-#include "contact/support_contacts.hpp"
+#include "contact/subdivision/support_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

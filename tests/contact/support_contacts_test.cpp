@@ -1,4 +1,4 @@
-#include "contact/support_contacts.hpp"
+#include "contact/subdivision/support_contacts.hpp"
 
 #include "contact/support_curves.hpp"
 #include "higherpair/geometry/curve.hpp"

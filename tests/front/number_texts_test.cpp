@@ -1,5 +1,5 @@
 // Formatted numbers are those of the standard library, character by character.
-#include "front/number_texts.hpp"
+#include "front/columns/number_texts.hpp"
 
 #include "numeric/decimal.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "front/column_set.hpp"
+#include "front/columns/column_set.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/io/profile.hpp"
 

@@ -3,7 +3,7 @@
 #include "boundaries.hpp"
 #include "checks.hpp"
 #include "designs.hpp"
-#include "front/column_set.hpp"
+#include "front/columns/column_set.hpp"
 #include "higherpair/cam/law_series.hpp"
 #include "higherpair/contact/details.hpp"
 #include "higherpair/drawing/picture.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../extended.hpp"
+#include "contact/algebra/extended.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../contact_pencil.hpp"
-#include "../extended.hpp"
+#include "contact/algebra/contact_pencil.hpp"
+#include "contact/algebra/extended.hpp"
 #include "higherpair/contact/contact_pair.hpp"
 
 #include <optional>

@@ -1,0 +1,102 @@
+#include "joint_passage.hpp"
+
+#include "analysis/follow/step.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+// A joint of the contact's group, whose acceleration is reported where it jumps.
+std::optional<int> moved_joint(const Run& run, std::size_t contact) {
+  const auto g = group_with_contact(run.plan(), static_cast<int>(contact));
+  const bool moves = g && !run.plan().groups[*g].joints.empty();
+  return moves ? std::optional(run.plan().groups[*g].joints.front()) : std::nullopt;
+}
+
+double acceleration_of(const Run& run, int joint) {
+  return joint_motion(run.mechanism(), run.mechanism().joints[joint], run.at.state.bodies).acceleration;
+}
+
+// The event of passing the joint; none if nothing jumps.
+std::optional<EventType> type_of(const Run& run, const JointPassage& passage) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const bool onto_corner = boundary.is_corner(passage.after);
+  if (!onto_corner && joint_of(run, passage) == SpanJoint::kSmooth) {
+    return std::nullopt;
+  }
+  const bool over_end = is_on_edge(run, passage.contact, passage.side, passage.before) ||
+                        is_on_edge(run, passage.contact, passage.side, passage.after);
+  return over_end                                            ? EventType::kEnd
+         : onto_corner || boundary.is_corner(passage.before) ? EventType::kCorner
+                                                             : EventType::kCurvatureJump;
+}
+
+std::string cause_of(const Run& run, const JointPassage& passage, EventType type) {
+  const bool onto_corner = boundary_at(run, passage.contact, passage.side).is_corner(passage.after);
+  const std::string& body = body_of_side(run, passage.contact, passage.side);
+  if (type == EventType::kEnd) {
+    return onto_corner
+               ? fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there",
+                             body)
+               : fmt::format("the contact leaves the edge at the end of the curve of {}", body);
+  }
+  if (type == EventType::kCorner) {
+    return fmt::format("the contact {} a corner of {}", onto_corner ? "goes onto" : "leaves", body);
+  }
+  return fmt::format("the curvature of {} jumps", body);
+}
+
+}  // namespace
+
+SpanJoint joint_of(const Run& run, const JointPassage& passage) {
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const bool forward = passage.before.t == range_of(boundary, passage.before.span).high;
+  return boundary.joint_after(forward ? passage.before.span : passage.after.span);
+}
+
+void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
+  ContactMotion& motion = state.contacts[passage.contact];
+  motion.place[passage.side] = place;
+  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+  const double rho = radius_of(boundary.at(place), boundary.is_corner(place));
+  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+}
+
+bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  if (!passage.solved && !solve_from_spans(run, path, s, passage.x)) {
+    return false;
+  }
+  set_place_of(run, passage, passage.before, run.work.trial);
+  set_rates(run, run.work.motions, run.work.trial);
+  return true;
+}
+
+void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
+  const auto joint = moved_joint(run, passage.contact);
+  const double before = joint ? acceleration_of(run, *joint) : 0;
+  set_place_of(run, passage, passage.after, run.at.state);
+  path.motions(s, run.work.motions);
+  set_rates(run, run.work.motions, run.at.state);
+  const auto type = type_of(run, passage);
+  if (!type) {
+    return;
+  }
+  RunEvent& event = report_contact(run, *type, path, s, passage.contact, cause_of(run, passage, *type));
+  if (*type == EventType::kCurvatureJump) {
+    const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+    event.curvature = std::array{boundary.at(passage.before).kappa, boundary.at(passage.after).kappa};
+  }
+  if (joint) {
+    const Joint& moved = run.mechanism().joints[*joint];
+    set_jump(event, path,
+             {.of = "the acceleration of joint " + moved.name,
+              .turns = moved.type == JointType::kRevolute,
+              .order = 2,
+              .before = before,
+              .after = acceleration_of(run, *joint)});
+  }
+}
+
+}  // namespace higherpair

@@ -1,0 +1,332 @@
+#include "meetings.hpp"
+
+#include "analysis/follow/step.hpp"
+#include "analysis/groups/group_kinds.hpp"
+#include "analysis/tolerances.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/numeric/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace higherpair {
+namespace {
+
+constexpr int kStepHalvings = 4;      // halvings of a step in which a place could not be followed
+constexpr int kHalvingsToTouch = 40;  // the same if the bodies overlap at its end
+
+// The two bodies at a position within the step.
+struct Pairing {
+  double x = 0;
+  BodyMotion body1, body2;
+  std::optional<CommonNormal> own;  // contact's normal, while the contact is closed
+};
+
+// A place with its gap and the rate of the gap.
+struct Seen {
+  NearPlace place;
+  double gap = 0;
+  double rate = 0;  // per unit of the path
+};
+
+double gap_rate(const Pairing& at, const CommonNormal& normal) {
+  return normal.n_W.dot(motion_at_place(at.body2, normal.p2_W).v_W -
+                        motion_at_place(at.body1, normal.p1_W).v_W);
+}
+
+// The minimum of the cubic with these values and rates at its ends, sampled; it first falls and then rises.
+double least_of_cubic(const Seen& a, const Seen& b, double h) {
+  double least = std::min(a.gap, b.gap);
+  for (int k = 1; k < 8; ++k) {
+    const double t = k / 8.0;
+    const double u = 1 - t;
+    least = std::min(least, a.gap * u * u * (1 + 2 * t) + b.gap * t * t * (3 - 2 * t) +
+                                h * t * u * (a.rate * u - b.rate * t));
+  }
+  return least;
+}
+
+bool is_beside(const Boundary& boundary, int corner, int span) {
+  return span == corner || span == boundary.next_span(corner, true) ||
+         span == boundary.next_span(corner, false);
+}
+
+// The corners of both boundaries, if the contact is where they meet.
+std::optional<std::array<int, 2>> meeting_corners(const Boundary& boundary1, const Boundary& boundary2,
+                                                  const std::array<BoundaryPlace, 2>& place) {
+  const auto corner_at = [](const Boundary& boundary, const BoundaryPlace& at) -> std::optional<int> {
+    if (boundary.is_corner(at)) {
+      return at.span;
+    }
+    for (const bool high : {false, true}) {
+      const int next = boundary.next_span(at.span, high);
+      if (is_at_end(boundary, at, high, kAtSpanEnd) &&
+          boundary.joint_after(high ? at.span : next) != SpanJoint::kEnd &&
+          boundary.spans()[next]->is_corner()) {
+        return next;
+      }
+    }
+    return std::nullopt;
+  };
+  if (!boundary1.is_corner(place[0]) && !boundary2.is_corner(place[1])) {
+    return std::nullopt;
+  }
+  const auto corner1 = corner_at(boundary1, place[0]), corner2 = corner_at(boundary2, place[1]);
+  return corner1 && corner2 ? std::optional(std::array{*corner1, *corner2}) : std::nullopt;
+}
+
+class Search {
+public:
+  Search(Run& run, const Path& path, std::size_t contact, double s)
+      : run_(run),
+        path_(path),
+        s_(s),
+        contact_(run.mechanism().contacts[contact]),
+        index_(contact),
+        boundary1_(boundary_of(run.mechanism(), contact_.first)),
+        boundary2_(boundary_of(run.mechanism(), contact_.second)),
+        depth_(kOverlapDepth * run.plan().size) {
+    if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches) {
+      corners_ = meeting_corners(boundary1_, boundary2_, own.place);
+    }
+  }
+
+  [[nodiscard]] ContactMeeting all(double h) {
+    found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
+    aside_.reset();
+    return std::move(found_);
+  }
+
+private:
+  struct Verdict {
+    bool followed = true;
+    std::optional<Meeting> meeting;
+  };
+
+  [[nodiscard]] Pairing pairing(const State& state, double x) const {
+    const ContactMotion& motion = state.contacts[index_];
+    return {x, state.bodies[contact_.first.body], state.bodies[contact_.second.body],
+            motion.touches ? std::optional(motion.at) : std::nullopt};
+  }
+
+  [[nodiscard]] std::optional<Pairing> pairing_at(double x) {
+    if (!aside_) {
+      aside_.emplace(run_.work.trial);
+    }
+    return solve_at(run_, path_, s_, x) ? std::optional(pairing(run_.work.trial, x)) : std::nullopt;
+  }
+
+  // Upper bound of how far any point of the smaller body moves against the other body from a to b.
+  [[nodiscard]] double reach_between(const Pairing& a, const Pairing& b) const {
+    const bool first_is_smaller = boundary1_.size() < boundary2_.size();
+    const Boundary& smaller = first_is_smaller ? boundary1_ : boundary2_;
+    const auto speed = [&](const Pairing& at) {
+      const BodyMotion& own = first_is_smaller ? at.body1 : at.body2;
+      const BodyMotion& other = first_is_smaller ? at.body2 : at.body1;
+      const PointMotion middle = point_motion(own, smaller.middle_B());
+      const PointMotion there = motion_at_place(other, middle.p_W);
+      return (middle.v_W - there.v_W).norm() + std::abs(own.omega - other.omega) * smaller.size();
+    };
+    return kFartherThanByRates * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;
+  }
+
+  [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
+    return at.own && is_place_of(*at.own, place, boundary1_.size() + boundary2_.size());
+  }
+
+  // Whether a corner of one boundary is beside a face of the other at the corners from which the contact
+  // starts. The contact's own tangent separates the bodies there. A corner that has gone over a sharp one is
+  // behind the face that it has left, but not within the body.
+  [[nodiscard]] bool leaves_corners(const NearPlace& place) const {
+    if (!corners_ || place.end != 0) {
+      return false;
+    }
+    const auto [corner1, corner2] = *corners_;
+    return (place.place1.span == corner1 && is_beside(boundary2_, corner2, place.place2.span)) ||
+           (place.place2.span == corner2 && is_beside(boundary1_, corner1, place.place1.span));
+  }
+
+  [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
+    return {place, place.at.gap(), gap_rate(at, place.at)};
+  }
+
+  // The same place at another position; none if the gap there does not agree with the rates.
+  [[nodiscard]] std::optional<Seen> followed(const Pairing& from, const Seen& place,
+                                             const Pairing& to) const {
+    const auto moved = moved_place(boundary1_, to.body1.X_WB, boundary2_, to.body2.X_WB, place.place);
+    if (!moved || is_own(to, *moved)) {
+      return std::nullopt;
+    }
+    const Seen there = seen(to, *moved);
+    const double h = to.x - from.x;
+    const double mismatch = std::abs(there.gap - place.gap - h / 2 * (place.rate + there.rate));
+    const double change = std::abs(h) * (std::abs(place.rate) + std::abs(there.rate));
+    return mismatch <= kGapAgrees * change + depth_ ? std::optional(there) : std::nullopt;
+  }
+
+  template <class F>
+  [[nodiscard]] std::optional<double> root(const F& of, const Pairing& a, double at_a, double b, double at_b,
+                                           const Seen& near) {
+    const auto value = [&](double x) {
+      const auto at = pairing_at(a.x + x);
+      const auto moved =
+          at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near.place) : std::nullopt;
+      return moved ? of(seen(*at, *moved)) : kNoValue;
+    };
+    const auto x = root_between(value, at_a, b - a.x, at_b);
+    return x ? std::optional(a.x + *x) : std::nullopt;
+  }
+
+  // Where the gap of a place, which is `a` and later `b`, falls to 0.
+  [[nodiscard]] Verdict touch(const Pairing& from, const Seen& a, const Pairing& to, const Seen& b) {
+    const auto gap = [](const Seen& at) { return at.gap; };
+    const auto rate = [](const Seen& at) { return at.rate; };
+    const double h = to.x - from.x;
+    const auto met = [&](std::optional<double> x, double at) {
+      return x ? Verdict{true, Meeting{index_, *x, at, near_at(*x, b.place)}} : Verdict{false, std::nullopt};
+    };
+    if (a.gap < -depth_) {
+      return {};
+    }
+    if (b.gap < -depth_) {
+      if (a.gap > depth_) {
+        const auto x = root(gap, from, a.gap, to.x, b.gap, b);
+        return met(x, x.value_or(0));
+      }
+      if (a.rate * h <= 0) {
+        const double before = a.rate == 0 ? 0 : -a.gap / a.rate;
+        return met(from.x, from.x + (std::abs(before) <= std::abs(h) ? before : 0));
+      }
+      const auto top = root(rate, from, a.rate, to.x, b.rate, b);
+      const auto highest = top ? pairing_at(*top) : std::nullopt;
+      const auto there = highest ? followed(to, b, *highest) : std::nullopt;
+      if (!there || there->gap <= 0) {
+        return met(from.x, from.x);
+      }
+      const auto x = root(gap, *highest, there->gap, to.x, b.gap, b);
+      return met(x, x.value_or(0));
+    }
+    const bool dips = a.rate * h < 0 && b.rate * h > 0;
+    if (!dips || least_of_cubic(a, b, h) > kWorthALook * std::min(a.gap, b.gap)) {
+      return {};
+    }
+    const auto bottom = root(rate, from, a.rate, to.x, b.rate, b);
+    const auto lowest = bottom ? pairing_at(*bottom) : std::nullopt;
+    const auto there =
+        lowest ? moved_place(boundary1_, lowest->body1.X_WB, boundary2_, lowest->body2.X_WB, b.place)
+               : std::nullopt;
+    if (!there) {
+      return {false, std::nullopt};
+    }
+    return there->at.gap() < -depth_ ? touch(from, a, *lowest, seen(*lowest, *there)) : Verdict{};
+  }
+
+  [[nodiscard]] NearPlace near_at(double x, const NearPlace& near) {
+    const auto at = pairing_at(x);
+    return at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near).value_or(near)
+              : near;
+  }
+
+  [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
+    std::vector<Seen> found;
+    for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
+      if (!is_own(at, place) && !leaves_corners(place)) {
+        found.push_back(seen(at, place));
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::vector<NearPlace> touching(const std::vector<Seen>& places) const {
+    std::vector<NearPlace> found;
+    for (const Seen& place : places) {
+      if (std::abs(place.gap) <= depth_ && is_smooth_touch(place.place)) {
+        found.push_back(place.place);
+      }
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::optional<Meeting> between(const Pairing& a, const Pairing& b, int halvings) {
+    const double reach = reach_between(a, b);
+    const double h = b.x - a.x;
+    std::optional<Meeting> first;
+    bool lost = false;           // a place that may have touched could not be followed
+    std::optional<Seen> inside;  // a place that could not be followed and at which the bodies overlap at b
+    const auto take = [&](const Verdict& verdict) {
+      if (verdict.meeting && (!first || std::abs(verdict.meeting->x) < std::abs(first->x))) {
+        first = verdict.meeting;
+      }
+      lost = lost || !verdict.followed;
+    };
+    const std::vector<Seen> at_a = places_at(a, reach), at_b = places_at(b, reach);
+    if (halvings == 0) {
+      found_.sharing_before = touching(at_a);
+      found_.sharing_after = touching(at_b);
+    }
+    for (const Seen& place : at_b) {
+      if (const auto before = followed(b, place, a)) {
+        take(touch(a, *before, b, place));
+      } else if (place.gap < -depth_) {
+        inside = place;
+      } else {
+        lost = lost || place.gap < place.rate * h;
+      }
+    }
+    for (const Seen& place : at_a) {
+      if (const auto after = followed(a, place, b)) {
+        take(touch(a, place, b, *after));
+      } else {
+        lost = lost || (std::abs(place.gap) > depth_ && place.gap < -place.rate * h);
+      }
+    }
+    const auto found = first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};
+    const int most = inside ? kHalvingsToTouch : lost ? kStepHalvings : 0;
+    return halvings < most ? split(a, b, halvings + 1, found) : found;
+  }
+
+  // The first in both halves; what has been found already if there is no position in the middle.
+  [[nodiscard]] std::optional<Meeting> split(const Pairing& a, const Pairing& b, int halvings,
+                                             const std::optional<Meeting>& found) {
+    const auto middle = pairing_at((a.x + b.x) / 2);
+    if (!middle) {
+      return found;
+    }
+    const auto first = between(a, *middle, halvings);
+    return first ? first : between(*middle, b, halvings);
+  }
+
+  Run& run_;
+  const Path& path_;
+  double s_;
+  const Contact& contact_;
+  std::size_t index_;
+  const Boundary& boundary1_;
+  const Boundary& boundary2_;
+  double depth_;                               // a smaller depth is a touch
+  std::optional<std::array<int, 2>> corners_;  // where the contact is at the begin, if it is at two
+  ContactMeeting found_;
+  std::optional<StateAside> aside_;  // set once run.work.trial is used for other positions
+};
+
+}  // namespace
+
+bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
+  return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <=
+             kSameMeeting * size &&
+         (contact.n_W - place.at.n_W).norm() <= kSameMeetingNormal;
+}
+
+bool is_smooth_touch(const NearPlace& place) {
+  return place.end == 0 && place.at.rho1 != 0 && place.at.rho2 != 0;
+}
+
+ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {
+  return Search(run, path, contact, s).all(h);
+}
+
+}  // namespace higherpair

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "analysis/follow/straight_path.hpp"
+#include "higherpair/contact/near_places.hpp"
+
+#include <optional>
+
+// Continues the contact of two boundaries at another place of the same bodies.
+
+namespace higherpair {
+
+/// Jump of a follower's rate, per unit of the path.
+struct RateJump {
+  double before = 0;
+  double after = 0;
+};
+
+/// Adds to an event on the path that the follower's rate jumps, or that it does not.
+void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower, const RateJump& jump,
+                   RunEvent& event);
+
+/// The difference of the rates for one unit of the drivers; that of a sliding follower as a fraction of the
+/// size.
+[[nodiscard]] double jump_size(const Run& run, const Path& path, const CarriedBody& follower,
+                               const RateJump& jump);
+
+/// The group whose body is placed by this contact by_boundary, if any.
+[[nodiscard]] std::optional<std::size_t> touching_group(const Run& run, int contact);
+
+/// Continues run.at.state, which is at s, with the contact of group g at another place where the two bodies
+/// touch too. Returns none and changes nothing if the bodies are on different sides at the two places:
+/// neither contact could then be kept.
+[[nodiscard]] std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,
+                                               const NearPlace& place);
+
+}  // namespace higherpair

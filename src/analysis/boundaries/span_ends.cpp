@@ -1,0 +1,124 @@
+#include "span_ends.hpp"
+
+#include "analysis/tolerances.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/edges.hpp"
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+// The first result of `of` for the sides of a group's contacts that touch.
+template <class F>
+auto first_of_sides(const Run& run, std::size_t g, const F& of)
+    -> decltype(of(std::size_t{}, std::size_t{})) {
+  for (const int index : run.plan().groups[g].contacts) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (auto found = of(i, side)) {
+        return found;
+      }
+    }
+  }
+  return {};
+}
+
+// What a contact has reached.
+enum class Stop { kEnd, kEdge, kNotch };
+
+std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t side) {
+  const Boundary& boundary = boundary_at(run, contact, side);
+  const BoundaryPlace& place = run.at.state.contacts[contact].place[side];
+  for (const bool high : {false, true}) {
+    if (!is_at_end(boundary, place, high, kAtSpanEnd)) {
+      continue;
+    }
+    const int next = boundary.next_span(place.span, high);
+    const SpanJoint joint = boundary.joint_after(high ? place.span : next);
+    if (joint == SpanJoint::kNotch || (joint == SpanJoint::kEnd && !is_edge(boundary, place.span))) {
+      return joint == SpanJoint::kEnd ? Stop::kEnd : Stop::kNotch;
+    }
+    if (joint != SpanJoint::kEnd && is_edge(boundary, next)) {
+      return Stop::kEdge;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> end_reached(const Run& run, std::size_t g) {
+  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
+    const auto stop = stop_at(run, i, side);
+    // Two corners, and an edge is one, have no common normal to go on with.
+    const bool blunt = !boundary_at(run, i, 1 - side).is_corner(run.at.state.contacts[i].place[1 - side]);
+    if (!stop || (stop == Stop::kEdge && blunt)) {
+      return std::nullopt;
+    }
+    const std::string& body = body_of_side(run, i, side);
+    return stop == Stop::kNotch
+               ? fmt::format(
+                     "the contact reaches a concave corner of {} here, where it would need a second contact "
+                     "to go on",
+                     body)
+               : fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
+                             body);
+  });
+}
+
+bool is_at_edge(const Run& run, std::size_t g) {
+  return first_of_sides(
+      run, g, [&](std::size_t i, std::size_t side) { return stop_at(run, i, side) == Stop::kEdge; });
+}
+
+bool is_on_edge(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place) {
+  return is_edge(boundary_at(run, contact, side), place.span);
+}
+
+void note_edge(Run& run, const Path& path, double s, std::size_t contact,
+               const std::array<BoundaryPlace, 2>& before) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (is_on_edge(run, contact, side, run.at.state.contacts[contact].place[side]) &&
+        !is_on_edge(run, contact, side, before[side])) {
+      report_contact(run, EventType::kEnd, path, s, contact,
+                     fmt::format("the contact goes on at the edge at the end of the curve of {}",
+                                 body_of_side(run, contact, side)));
+    }
+  }
+}
+
+std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
+  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
+    return is_on_edge(run, i, side, run.at.state.contacts[i].place[side])
+               ? std::optional(fmt::format("the contact slips off the edge at the end of the curve of {} "
+                                           "here and is lost beyond it",
+                                           body_of_side(run, i, side)))
+               : std::nullopt;
+  });
+}
+
+void set_local_curves(Run& run) {
+  for (std::size_t i = 0; run.local && i < run.mechanism().contacts.size(); ++i) {
+    const Contact& contact = run.mechanism().contacts[i];
+    if (!contact.by_boundary) {
+      continue;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const CurveRef& ref = ref_of(contact, side);
+      const Boundary& boundary = boundary_of(run.mechanism(), ref);
+      const BoundaryPlace& place = run.row.contacts[i].place[side];
+      // While the contact is open nothing depends on the curve's shape.
+      Body& body = run.local->bodies[ref.body];
+      body.curves[ref.curve].curve =
+          run.row.contacts[i].touches
+              ? local_curve(boundary.at(place), boundary.is_corner(place), boundary.is_arc(place.span))
+              : Curve{};
+    }
+  }
+}
+
+}  // namespace higherpair

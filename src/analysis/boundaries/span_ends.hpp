@@ -1,0 +1,52 @@
+#pragma once
+
+#include "analysis/follow/straight_path.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace higherpair {
+
+/// The curve of a contact on side 0 or 1.
+[[nodiscard]] inline const CurveRef& ref_of(const Contact& contact, std::size_t side) {
+  return side == 0 ? contact.first : contact.second;
+}
+
+/// Its boundary. \pre the contact is by_boundary
+[[nodiscard]] inline const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
+  return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
+}
+
+/// The name of its body.
+[[nodiscard]] inline const std::string& body_of_side(const Run& run, std::size_t contact, std::size_t side) {
+  const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
+  return run.mechanism().bodies[ref.body].name;
+}
+
+/// If the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go: the
+/// sentence that says so.
+[[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
+
+/// Whether the contact of group g is where a curve goes over into the edge at its end.
+[[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
+
+/// Whether a place of a contact's curve on side 0 or 1 is on the edge at its end.
+[[nodiscard]] bool is_on_edge(const Run& run, std::size_t contact, std::size_t side,
+                              const BoundaryPlace& place);
+
+/// After a contact has gone over to another place at s, in run.at.state: adds an event if that place is on
+/// the edge at an end of a curve and the place before was not.
+void note_edge(Run& run, const Path& path, double s, std::size_t contact,
+               const std::array<BoundaryPlace, 2>& before);
+
+/// Where the motion cannot go on with the contact of group g: the sentence that says so if the contact is on
+/// the edge at an end of a curve.
+[[nodiscard]] std::optional<std::string> slipped_off(const Run& run, std::size_t g);
+
+/// Replaces the curves of contacts by_boundary in run.local by curves that agree with their boundaries at the
+/// row's contacts.
+void set_local_curves(Run& run);
+
+}  // namespace higherpair

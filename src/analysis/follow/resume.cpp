@@ -1,0 +1,454 @@
+#include "resume.hpp"
+
+#include "analysis/boundaries/overlap.hpp"
+#include "analysis/groups/coupled_system.hpp"
+#include "analysis/tolerances.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "limit_events.hpp"
+#include "line_ahead.hpp"
+#include "outlook.hpp"
+#include "path.hpp"
+#include "short_way.hpp"
+#include "step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+// Takes up the motion again beyond a limit at which it was lost. A stretch is a range of the drivers in which
+// the branch can be assembled.
+
+namespace higherpair {
+namespace {
+
+constexpr int kFirstProbes = 4;  // further probes near the limit, spaced by factors of 4
+constexpr double kMostProbes = 4e4;
+
+// Most stretches that meet at poles, one after another; more would be made and ended by rounding alone.
+constexpr int kMostPoles = 16;
+
+// Whether some contact is found again from a list of all contacts, of which more than one may be on the
+// branch.
+bool has_listed_contact(const Run& run) {
+  for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
+    const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
+    const bool touches_on_conics =
+        touching != nullptr && !run.mechanism().contacts[touching->contact].by_boundary;
+    if (touches_on_conics || std::holds_alternative<ContactTrack>(run.at.state.tracks[g])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether a contact comes from infinity.
+bool has_contact_far_out(const Run& run) {
+  const Vector2d ground = place_of_ground(run.mechanism());
+  return std::any_of(
+      run.at.state.contacts.begin(), run.at.state.contacts.end(), [&](const ContactMotion& contact) {
+        return contact.touches && (contact.at.p_W() - ground).norm() > kFarOut * run.plan().size;
+      });
+}
+
+// Whether coupled bodies or their contacts have run off to infinity: no iteration leads across it.
+bool has_coupled_far_out(const Run& run) {
+  return farthest_coupled(model_of(run), run.at.state) > kCoupledFarOut * run.plan().size;
+}
+
+// Whether the drivers are at the limit, to within half of the tolerance of a row there, or have come back
+// from it towards where the motion came from.
+bool has_come_back(const Run& run, const std::vector<double>& drivers) {
+  double beyond = 0;
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    const double ahead = run.at.lost.at[i] - run.at.lost.from[i];
+    const double near = kOnLimit / 2 * (driver_scale(run, i) + std::abs(drivers[i]));
+    beyond += (drivers[i] - run.at.lost.at[i]) * ahead - near * std::abs(ahead);
+  }
+  return beyond <= 0;
+}
+
+// The fraction of the path from the row before to this one at which the drivers are.
+double share_of(const Run& run, const std::vector<double>& drivers) {
+  const std::vector<double>& from = run.work.row_before;
+  const std::vector<double>& to = run.at.targets;
+  const std::size_t leading = leading_driver(run, from, to);
+  const double whole = to[leading] - from[leading];
+  return whole == 0 ? 1 : (drivers[leading] - from[leading]) / whole;
+}
+
+// A part of the path between two rows, on its line.
+Path part_of_path(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+  Path path;
+  set_path(path, from, to);
+  path.share_from = share_of(run, from);
+  path.share_to = share_of(run, to);
+  return path;
+}
+
+// The motion is taken up again behind a gap, in which arcs along the curves are not measured.
+void hold_again(Run& run) {
+  renew_overlaps(run);
+  for (OverlapWatch& watch : run.at.watches) {
+    watch.interrupted = true;
+  }
+  run.at.on_branch = true;
+}
+
+// Follows the path from run.at.state, whose rates may be those of another path.
+bool follow_part(Run& run, const Path& path, double first_step = kInf) {
+  if (!path.is_single()) {
+    path.motions(0, run.work.motions);
+    set_rates(run, run.work.motions, run.at.state);
+  }
+  return follow(run, path, first_step);
+}
+
+// Continues the motion from where it was lost, after the drivers have come back from the limit.
+bool come_back(Run& run, const std::vector<double>& drivers) {
+  const Path path = part_of_path(run, run.at.lost.from, drivers);
+  hold_again(run);
+  report_limit(run, path, run.at.lost.event);
+  const double to_limit = distance_between(run, run.at.lost.from, run.at.lost.at);
+  return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
+}
+
+// Whether a group is so near to its limit that its position is known to only half the digits. At a limit that
+// is hardly one (a pressure angle of 90 degrees where the follower is at rest) rounding alone creates and
+// removes such positions by the thousand.
+bool is_beside_limit(const State& state) {
+  return std::any_of(state.groups.begin(), state.groups.end(), [](const GroupState& group) {
+    return std::abs(group.sine) <= kTooNearLimit * group.lever;
+  });
+}
+
+// The branch at a position of the drivers, placed in run.work.trial, followed back towards `from`: to where
+// this stretch of it begins. None if it is next to a limit, unless it is a row.
+std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const std::vector<double>& from,
+                                 bool is_row) {
+  if (!is_row && is_beside_limit(run.work.trial)) {
+    return std::nullopt;
+  }
+  std::vector<RunEvent> events = std::exchange(run.events, {});  // not to copy as many as there may be
+  Run back = run;
+  run.events = std::move(events);
+  std::swap(back.at.state, back.work.trial);
+  back.at.on_branch = true;
+  back.at.beside.reset();
+  back.at.drivers = at;
+  (void)follow_part(back, part_of_path(run, at, from));
+  return back;
+}
+
+// Whether the branch followed back is another one: the motion cannot have come to it if there was no limit on
+// the way back. That can happen where a contact is found again from a list of all, or with coupled bodies.
+bool is_another_branch(const Run& back) {
+  return back.at.on_branch && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
+}
+
+// The same, if the branch can be placed there.
+std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
+                               bool is_row) {
+  return place_anew(run, at).complete ? followed_back(run, at, from, is_row) : std::nullopt;
+}
+
+enum class Taken {
+  kNot,      // there is no stretch that the motion could be on
+  kNotYet,   // the stretch begins beyond the row
+  kArrived,  // the motion goes on up to the row
+  kLost,     // the motion is lost again before the row
+};
+
+// Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every
+// kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
+class Probes {
+public:
+  explicit Probes(const LineAhead& line)
+      : limit_(line.x_of(line.begin())), step_(line.sense() * kLostBranchProbe * line.scale()) {}
+
+  [[nodiscard]] double at(double k) const {
+    return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
+           : k > 0          ? limit_ + std::pow(4, k - kFirstProbes) / 4 * step_
+                            : limit_;
+  }
+  /// Index of the first probe that is not before x; at least 1.
+  [[nodiscard]] double first_from(double x) const {
+    double k = std::max(1.0, std::ceil((x - limit_) / step_) + kFirstProbes);
+    while (k > 1 && (at(k - 1) - x) * step_ >= 0) {
+      --k;
+    }
+    return k;
+  }
+
+private:
+  double limit_, step_;
+};
+
+// Looks for a branch on a line and takes it up where it is found.
+class StretchSearch {
+public:
+  /// \param drivers  of the row, at the end of the line
+  StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& drivers)
+      : run_(run),
+        line_(line),
+        drivers_(drivers),
+        probes_(line),
+        couples_(run.plan().couples),
+        to_(line.x_of(drivers)),
+        searched_to_(line.x_of(line.begin())) {}
+
+  /// Takes up the stretch that contains x at its begin, if that is before the row, and follows it to the row.
+  /// `poles` limits how many other stretches may be looked for before it.
+  Taken take_up(double x, int poles = kMostPoles);
+
+  /// The same with the first stretch found beyond `from`, then with that of the row itself.
+  Taken take_up_first(double from);
+
+private:
+  [[nodiscard]] bool is_before(double a, double b) const { return (b - a) * line_.sense() > 0; }
+  [[nodiscard]] std::vector<double> drivers_at(double x) const { return x == to_ ? drivers_ : line_.at(x); }
+  [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return line_.x_of(drivers); }
+
+  [[nodiscard]] double first_probe(double from) const;
+  Outlook outlook(double k);
+  std::optional<double> placed_up_to(double k, const std::optional<Outlook>& before, const Outlook& here);
+  Taken take_up_row();
+  bool come_to_begin(double x);
+  Taken take_up_across(double pole, double begin, int poles);
+  void go_on_from(const Run& back, const State& state, double from);
+  bool follow_from(double from, double first_step);
+
+  Run& run_;
+  const LineAhead& line_;
+  const std::vector<double>& drivers_;
+  Probes probes_;
+  bool couples_;                             // whether bodies are coupled
+  double to_;                                // x of the row
+  double searched_to_;                       // no stretch of the branch begins before this x
+  std::optional<double> begins_ahead_ = {};  // x beyond the row where one begins
+  std::vector<RunEvent> begin_events_ = {};  // the events at that begin
+};
+
+// Continues from a state of the stretch, at x = `from`. Adds the event of the limit at which the stretch
+// begins.
+void StretchSearch::go_on_from(const Run& back, const State& state, double from) {
+  const State lost = std::exchange(run_.at.state, state);
+  hold_again(run_);
+  run_.at.beside.reset();
+  run_.at.drivers = drivers_at(from);
+  const Path path = part_of_path(run_, line_.begin(), drivers_);
+  for (const RunEvent& event : back.events) {
+    // At the end of a curve the motion may have gone on over the edge.
+    const bool is_last = &event == &back.events.back();
+    const bool is_limit =
+        event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last);
+    if (is_limit && !is_same_limit(run_, event, run_.at.lost.event)) {
+      report_limit(run_, path, event);
+    }
+  }
+  if (!back.at.on_branch) {
+    take_short_way(run_, lost, back.at.state);
+  }
+}
+
+// For a row next to the limit where a stretch begins. Placed directly, a position there has half its digits
+// only. It is therefore taken from the limit as solved for when the branch is followed back from within the
+// stretch; run.at.state then remains within.
+bool StretchSearch::come_to_begin(double x) {
+  const double within = x + line_.sense() * kInsideLimit * line_.scale();
+  auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
+  if (!inside || !inside->at.on_branch || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
+    return false;
+  }
+  if (begins_ahead_) {
+    inside->events = begin_events_;
+  }
+  const State lost = run_.at.state;
+  const State& begin = inside->at.shown();
+  go_on_from(*inside, begin, x);
+  run_.at.drivers = inside->at.drivers;
+  take_short_way(run_, lost, begin);
+  if (inside->at.beside) {
+    run_.at.beside = std::exchange(run_.at.state, inside->at.state);
+    take_short_way(run_, lost, begin);
+  }
+  return true;
+}
+
+// \param first_step  in x
+bool StretchSearch::follow_from(double from, double first_step) {
+  const Path path = part_of_path(run_, drivers_at(from), drivers_);
+  const double per_x = path.is_single() ? 1 : path.length / std::abs(to_ - from);
+  return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
+}
+
+// At a pole one stretch ends where another begins, at `begin`. Takes up the former, from as near to the pole
+// as it can be followed from.
+Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
+  for (double x = 2 * pole - begin; is_before(searched_to_, x) && is_before(x, begin);
+       x = pole + 4 * (x - pole)) {
+    if (std::abs(x - pole) > kAcrossPole * line_.scale() || !place_anew(run_, line_.at(x)).complete) {
+      return Taken::kNot;
+    }
+    if (!is_beside_limit(run_.work.trial)) {
+      return take_up(x, poles);
+    }
+  }
+  return Taken::kNot;
+}
+
+Taken StretchSearch::take_up(double x, int poles) {
+  if (!place_anew(run_, drivers_at(x)).complete) {
+    return Taken::kNot;
+  }
+  const bool is_row = x == to_;
+  if (is_row && is_beside_limit(run_.work.trial)) {
+    if (come_to_begin(x)) {
+      return Taken::kArrived;
+    }
+    (void)place_anew(run_, drivers_at(x));
+  }
+  auto back = followed_back(run_, drivers_at(x), drivers_at(searched_to_), is_row);
+  if (back && is_another_branch(*back)) {
+    back.reset();
+  }
+  const double begin = back && !back->at.on_branch ? x_of(back->at.lost.from) : searched_to_;
+  const State found = run_.work.trial;
+  if (back && !back->at.on_branch && poles > 0) {
+    const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
+    if (taken == Taken::kArrived || taken == Taken::kLost) {
+      return taken;
+    }
+  }
+  if (!back || is_before(to_, begin)) {
+    if (back) {
+      begins_ahead_ = begin;
+      begin_events_ = back->events;
+    }
+    return back ? Taken::kNotYet : Taken::kNot;
+  }
+  const RunPosition before = run_.at;
+  const std::size_t events = run_.events.size();
+  go_on_from(*back, back->at.state, begin);
+  const double to_limit =
+      back->at.on_branch ? kInf
+                         : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
+  if (follow_from(begin, to_limit)) {
+    return Taken::kArrived;
+  }
+  if (!is_before(x_of(run_.at.lost.at), x)) {
+    return Taken::kLost;
+  }
+  // It cannot be followed from its very begin: continue from x, where it was found, to the row.
+  run_.at = before;
+  run_.events.resize(events);
+  go_on_from(*back, found, x);
+  return follow_from(x, kInf) ? Taken::kArrived : Taken::kLost;
+}
+
+// Index of the first probe to look at.
+double StretchSearch::first_probe(double from) const {
+  const double first = probes_.first_from(from);
+  const std::optional<double>& looked_to = run_.at.lost.looked_to;
+  return looked_to && line_.is_from_limit() ? std::max(first, probes_.first_from(*looked_to) + 1) : first;
+}
+
+Outlook StretchSearch::outlook(double k) {
+  return outlook_at(run_, line_, probes_.at(k), probes_.at(k + 1) - probes_.at(k));
+}
+
+// Where the branch can be placed, at probe k or between the one before it and it.
+std::optional<double> StretchSearch::placed_up_to(double k, const std::optional<Outlook>& before,
+                                                  const Outlook& here) {
+  if (here.placing.complete) {
+    return here.x;
+  }
+  // For contacts it is unknown how much is lacking (room is not finite): next to a contact's limit it takes
+  // long to find out that it cannot be placed.
+  if (!std::isfinite(here.placing.room)) {
+    return std::nullopt;
+  }
+  return placed_between(run_, line_, before ? *before : outlook(k - 1), here);
+}
+
+Taken StretchSearch::take_up_first(double from) {
+  const double first = first_probe(from);
+  const double last = std::min(probes_.first_from(to_), first + kMostProbes);
+  if (couples_ && first > 1) {
+    searched_to_ = probes_.at(first - 1);
+  }
+  std::optional<Nearest> nearest_in_vain = run_.at.lost.nearest;
+  bool in_vain = line_.is_from_limit();
+  std::optional<Outlook> before;
+  for (double k = first; k <= last && !is_stopped(run_); ++k) {
+    const Outlook here = outlook(k);
+    // A stretch of coupled bodies that begins at this position itself is followed back from the next one.
+    const bool at_begin = couples_ && here.placing.complete && is_beside_limit(run_.work.trial);
+    if (couples_) {
+      run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.continuations};
+    }
+    const std::optional<double> x = placed_up_to(k, before, here);
+    const Taken taken = x ? take_up(*x) : Taken::kNot;
+    if (taken == Taken::kArrived || taken == Taken::kLost) {
+      return taken;
+    }
+    in_vain = in_vain && taken == Taken::kNot && !at_begin;
+    if (in_vain) {
+      run_.at.lost.looked_to = here.x;
+      nearest_in_vain = run_.at.lost.nearest;
+    }
+    if (couples_ && !at_begin) {
+      searched_to_ = here.x;
+    }
+    before = here;
+  }
+  if (is_stopped(run_)) {
+    return Taken::kNot;
+  }
+  const Taken taken = take_up_row();
+  if (couples_ && line_.is_from_limit()) {
+    run_.at.lost.nearest = std::move(nearest_in_vain);
+  }
+  return taken;
+}
+
+// Coupled bodies are followed through the probes, whatever the rows are; a row may be where the stretch
+// begins.
+Taken StretchSearch::take_up_row() {
+  if (!couples_) {
+    return take_up(to_);
+  }
+  const bool at_begin = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
+  return at_begin && come_to_begin(to_) ? Taken::kArrived : Taken::kNot;
+}
+
+// Takes the motion up again where it first can be behind `from`.
+Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  if (is_stopped(run) || run.at.lost.for_good) {
+    return Taken::kNot;
+  }
+  const bool comes_back = has_come_back(run, drivers);
+  if (comes_back && come_back(run, drivers)) {
+    return Taken::kArrived;
+  }
+  // The motion may have been lost again on the way to the drivers, or at once.
+  if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
+    return Taken::kNot;
+  }
+  const std::vector<double> behind = comes_back ? run.at.lost.at : from;
+  const LineAhead line(run, behind, drivers);
+  return StretchSearch(run, line, drivers).take_up_first(line.x_of(behind));
+}
+
+}  // namespace
+
+bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+  Taken taken = take_up_again(run, drivers, from);
+  while (taken == Taken::kLost) {
+    taken = take_up_again(run, drivers, run.at.lost.at);
+  }
+  return taken == Taken::kArrived;
+}
+
+}  // namespace higherpair

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "analysis/groups/group_solver.hpp"
+#include "higherpair/analysis/run.hpp"
+
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace higherpair {
+
+/// Lets a state of a run be used for other positions; restores it at the end of the scope unless `commit` was
+/// called.
+class StateAside {
+public:
+  explicit StateAside(State& state) : state_(state), kept_(state) {}
+  StateAside(const StateAside&) = delete;
+  StateAside& operator=(const StateAside&) = delete;
+  ~StateAside() {
+    if (!committed_) {
+      std::swap(state_, kept_);
+    }
+  }
+
+  /// The state to be restored.
+  [[nodiscard]] const State& kept() const { return kept_; }
+  /// Keeps the state as it is.
+  void commit() { committed_ = true; }
+
+private:
+  State& state_;
+  State kept_;
+  bool committed_ = false;
+};
+
+[[nodiscard]] inline Planned model_of(const Run& run) {
+  return {run.mechanism(), run.plan()};
+}
+
+/// The drivers at their positions: a single one moves at unit rate, several are at rest.
+void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions);
+
+struct StepResult {
+  enum Kind { kOk, kLost, kDisagrees } kind = kOk;
+  std::size_t group = 0;  ///< the group that failed
+};
+
+/// Tries a step of `h` from run.at.state, which is at s, into run.work.trial; kOk only if every group
+/// continues its motion smoothly, straight through change points (run.work.crossings).
+[[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
+
+/// The first group whose motion from run.at.state over `h` to run.work.trial, whose rates are set, is not
+/// smooth.
+[[nodiscard]] std::optional<std::size_t> broken_off(const Run& run, double h);
+
+/// How fast the fastest body moves, per unit of the path: turns, or distances relative to the size.
+[[nodiscard]] double fastest_body(const Run& run, const State& state);
+
+/// One unit of a driver's coordinate: a radian, or the size of the mechanism.
+[[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
+
+/// The driver that moves most between two positions, measured in its unit.
+[[nodiscard]] std::size_t leading_driver(const Run& run, const std::vector<double>& from,
+                                         const std::vector<double>& to);
+
+/// How far that driver moves, in its unit.
+[[nodiscard]] double distance_between(const Run& run, const std::vector<double>& from,
+                                      const std::vector<double>& to);
+
+/// One unit of the drivers in the path's coordinate.
+[[nodiscard]] double unit_of(const Run& run, const Path& path);
+
+/// The largest of the drivers' coordinates at s, in the path's coordinate: the magnitude that their rounding
+/// is relative to.
+[[nodiscard]] double size_at(const Run& run, const Path& path, double s);
+
+/// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which is at s; in the
+/// modes of run.at.state and without comparing with a prediction.
+[[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
+
+/// The same, but with contacts searched from their places in run.at.state, as try_step does, so that those
+/// that have left their spans can be recognised.
+[[nodiscard]] bool solve_from_spans(Run& run, const Path& path, double s, double x);
+
+/// The same as `solve_at`, but from `from` at s instead of run.at.state.
+[[nodiscard]] bool solve_from(Run& run, const State& from, const Path& path, double s, double x);
+
+/// Places all groups at s, near `from` and in its modes, and makes the result run.at.state; false, with
+/// run.at.state unchanged, where that is not possible.
+[[nodiscard]] bool settle(Run& run, const Path& path, double s, const State& from);
+
+/// The same as `solve_at` for the groups before `end` only, which are interpolated next to their change
+/// points.
+[[nodiscard]] bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x);
+
+/// How much of a mechanism can be placed at a position of its drivers.
+struct Placeable {
+  bool complete = false;
+  std::size_t conditions = 0;  ///< number of conditions met before the first failure; each group has two: its
+                               ///< reach and the ends of its joints
+  double room = 0;             ///< of the first condition that fails: < 0; -inf if it is unknown by how much
+
+  /// Whether less can be placed, or the same but missing by more.
+  [[nodiscard]] bool operator<(const Placeable& other) const {
+    return std::tie(complete, conditions, room) < std::tie(other.complete, other.conditions, other.room);
+  }
+};
+
+/// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far
+/// that is; rates are for a unit rate of a single driver.
+[[nodiscard]] Placeable place_anew(Run& run, const std::vector<double>& drivers);
+
+}  // namespace higherpair

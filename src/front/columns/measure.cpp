@@ -1,0 +1,297 @@
+#include "higherpair/front/measure.hpp"
+
+#include "front/analysis_impl.hpp"
+#include "front/tolerances.hpp"
+#include "higherpair/io/coordinate.hpp"
+#include "higherpair/io/diagnostic.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "measure_series.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+std::string where_column(const Mechanism& mechanism, bool in_time) {
+  return in_time ? "time" : driver_name(mechanism.drivers.front());
+}
+
+// All columns that a run of the model can have, ordered by what they require.
+struct Available {
+  std::vector<Column> columns;
+  std::vector<std::string> names;
+  std::size_t plain = 0;   // number of columns without forces and jerk
+  std::size_t forces = 0;  // number of columns without jerk
+
+  [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - names.begin()));
+  }
+};
+
+Result<Available> available_columns(const Model& model, RunSettings settings) {
+  Available available;
+  const Units units = settings.units.value_or(model.units());
+  settings.columns.clear();
+  const auto add = [&]() -> Result<void> {
+    return columns_of(model.data(), settings, units).map([&](const ColumnSet& set) {
+      for (const Column& column : set.columns()) {
+        if (available.find(column.name)) continue;
+        available.columns.push_back(column);
+        available.names.push_back(column.name);
+      }
+    });
+  };
+  auto done = add();
+  available.plain = available.names.size();
+  settings.forces = true;
+  if (done) done = add();
+  available.forces = available.names.size();
+  settings.jerk = true;
+  if (done) done = add();
+  if (!done) {
+    return tl::unexpected(std::move(done.error()));
+  }
+  return available;
+}
+
+using PlaceOfRow = std::function<double(std::int64_t row)>;
+
+// Where a row is, as its table says.
+PlaceOfRow place_in_units(const DriverSchedule& schedule, const Profile& profile,
+                          const RunSettings& settings) {
+  const Units units = settings.units.value_or(profile.units);
+  const bool own = units == profile.units;
+  if (settings.in_time) {
+    return [&schedule, own, time = from_si(dimension::kTime, units)](std::int64_t row) {
+      return own ? schedule.time(row) : time.apply(schedule.time_si(row));
+    };
+  }
+  return [&schedule, own, position = from_si(driver_dimension(profile.mechanism), units)](std::int64_t row) {
+    const DriverState state = schedule.state(row);
+    return own ? state.profile.position : position.apply(state.si.position);
+  };
+}
+
+// The objection to the place of a measure; empty where there is a row at that place.
+std::string place_objection(const DriverSchedule& schedule, const Measure& measure,
+                            const PlaceOfRow& place_of_row, bool in_time) {
+  double low = -kInf;  // the rows on both sides of the place
+  double high = kInf;
+  double first = kInf;
+  double last = -kInf;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    const double place = place_of_row(k);
+    low = place <= measure.at ? std::max(low, place) : low;
+    high = place >= measure.at ? std::min(high, place) : high;
+    first = std::min(first, place);
+    last = std::max(last, place);
+  }
+  const double nearest = std::min(measure.at - low, high - measure.at);
+  if (nearest <= kAtPlace * std::max(last - first, std::abs(measure.at))) {
+    return "";
+  }
+  const std::string next = std::isinf(low) ? fmt::format("the rows begin at {}", high)
+                           : std::isinf(high)
+                               ? fmt::format("the rows end at {}", low)
+                               : fmt::format("the rows next to it are at {} and {}", low, high);
+  return fmt::format("no row is at {}: {}; choose one of the rows, or let {} have a row there", measure.at,
+                     next, in_time ? "the time step" : "driver.samples or driver.positions");
+}
+
+// The key `at` beside the key `column`.
+std::string path_of_at(const Measure& measure) {
+  const std::size_t dot = measure.path.rfind('.');
+  return dot == std::string::npos ? "at" : measure.path.substr(0, dot + 1) + "at";
+}
+
+Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures,
+                           const Profile& profile, const RunSettings& settings) {
+  const PlaceOfRow place_of_row = place_in_units(schedule, profile, settings);
+  Diagnostics mistakes;
+  for (const Measure& measure : measures) {
+    std::string objection = measure.of == MeasureKind::kAt
+                                ? place_objection(schedule, measure, place_of_row, settings.in_time)
+                                : std::string();
+    if (!objection.empty()) {
+      mistakes.push_back(
+          {measure.place, fmt::format("{} = {}: {}", path_of_at(measure), measure.at, objection)});
+    }
+  }
+  return mistakes;
+}
+
+Diagnostics column_mistakes(const Available& available, std::span<const Measure> measures) {
+  Diagnostics mistakes;
+  const auto object = [&](const Measure& measure, const std::string& rule) {
+    mistakes.push_back({measure.place, fmt::format("{}{}\"{}\": {}", measure.path,
+                                                   measure.path.empty() ? "" : " = ", measure.column, rule)});
+  };
+  for (const Measure& measure : measures) {
+    const auto index = available.find(measure.column);
+    if (!index) {
+      object(measure, "there is no such column; " + suggestion(measure.column, available.names));
+    } else if (!available.columns[*index].words.empty()) {
+      object(measure, "this column holds words; a measure needs numbers");
+    }
+  }
+  return mistakes;
+}
+
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (!contains(names, name)) {
+    names.push_back(name);
+  }
+}
+
+}  // namespace
+
+Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
+                                 RunSettings settings) {
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  const auto available = available_columns(model, settings);
+  if (!available) {
+    return tl::unexpected(available.error());
+  }
+  if (Diagnostics mistakes = column_mistakes(*available, measures); !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  const auto schedule = schedule_of(model.data(), settings);
+  if (!schedule) {
+    return tl::unexpected(schedule.error());
+  }
+  if (Diagnostics mistakes = place_mistakes(*schedule, measures, model.profile(), settings);
+      !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  add_once(where_column(model.mechanism(), settings.in_time), settings.columns);
+  for (const Measure& measure : measures) {
+    const std::size_t index = *available->find(measure.column);
+    settings.forces = settings.forces || (index >= available->plain && index < available->forces);
+    settings.jerk = settings.jerk || index >= available->forces;
+    add_once(measure.column, settings.columns);
+  }
+  return settings;
+}
+
+MeasureSet::MeasureSet(std::vector<Measure> measures, const std::vector<Column>& columns)
+    : measures_(std::move(measures)), states_(measures_.size()) {
+  const auto is_driver = [](const Column& column) {
+    return column.name == "driver" || column.name.starts_with("driver.");
+  };
+  where_slot_ = column_slot(columns, "time");
+  if (where_slot_ == columns.size()) {
+    where_slot_ =
+        static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_driver) - columns.begin());
+  }
+  assert(where_slot_ < columns.size());
+  where_unit_ = columns[where_slot_].unit;
+  for (const Measure& measure : measures_) {
+    slots_.push_back(column_slot(columns, measure.column));
+    assert(slots_.back() < columns.size());
+    units_.push_back(columns[slots_.back()].unit);
+  }
+  clear();
+}
+
+void MeasureSet::clear() {
+  rows_ = 0;
+  std::fill(states_.begin(), states_.end(), State());
+}
+
+void MeasureSet::add(const Row& row) {
+  const double where = row.values[where_slot_];
+  low_where_ = rows_ == 0 ? where : std::min(low_where_, where);
+  high_where_ = rows_ == 0 ? where : std::max(high_where_, where);
+  ++rows_;
+  for (std::size_t i = 0; i < measures_.size(); ++i) {
+    take({row.values[slots_[i]], where}, measures_[i], states_[i]);
+  }
+}
+
+void MeasureSet::take(const Seen& seen, const Measure& measure, State& state) const {
+  const auto keep = [&](bool better) {
+    if (state.rows == 0 || better) state.best = seen;
+  };
+  if (measure.of == MeasureKind::kFirst || measure.of == MeasureKind::kLast) {
+    if (rows_ == 1 || measure.of == MeasureKind::kLast) state.best = seen;
+    return;
+  }
+  if (measure.of == MeasureKind::kAt) {
+    const double off = std::abs(seen.where - measure.at);
+    if (rows_ == 1 || off < state.low) {
+      state.best = seen;
+      state.low = off;
+    }
+    return;
+  }
+  if (std::isnan(seen.value)) {
+    return;
+  }
+  switch (measure.of) {
+    case MeasureKind::kMax:
+      keep(seen.value > state.best.value);
+      break;
+    case MeasureKind::kMin:
+      keep(seen.value < state.best.value);
+      break;
+    case MeasureKind::kMaxAbs:
+      keep(std::abs(seen.value) > std::abs(state.best.value));
+      break;
+    case MeasureKind::kRange:
+      keep(seen.value > state.best.value);
+      state.low = state.rows == 0 ? seen.value : std::min(state.low, seen.value);
+      break;
+    case MeasureKind::kRms:
+      state.sum += static_cast<long double>(seen.value) * seen.value;
+      break;
+    default:
+      state.sum += seen.value;
+  }
+  ++state.rows;
+}
+
+Measured MeasureSet::value(std::size_t measure) const {
+  const State& state = states_[measure];
+  Measured result;
+  const auto of_row = [&](double value) {
+    if (!std::isnan(value)) result = {value, state.best.where};
+  };
+  const auto rows = static_cast<long double>(state.rows);
+  switch (measures_[measure].of) {
+    case MeasureKind::kMaxAbs:
+      of_row(std::abs(state.best.value));
+      break;
+    case MeasureKind::kRange:
+      result.value = state.best.value - state.low;
+      break;
+    case MeasureKind::kMean:
+      result.value = static_cast<double>(state.sum / rows);
+      break;
+    case MeasureKind::kRms:
+      result.value = static_cast<double>(std::sqrt(state.sum / rows));
+      break;
+    case MeasureKind::kAt: {
+      const double span = std::max(high_where_ - low_where_, std::abs(measures_[measure].at));
+      of_row(state.low <= kAtPlace * span ? state.best.value : kNoValue);
+      break;
+    }
+    default:
+      of_row(state.best.value);
+  }
+  return result;
+}
+
+}  // namespace higherpair

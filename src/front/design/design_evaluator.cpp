@@ -1,0 +1,274 @@
+#include "design_evaluator.hpp"
+
+#include "design_gradient.hpp"
+#include "front/tolerances.hpp"
+#include "higherpair/design/optimise.hpp"
+#include "higherpair/numeric/special_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+// Constraints are tightened by this much, so that what the optimiser tolerates is not a violation. One that
+// no variable changes cannot be brought to the inside: it holds, or does not.
+constexpr double kInside = 2 * kConstraintTolerance;
+double tightened(double off, bool idle) {
+  return idle && off <= kConstraintTolerance ? off - kInside : off + kInside;
+}
+
+constexpr double kGoodPath = -0.01;  // value of the path constraint for a good path: not active
+
+// Values in place of undefined numbers, where a candidate does not work.
+constexpr double kMissing = 1e3;
+constexpr double kViolated = 1;
+
+// The row of each point of a timed path.
+std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::PointPath& path) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < path.through.size(); ++i) {
+    rows.push_back(path.at.empty() ? i : row_at(setup.schedule, path.at[i]).value_or(i));
+  }
+  return rows;
+}
+
+// The angle with this sine, in the unit of tables, and the reverse.
+double angle_of(double sine, const Units& units) {
+  return from_si(dimension::kAngle, units).apply(std::asin(std::clamp(sine, 0.0, 1.0)));
+}
+
+double sine_of(double angle, const Units& units) {
+  return std::sin(to_si(dimension::kAngle, units).apply(angle));
+}
+
+class ModelEvaluator : public DesignEvaluator {
+public:
+  explicit ModelEvaluator(std::shared_ptr<const DesignSetup> setup)
+      : setup_(std::move(setup)),
+        task_(setup_->numbers.task()),
+        unit_(to_si(dimension::kLength, setup_->numbers.model().units()).apply(1)),
+        candidates_(*setup_) {
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      if (objective.path) timed_rows_.push_back(timed_rows(*setup_, *objective.path));
+    }
+    misses_.resize(timed_rows_.size());
+  }
+
+  void evaluate(std::span<const double> x, int branch, DesignValues& values) override {
+    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
+    values.cost = 0;
+    numbers_.clear();
+    std::size_t path = 0;
+    std::size_t measure = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      const double root = std::sqrt(objective.weight);
+      if (objective.path) {
+        for (const double miss : misses_[path++]) numbers_.push_back(root * miss);
+        continue;
+      }
+      if (!objective.followed.empty()) {
+        for (std::size_t k = 0; k < objective.values.size(); ++k) {
+          const double off = off_of(objective, measure, k);
+          numbers_.push_back(root * (std::isfinite(off) ? off : kMissing));
+        }
+        measure += objective.values.size();
+        continue;
+      }
+      const double value = measured(measure++);
+      if (objective.target) {
+        numbers_.push_back(root * (std::isfinite(value) ? value - *objective.target : kMissing));
+      } else {
+        values.cost += objective.weight * (std::isfinite(value) ? value : kMissing * setup_->cost_scale);
+      }
+    }
+    values.residuals =
+        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
+    numbers_.clear();
+    add_constraints(measure);
+    values.constraints =
+        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
+  }
+
+  bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian) override {
+    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
+    return add_gradient(*setup_, candidates_, {x_, branch_, *rows_, places_}, unit_, jacobian);
+  }
+
+  DesignScore score(std::span<const double> x, int branch) {
+    go_to(x, branch);
+    DesignScore score;
+    score.started = rows_->started;
+    score.missing = rows_->missing;
+    std::size_t path = 0;
+    std::size_t measure = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      score.placements.emplace_back();
+      if (objective.path && objective.path->is_free() && rows_->started) {
+        const PathPlacement placement = placement_of(*objective.path, places_[path]);
+        score.placements.back() = {placement.turn_and_scale(), placement.shift()};
+      }
+      if (!objective.values.empty()) {
+        double sum = 0;
+        for (std::size_t k = 0; k < objective.values.size(); ++k) {
+          sum += std::pow(off_of(objective, measure, k), 2);
+        }
+        measure += objective.values.size();
+        score.objectives.push_back(sum);
+        continue;
+      }
+      score.objectives.push_back(objective.path ? misses_[path++].squaredNorm() : measured(measure++));
+      if (objective.path && !rows_->started) score.objectives.back() = kNoValue;
+    }
+    std::size_t transmission = 0;
+    for (const DesignTask::Constraint& constraint : task_.constraints) {
+      if (constraint.transmission) {
+        score.constraints.push_back(
+            rows_->started ? angle_of(rows_->transmissions[transmission], setup_->numbers.model().units())
+                           : kNoValue);
+        ++transmission;
+      } else {
+        score.constraints.push_back(measured(measure++));
+      }
+    }
+    return score;
+  }
+
+private:
+  // Does nothing for the same candidate again: methods ask for its values and then for its derivatives.
+  void go_to(std::span<const double> x, int branch) {
+    if (rows_ != nullptr && branch == branch_ && std::equal(x.begin(), x.end(), x_.begin(), x_.end())) {
+      return;
+    }
+    x_.assign(x.begin(), x.end());
+    branch_ = branch;
+    rows_ = &candidates_.work_out(x, branch);
+    std::size_t path = 0;
+    places_.clear();
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      if (!objective.path) continue;
+      misses_of_path(*objective.path, path);
+      ++path;
+    }
+  }
+
+  void misses_of_path(const DesignTask::PointPath& path, std::size_t k) {
+    if (!rows_->started) {
+      misses_[k].setConstant(miss_count(path), kMissing);
+      places_.emplace_back();
+      return;
+    }
+    places_.push_back(nearest_places(path, *rows_, rows_->points[k], timed_rows_[k]));
+    misses_[k] = misses_of(path, places_.back(), unit_);
+  }
+
+  // By how much a column that is to follow given values misses the k-th of them.
+  [[nodiscard]] double off_of(const DesignTask::Objective& objective, std::size_t first,
+                              std::size_t k) const {
+    const double off = measured(first + k) - objective.values[k];
+    return objective.follow_change ? off - (measured(first) - objective.values[0]) : off;
+  }
+
+  [[nodiscard]] double measured(std::size_t k) const {
+    return k < rows_->measured.size() ? rows_->measured[k] : kNoValue;
+  }
+
+  // Appends the constraints to numbers_.
+  void add_constraints(std::size_t measure) {
+    for (const double gap : rows_->gaps) {
+      numbers_.push_back(std::isfinite(gap) ? (gap + setup_->spare()) / setup_->size : 0.0);
+    }
+    numbers_.push_back(rows_->missing > 0 ? rows_->missing : kGoodPath);
+    std::size_t transmission = 0;
+    for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
+      const DesignTask::Constraint& constraint = task_.constraints[k];
+      // For transmission angles, sines are used in place of angles: they are smooth everywhere.
+      const auto add = [&](double off) {
+        const bool idle = k < setup_->idle.size() && setup_->idle[k];
+        numbers_.push_back(std::isfinite(off) ? tightened(off, idle) : kViolated);
+      };
+      if (constraint.transmission) {
+        const double sine = transmission < rows_->transmissions.size() && rows_->started
+                                ? rows_->transmissions[transmission]
+                                : kNoValue;
+        ++transmission;
+        const Units& units = setup_->numbers.model().units();
+        if (constraint.above) add(sine_of(*constraint.above, units) - sine);
+        if (constraint.below) add(sine - sine_of(*constraint.below, units));
+        continue;
+      }
+      const double value = measured(measure++);
+      if (constraint.above) add((*constraint.above - value) / setup_->scales[k]);
+      if (constraint.below) add((value - *constraint.below) / setup_->scales[k]);
+    }
+  }
+
+  std::shared_ptr<const DesignSetup> setup_;
+  const DesignTask& task_;
+  double unit_;
+  DesignCandidates candidates_;
+  std::vector<std::vector<std::size_t>> timed_rows_;  // of each path
+  std::vector<double> numbers_;
+
+  // The candidate evaluated last.
+  std::vector<double> x_;
+  int branch_ = 0;
+  DesignRows* rows_ = nullptr;
+  std::vector<std::vector<PathMiss>> places_;  // of each path
+  std::vector<Eigen::VectorXd> misses_;
+};
+
+}  // namespace
+
+Eigen::Index closure_count(const DesignSetup& setup) {
+  Eigen::Index modes = 0;
+  for (int branches = setup.branches; branches > 1; branches /= 2) ++modes;
+  return modes;
+}
+
+Eigen::Index constraint_count(const DesignSetup& setup) {
+  Eigen::Index count = closure_count(setup) + 1;
+  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
+    count += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
+  }
+  return count;
+}
+
+std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position) {
+  for (std::int64_t k = 0; k < schedule.size(); ++k) {
+    const double there = schedule.state(k).profile.position;
+    if (std::abs(there - position) <= kSamePosition * (1 + std::abs(there))) {
+      return static_cast<std::size_t>(k);
+    }
+  }
+  return std::nullopt;
+}
+
+// A limit of 0, or close to it, gives no scale; the value at the start does.
+void set_scales(DesignSetup& setup) {
+  const DesignTask& task = setup.numbers.task();
+  setup.scales.assign(task.constraints.size(), 1);
+  const DesignScore start = score_of(setup, start_values(task), setup.start_branch.value_or(0));
+  for (std::size_t k = 0; k < task.constraints.size(); ++k) {
+    const DesignTask::Constraint& constraint = task.constraints[k];
+    const double limit =
+        std::max(std::abs(constraint.above.value_or(0)), std::abs(constraint.below.value_or(0)));
+    const double there = std::isfinite(start.constraints[k]) ? std::abs(start.constraints[k]) : 0;
+    const double largest = std::max(limit, there);
+    setup.scales[k] = largest > 0 ? largest : 1;
+  }
+  for (const double objective : start.objectives) {
+    if (std::isfinite(objective)) setup.cost_scale = std::max(setup.cost_scale, std::abs(objective));
+  }
+}
+
+DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch) {
+  return ModelEvaluator(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup)).score(x, branch);
+}
+
+std::unique_ptr<DesignEvaluator> evaluator_of(std::shared_ptr<const DesignSetup> setup) {
+  return std::make_unique<ModelEvaluator>(std::move(setup));
+}
+
+}  // namespace higherpair

@@ -1,0 +1,298 @@
+// The result of a search, evaluated again from the profile that is written.
+#include "design_report.hpp"
+
+#include "design_setup.hpp"
+#include "front/analysis_impl.hpp"
+#include "front/tolerances.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "numeric/decimal.hpp"
+#include "numeric/joined_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+constexpr int kDigitsOfSteps = 12;  // 0.3, not 0.30000000000000004, for three steps of 0.1
+
+std::string words_of(const DesignTask::Figure& figure) {
+  return figure.item + "." + figure.quantity + (figure.of.empty() ? "" : " of " + figure.of);
+}
+
+std::string words_of(const Measure& measure) {
+  return measure.of == MeasureKind::kAt ? fmt::format("{} at {}", measure.column, measure.at)
+                                        : fmt::format("{} of {}", name_of(measure.of), measure.column);
+}
+
+std::string words_of(const DesignTask::Objective& objective) {
+  if (objective.path) return "path of " + objective.path->point;
+  if (objective.figure) return words_of(*objective.figure);
+  if (objective.extent) return objective.extent->words;
+  return objective.followed.empty() ? words_of(*objective.measure)
+                                    : objective.followed.front().column + " followed";
+}
+
+std::string words_of(const DesignTask::Constraint& constraint) {
+  if (constraint.transmission) return "transmission at " + constraint.transmission->pin;
+  if (constraint.figure) return words_of(*constraint.figure);
+  if (constraint.extent) return constraint.extent->words;
+  if (constraint.grashof) return "room as a " + constraint.grashof->wanted;
+  if (constraint.without.empty()) return words_of(*constraint.measure);
+  std::vector<std::string> names;
+  for (const EventType type : constraint.without) names.emplace_back(name_of(type));
+  return "events " + joined_words(names);
+}
+
+double total(const DesignTask& task, const std::vector<double>& objectives) {
+  double sum = 0;
+  for (std::size_t k = 0; k < objectives.size(); ++k) {
+    const DesignTask::Objective& objective = task.objectives[k];
+    const double off = objectives[k] - objective.target.value_or(0);
+    sum += objective.weight * (objective.target ? off * off : off);
+  }
+  return sum;
+}
+
+class Reporter {
+public:
+  Reporter(const DesignSetup& setup, const DesignOutcome& outcome)
+      : setup_(setup), task_(setup.numbers.task()), outcome_(outcome) {}
+
+  Result<DesignReport> report() {
+    const std::vector<double> x = as_made(outcome_.best.x);
+    auto text = text_of(x, outcome_.best.branch);
+    if (!text) {
+      return tl::unexpected(std::move(text.error()));
+    }
+    DesignReport report;
+    report.text = *std::move(text);
+    const auto after = reread(report.text, x, outcome_.best.branch);
+    if (!after) {
+      return tl::unexpected(std::move(after.error()));
+    }
+    report.as_found = after->as_found;
+    add_variables(x, report);
+    add_objectives(after->score, report);
+    add_constraints(after->score, report);
+    add_search(report);
+    return report;
+  }
+
+private:
+  // The values as written: multiples of steps are rounded to decimals.
+  [[nodiscard]] std::vector<double> as_made(std::vector<double> x) const {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (task_.variables[i].range.step > 0) x[i] = rounded_to(x[i], kDigitsOfSteps);
+    }
+    return x;
+  }
+
+  [[nodiscard]] int searched(int branch) const {
+    return task_.keep_branch ? setup_.start_branch.value_or(0) : branch;
+  }
+
+  [[nodiscard]] Result<std::string> text_of(std::span<const double> x, int branch) const {
+    return text_of_design(setup_, x, searched(branch));
+  }
+
+  struct Reread {
+    DesignScore score;
+    bool as_found = false;  // whether it is the design, in the same assembly
+  };
+
+  // Evaluates the text as any profile: it is read, and started from its poses.
+  [[nodiscard]] Result<Reread> reread(const std::string& text, std::span<const double> x, int branch) const {
+    const Model::Data& before = setup_.numbers.model().data();
+    const auto model = Model::from_text(text, before.name, before.document->overrides());
+    if (!model) {
+      return tl::unexpected(model.error());
+    }
+    DesignSetup read{DesignNumbers(*model, *model->profile().design),
+                     setup_.quantities,
+                     setup_.measures,
+                     setup_.settings,
+                     setup_.schedule,
+                     setup_.branches,
+                     {},
+                     setup_.size,
+                     setup_.scales,
+                     setup_.cost_scale};
+    const DesignScore found = score_of(setup_, x, searched(branch));
+    const auto start = model->start(setup_.settings);
+    if (!start) {
+      return Reread{nothing(), !found.started};
+    }
+    Reread after{score_of(read, x, branch_of(start->impl().run))};
+    after.as_found = starts_as_designed(setup_, x, searched(branch), *model) && same(found, after.score);
+    return after;
+  }
+
+  // The score of a mechanism that cannot be assembled.
+  [[nodiscard]] DesignScore nothing() const {
+    DesignScore score;
+    score.missing = 1;
+    score.objectives.assign(task_.objectives.size(), kNoValue);
+    score.placements.resize(task_.objectives.size());
+    score.constraints.assign(task_.constraints.size(), kNoValue);
+    return score;
+  }
+
+  [[nodiscard]] bool same(const DesignScore& a, const DesignScore& b) const {
+    const auto same_value = [&](double one, double other) {
+      const double scale = std::max({std::abs(one), std::abs(other), setup_.cost_scale});
+      return std::isfinite(one) ? std::abs(one - other) <= kSameScore * scale : !std::isfinite(other);
+    };
+    return a.started == b.started && (a.missing > 0) == (b.missing > 0) &&
+           std::equal(a.objectives.begin(), a.objectives.end(), b.objectives.begin(), same_value);
+  }
+
+  void add_variables(const std::vector<double>& x, DesignReport& report) const {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const DesignTask::Variable& variable = task_.variables[i];
+      const double near = kAtBound * (variable.range.high - variable.range.low);
+      report.variables.push_back({variable.name, variable.paths, variable.range.start, x[i],
+                                  variable.range.low, variable.range.high, variable.range.step,
+                                  x[i] - variable.range.low <= near || variable.range.high - x[i] <= near});
+    }
+  }
+
+  void add_objectives(const DesignScore& after, DesignReport& report) const {
+    const DesignScore before = score_before();
+    const std::string length =
+        unit_text(dimension::kLength * dimension::kLength, setup_.numbers.model().units());
+    std::size_t measure = 0;
+    for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
+      const DesignTask::Objective& objective = task_.objectives[k];
+      DesignReport::Objective& line = report.objectives.emplace_back();
+      line.what = words_of(objective);
+      line.unit = objective.path ? length : setup_.quantities[measure].unit;
+      if (!objective.followed.empty()) line.unit = fmt::format("({})^2", line.unit);
+      measure += quantity_count(objective);
+      line.target = objective.target;
+      line.before = before.objectives[k];
+      line.after = after.objectives[k];
+      if (after.placements[k]) add_placement(*after.placements[k], line);
+    }
+    report.before = total(task_, before.objectives);
+    report.after = total(task_, after.objectives);
+    report.starts_good = before.started && before.missing == 0;
+    report.path_good = after.started && after.missing == 0;
+  }
+
+  void add_placement(const std::pair<PathPlacement::Complex, PathPlacement::Complex>& placed,
+                     DesignReport::Objective& line) const {
+    const Units& units = setup_.numbers.model().units();
+    const Scaling length = from_si(dimension::kLength, units);
+    const auto& [z, shift] = placed;
+    line.placement = {from_si(dimension::kAngle, units).apply(std::arg(z)), std::abs(z),
+                      length.apply(shift.real()), length.apply(shift.imag())};
+    line.length_unit = unit_text(dimension::kLength, units);
+    line.angle_unit = unit_text(dimension::kAngle, units);
+  }
+
+  [[nodiscard]] DesignScore score_before() const {
+    DesignScore score = score_of(setup_, start_values(task_), setup_.start_branch.value_or(0));
+    if (!setup_.start_branch) {
+      score.started = false;
+      std::fill(score.objectives.begin(), score.objectives.end(), kNoValue);
+      std::fill(score.constraints.begin(), score.constraints.end(), kNoValue);
+    }
+    return score;
+  }
+
+  void add_constraints(const DesignScore& after, DesignReport& report) const {
+    const DesignScore before = score_before();
+    const std::vector<LimitPlaces> places = limit_places(setup_);
+    report.holds = report.path_good && report.as_found;
+    std::size_t measure = 0;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      measure += quantity_count(objective);
+    }
+    for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
+      const DesignTask::Constraint& constraint = task_.constraints[k];
+      const std::string what = words_of(constraint);
+      const std::string unit = constraint.transmission
+                                   ? unit_text(dimension::kAngle, setup_.numbers.model().units())
+                                   : setup_.quantities[measure++].unit;
+      const auto add = [&](std::string_view side, double limit, double sign,
+                           std::optional<Eigen::Index> place) {
+        DesignReport::Constraint line;
+        line.what = fmt::format("{} {} {}", what, side, limit);
+        line.unit = unit;
+        line.limit = limit;
+        line.before = before.constraints[k];
+        line.after = after.constraints[k];
+        line.margin = sign * (limit - line.after);
+        line.cost = cost_of(k, limit, place);
+        if (task_.objectives.size() == 1) line.cost /= task_.objectives.front().weight;
+        line.cost_unit = fmt::format("{}/({})", unit_of_all(report), unit);
+        if (std::abs(line.margin) <= setup_.slack(k)) line.margin = 0;
+        report.holds = report.holds && line.margin >= 0;
+        report.constraints.push_back(std::move(line));
+      };
+      if (constraint.above) add("above", *constraint.above, -1, places[k].above);
+      if (constraint.below) add("below", *constraint.below, 1, places[k].below);
+    }
+  }
+
+  // Unit of the whole objective; several objectives have no unit in common.
+  [[nodiscard]] static std::string unit_of_all(const DesignReport& report) {
+    if (report.objectives.size() != 1) return "1";
+    const DesignReport::Objective& objective = report.objectives.front();
+    return objective.target ? fmt::format("({})^2", objective.unit) : objective.unit;
+  }
+
+  // Multipliers refer to the constraints as the optimiser has them: limits divided by their scale, sines of
+  // angles.
+  [[nodiscard]] double cost_of(std::size_t constraint, double limit,
+                               std::optional<Eigen::Index> place) const {
+    const auto k = static_cast<std::size_t>(place.value_or(0));
+    if (!place || k >= outcome_.multipliers.size()) return 0;
+    const Scaling angle = to_si(dimension::kAngle, setup_.numbers.model().units());
+    const double by_unit = task_.constraints[constraint].transmission
+                               ? std::cos(angle.apply(limit)) * angle.apply(1)
+                               : 1 / setup_.scales[constraint];
+    return outcome_.multipliers[k] * by_unit;
+  }
+
+  void add_search(DesignReport& report) const {
+    report.title = setup_.numbers.model().mechanism().title;
+    report.starts = outcome_.starts;
+    report.evaluations = outcome_.evaluations;
+    report.end = outcome_.end;
+    report.different = outcome_.different;
+    for (std::size_t k = 0; k < outcome_.optima.size(); ++k) {
+      const bool is_made = k < outcome_.made.size();
+      const DesignPoint& point = is_made ? outcome_.made[k] : outcome_.optima[k];
+      DesignReport::Alternative& line = report.optima.emplace_back();
+      line.variables = is_made ? as_made(point.x) : point.x;
+      line.objective = point.objective;
+      line.holds = point.violation <= kConstraintTolerance;
+      if (k == 0 && is_made) {
+        line.text = report.text;
+        line.as_found = report.as_found;
+      } else if (is_made) {
+        line.text = text_of(line.variables, point.branch).value_or(std::string());
+        const auto again = reread(line.text, line.variables, point.branch);
+        line.as_found = line.text.empty() || (again && again->as_found);
+      }
+    }
+  }
+
+  const DesignSetup& setup_;
+  const DesignTask& task_;
+  const DesignOutcome& outcome_;
+};
+
+}  // namespace
+
+Result<DesignReport> design_report(const DesignSetup& setup, const DesignOutcome& outcome) {
+  return Reporter(setup, outcome).report();
+}
+
+}  // namespace higherpair

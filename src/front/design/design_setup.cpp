@@ -1,0 +1,326 @@
+#include "design_setup.hpp"
+
+#include "front/analysis_impl.hpp"
+#include "front/tolerances.hpp"
+#include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/special_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+// What a design needs and the task lacks; a fit can do without it.
+Diagnostics missing_in(const DesignTask& task) {
+  Diagnostics mistakes;
+  if (task.objectives.empty()) {
+    mistakes.push_back(
+        {task.place, "design.objectives is missing: expected what is to be small, [[design.objectives]]"});
+  }
+  for (const DesignTask::Variable& variable : task.variables) {
+    for (const auto& [bound, key, what] : {std::tuple(variable.range.low, "min", "smallest"),
+                                           std::tuple(variable.range.high, "max", "largest")}) {
+      if (std::isfinite(bound)) continue;
+      mistakes.push_back(
+          {variable.place,
+           fmt::format("design.variables.{}.{} is missing: expected the {} value, in the unit in which the "
+                       "number stands",
+                       variable.name, key, what)});
+    }
+  }
+  return mistakes;
+}
+
+void check_path(const DesignTask::Objective& objective, const DriverSchedule& schedule,
+                Diagnostics& mistakes) {
+  const DesignTask::PointPath& path = *objective.path;
+  const auto rows = static_cast<std::size_t>(schedule.size());
+  if (!path.timed && schedule.driver_count() > 1) {
+    mistakes.push_back(
+        {objective.place, fmt::format("{}.path: with several drivers a path has to be timed: each "
+                                      "point belongs to a row",
+                                      objective.path_of_key)});
+  }
+  if (path.timed && path.at.empty() && path.through.size() != rows) {
+    mistakes.push_back(
+        {objective.place,
+         fmt::format("{}.path: {} points, but the driver has {} rows: give it as many positions or "
+                     "samples, or say `at` which of its positions each point belongs",
+                     objective.path_of_key, path.through.size(), rows)});
+  }
+  for (const double position : path.at) {
+    if (!row_at(schedule, position)) {
+      mistakes.push_back(
+          {objective.place, fmt::format("{}.path.at: {} is none of the driver's positions; let "
+                                        "driver.samples or driver.positions have a row there",
+                                        objective.path_of_key, position)});
+    }
+  }
+}
+
+Diagnostics mistakes_in(const Model& model, const DesignTask& task, const DriverSchedule& schedule) {
+  Diagnostics mistakes;
+  for (const DesignTask::Objective& objective : task.objectives) {
+    if (objective.path) check_path(objective, schedule, mistakes);
+  }
+  std::vector<BodyMotion> bodies(model.mechanism().bodies.size());
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    if (constraint.transmission &&
+        !transmission_sine(*model.data().plan, constraint.transmission->joint, bodies)) {
+      mistakes.push_back(
+          {constraint.place,
+           fmt::format("{}.transmission = \"{}\": this pin does not join two links whose other ends "
+                       "are pins of known bodies, as coupler and rocker of a four-bar are; of a rod that "
+                       "moves a slide limit the angle, column = \"ROD.angle\", of = \"maxabs\"",
+                       constraint.path_of_key, constraint.transmission->pin)});
+    }
+  }
+  return mistakes;
+}
+
+// Whether all numbers are equal.
+bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.size() == b.size() && (a.array() == b.array()).all();
+}
+
+// Openings of contacts are found from forces, which the run has to compute then.
+RunSettings run_wanted_by(const DesignTask& task) {
+  RunSettings wanted;
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    const std::vector<EventType>& types = constraint.without;
+    if (contains(types, EventType::kContactOpen)) wanted.forces = true;
+  }
+  return wanted;
+}
+
+// The k-th of values that are spread evenly over the ranges of the variables: multiples of the powers of an
+// irrational number (Roberts, The unreasonable effectiveness of quasirandom sequences, 2018).
+std::vector<double> spread_values(const DesignTask& task, int k) {
+  const std::size_t count = task.variables.size();
+  double base = 2;  // the root of bᵈ⁺¹ = b + 1
+  for (int i = 0; i < 30; ++i) base = std::pow(1 + base, 1 / static_cast<double>(count + 1));
+  std::vector<double> x;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = 0.5 + k * std::pow(base, -static_cast<double>(i + 1));
+    const DesignVariable& range = task.variables[i].range;
+    x.push_back(std::lerp(range.low, range.high, share - std::floor(share)));
+  }
+  return x;
+}
+
+// Changes one variable after the other to see what depends on it.
+class IdleParts {
+public:
+  // \param x  values with which the mechanism assembles, and their score
+  IdleParts(const DesignSetup& setup, std::vector<double> x, const DesignScore& start)
+      : setup_(setup),
+        task_(setup.numbers.task()),
+        problem_(problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup))),
+        evaluator_(problem_.evaluator()),
+        places_(limit_places(setup)),
+        start_(start),
+        x_(std::move(x)),
+        works_(x_.size(), false),
+        changed_(task_.objectives.size(), false) {
+    evaluator_->evaluate(x_, problem_.start_branch, before_);
+    for (const double constraint : start.constraints) idle_.push_back(std::isfinite(constraint));
+  }
+
+  void vary() {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      bool assembled = false;
+      const DesignVariable& range = task_.variables[i].range;
+      for (const double share : kIdleShares) {
+        const double step = share * (range.high - range.low);
+        if (vary(i, x_[i] + (x_[i] + step <= range.high ? step : -step))) assembled = true;
+      }
+      if (!assembled) idle_.assign(idle_.size(), false);  // nothing is known then
+    }
+  }
+
+  // Variables and objectives without effect.
+  [[nodiscard]] Diagnostics without_effect() const {
+    Diagnostics mistakes;
+    for (std::size_t i = 0; i < works_.size(); ++i) {
+      if (works_[i]) continue;
+      mistakes.push_back(
+          {task_.variables[i].place,
+           fmt::format("design.variables.{}: changes no objective and no constraint: leave it out, or "
+                       "ask for something that depends on {}",
+                       task_.variables[i].name, task_.variables[i].paths.front())});
+    }
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+      if (changed_[k]) continue;
+      mistakes.push_back(
+          {task_.objectives[k].place,
+           fmt::format("{}: is the same whatever the variables: choose an objective that depends on "
+                       "them, or other variables",
+                       task_.objectives[k].path_of_key)});
+    }
+    return mistakes;
+  }
+
+  // Constraints that do not hold and that nothing changes, not even at the bounds of the variables.
+  [[nodiscard]] Diagnostics hopeless() {
+    Diagnostics mistakes;
+    if (is_any_hopeless()) vary_to_bounds();
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      if (!is_hopeless(k)) continue;
+      mistakes.push_back(
+          {task_.constraints[k].place,
+           fmt::format("{}: is {:.9g} whatever the variables, and does not hold: choose another "
+                       "limit, or variables on which it depends",
+                       task_.constraints[k].path_of_key, start_.constraints[k])});
+    }
+    return mistakes;
+  }
+
+  [[nodiscard]] const std::vector<bool>& idle_constraints() const { return idle_; }
+
+private:
+  // False if the mechanism does not assemble with this value of a variable, which says nothing of
+  // constraints.
+  bool vary(std::size_t i, double value) {
+    std::vector<double> other = x_;
+    other[i] = value;
+    evaluator_->evaluate(other, problem_.start_branch, after_);
+    works_[i] = works_[i] || before_.cost != after_.cost || !same(before_.residuals, after_.residuals) ||
+                !same(before_.constraints, after_.constraints);
+    const DesignScore score = score_of(setup_, other, problem_.start_branch);
+    for (std::size_t k = 0; k < changed_.size(); ++k) {
+      changed_[k] = changed_[k] || !(score.objectives[k] == start_.objectives[k]);
+    }
+    if (!score.started) return false;
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      idle_[k] = idle_[k] && std::abs(off(after_, k) - off(before_, k)) <= kNoConstraintChange;
+    }
+    return true;
+  }
+
+  void vary_to_bounds() {
+    bool assembled = false;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (const double bound : {task_.variables[i].range.low, task_.variables[i].range.high}) {
+        if (vary(i, bound)) assembled = true;
+      }
+    }
+    if (!assembled) idle_.assign(idle_.size(), false);
+  }
+
+  // By how much the worse limit of a constraint is missed, relative to its scale.
+  [[nodiscard]] double off(const DesignValues& values, std::size_t k) const {
+    double worst = -kInf;
+    for (const auto& place : {places_[k].above, places_[k].below}) {
+      if (place) worst = std::max(worst, values.constraints(*place));
+    }
+    return worst;
+  }
+
+  // Events come and go at once, perhaps far from the start.
+  [[nodiscard]] bool is_hopeless(std::size_t k) const {
+    const DesignTask::Constraint& constraint = task_.constraints[k];
+    const double slack = setup_.slack(k);
+    const double value = start_.constraints[k];
+    const bool holds =
+        value >= constraint.above.value_or(-kInf) - slack && value <= constraint.below.value_or(kInf) + slack;
+    return idle_[k] && !holds && constraint.without.empty();
+  }
+
+  [[nodiscard]] bool is_any_hopeless() const {
+    for (std::size_t k = 0; k < idle_.size(); ++k) {
+      if (is_hopeless(k)) return true;
+    }
+    return false;
+  }
+
+  const DesignSetup& setup_;
+  const DesignTask& task_;
+  const DesignProblem problem_;
+  const std::unique_ptr<DesignEvaluator> evaluator_;
+  const std::vector<LimitPlaces> places_;
+  const DesignScore& start_;
+  const std::vector<double> x_;
+  DesignValues before_, after_;
+  std::vector<bool> works_;    // for each variable: whether it changes anything
+  std::vector<bool> changed_;  // for each objective: whether any variable changes it
+  std::vector<bool> idle_;     // for each constraint: whether none does
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
+  const std::shared_ptr<const DesignTask>& task = model.profile().design;
+  if (task == nullptr) {
+    return wrong(model, "no [design]: it says which numbers may be chosen and for what");
+  }
+  if (Diagnostics mistakes = missing_in(*task); !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  DesignQuantities quantities = quantities_of(*task);
+  auto settings = settings_for(model, quantities.measures, run_wanted_by(*task));
+  if (!settings) {
+    return tl::unexpected(std::move(settings.error()));
+  }
+  auto schedule = schedule_of(model.data(), *settings);
+  if (!schedule) {
+    return tl::unexpected(std::move(schedule.error()));
+  }
+  if (Diagnostics mistakes = mistakes_in(model, *task, *schedule); !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
+                                                         std::move(quantities.all),
+                                                         std::move(quantities.measures),
+                                                         *std::move(settings),
+                                                         *std::move(schedule),
+                                                         1,
+                                                         {},
+                                                         1});
+  setup->branches = branch_count(*model.data().plan);
+  setup->size = model.data().plan->size;
+  if (const auto start = model.start(setup->settings)) {
+    setup->start_branch = branch_of(start->impl().run);
+  }
+  const auto table = columns_of(model.data(), setup->settings, model.units());
+  if (!table) {
+    return tl::unexpected(table.error());
+  }
+  if (Diagnostics mistakes = complete_quantities(model, setup->measures, table->columns(), setup->quantities);
+      !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  set_scales(*setup);
+  if (Diagnostics mistakes = idle_parts(*setup); !mistakes.empty()) {
+    return wrong(std::move(mistakes));
+  }
+  return setup;
+}
+
+Diagnostics idle_parts(DesignSetup& setup) {
+  const DesignTask& task = setup.numbers.task();
+  for (int k = 0; k <= kMostIdleStarts; ++k) {
+    const std::vector<double> x = k == 0 ? start_values(task) : spread_values(task, k);
+    const DesignScore start = score_of(setup, x, setup.start_branch.value_or(0));
+    if (!start.started || start.missing > 0) {
+      continue;
+    }
+    IdleParts parts(setup, x, start);
+    parts.vary();
+    setup.idle = parts.idle_constraints();
+    Diagnostics mistakes = k == 0 ? parts.without_effect() : Diagnostics();
+    const Diagnostics hopeless = parts.hopeless();
+    mistakes.insert(mistakes.end(), hopeless.begin(), hopeless.end());
+    return mistakes;
+  }
+  return {};
+}
+
+}  // namespace higherpair

@@ -1,0 +1,109 @@
+#include "fit_units.hpp"
+
+#include "front/other_units.hpp"
+#include "front/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+// RMS of `measured` · factor - `fitted`, divided by the RMS of `fitted`; for a column whose zero is unknown,
+// both without their means.
+double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted, double factor,
+              bool free_zero) {
+  double mean_off = 0, mean = 0, count = 0;
+  const auto each = [&](auto use) {
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const double own = fitted(static_cast<Eigen::Index>(k));
+      if (std::isfinite(measured[k]) && std::isfinite(own)) use(factor * measured[k] - own, own);
+    }
+  };
+  each([&](double off, double own) {
+    mean_off += off;
+    mean += own;
+    count += 1;
+  });
+  const double from_off = free_zero ? mean_off / count : 0, from = free_zero ? mean / count : 0;
+  double square_off = 0, square = 0;
+  each([&](double off, double own) {
+    square_off += std::pow(off - from_off, 2);
+    square += std::pow(own - from, 2);
+  });
+  return square > 0 ? std::sqrt(square_off / square) : 0;
+}
+
+std::string advice(const std::string& name, const std::string& own, const OtherUnit& other) {
+  const double times = 1 / other.factor;
+  return fmt::format(
+      "{}: these values are far from the motion of the profile in {}, but near it if they are in {} (a "
+      "factor of "
+      "{:.6g}); write {}[{}] in the header, or {}[{}] if they are right as they are",
+      name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
+}
+
+// The mean misfit of all columns; none where the motion cannot be run.
+std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<double>& variables,
+                                   const FitData& data) {
+  const FitMotion motion(data, problem.motion().branch());
+  const auto table = motion.table(variables, std::vector<double>(data.where.size(), 0.0));
+  if (!table) return std::nullopt;
+  double sum = 0;
+  for (std::size_t c = 0; c < data.columns.size(); ++c) {
+    sum += std::min(2.0, misfit(data.columns[c].values, table->col(static_cast<Eigen::Index>(c)), 1, true));
+  }
+  return sum / static_cast<double>(data.columns.size());
+}
+
+}  // namespace
+
+Diagnostics unit_suspicions(const FitProblem& problem) {
+  const FitData& data = problem.data();
+  Diagnostics suspicions;
+  const std::vector<double> variables = start_values(*data.variables);
+  const auto table = problem.motion().table(variables, std::vector<double>(data.where.size(), 0.0));
+  if (!table) return suspicions;
+  for (std::size_t c = 0; c < data.columns.size(); ++c) {
+    const FitColumn& column = data.columns[c];
+    bool in_frame = false;
+    for (const FitFrame& frame : data.frames) in_frame = in_frame || frame.x == c || frame.y == c;
+    const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
+    const double as_it_is = misfit(column.values, fitted, 1, column.offset);
+    if (column.unit_given || in_frame || !(as_it_is > kFarMisfit)) continue;
+    std::optional<OtherUnit> best;
+    double least = std::min(kNearMisfit, kBetterMisfit * as_it_is);
+    for (const OtherUnit& other : other_units(column.unit, data.model.units())) {
+      const double there = misfit(column.values, fitted, other.factor, column.offset);
+      if (there < least) {
+        least = there;
+        best = other;
+      }
+    }
+    if (best) suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
+  }
+  if (!suspicions.empty()) return suspicions;
+  const auto as_it_is = whole_misfit(problem, variables, data);
+  for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
+    if (data.where_unit_given[i] || data.where_offset[i]) continue;
+    std::optional<OtherUnit> best;
+    double least = std::min(kNearMisfit, kBetterMisfit * *as_it_is);
+    for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
+      FitData scaled = data;
+      for (double& value : scaled.where[i]) value *= other.factor;
+      const auto there = whole_misfit(problem, variables, scaled);
+      if (there && *there < least) {
+        least = *there;
+        best = other;
+      }
+    }
+    if (best)
+      suspicions.push_back({data.where_places[i], advice(data.where_names[i], data.where_unit(), *best)});
+  }
+  return suspicions;
+}
+
+}  // namespace higherpair

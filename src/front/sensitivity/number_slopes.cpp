@@ -1,0 +1,209 @@
+#include "number_slopes.hpp"
+
+#include "front/tolerances.hpp"
+#include "higherpair/mechanism/numbers.hpp"
+#include "higherpair/numeric/stencil.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+constexpr int kReach = 4;  // steps of a number to either side
+
+double scale_of(const ProfileNumber& number, double size, const Units& units) {
+  const double value = std::abs(number.number.value);
+  if (number.dimension == dimension::kLength) {
+    return from_si(dimension::kLength, units).apply(size);
+  }
+  if (number.dimension == dimension::kAngle) {
+    return from_si(dimension::kAngle, units).apply(1);
+  }
+  return value > 0 ? value : 1;
+}
+
+// Whether joints differ in numbers that for_each_number leaves out.
+bool joints_differ(const Mechanism& a, const Mechanism& b) {
+  return !std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), [](const Joint& p, const Joint& q) {
+    const bool teeth = p.teeth.has_value() == q.teeth.has_value() &&
+                       (!p.teeth || (p.teeth->pressure_angle == q.teeth->pressure_angle &&
+                                     p.teeth->module == q.teeth->module));
+    return teeth && p.from == q.from && p.to == q.to;
+  });
+}
+
+bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double change) {
+  double largest = 0, changed = 0;
+  for_each_number(mechanism, [&](double number) { largest = std::max(largest, std::abs(number)); });
+  for_each_number(derivative, [&](double slope) { changed = std::max(changed, std::abs(slope) * change); });
+  return changed <= kNoNumberChange * largest;
+}
+
+}  // namespace
+
+Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& number, double size) {
+  return ModelVariants::of(model, number.number.paths).map([&](ModelVariants variants) {
+    return NumberModels(std::move(variants), number.number.paths.size(), number.number.value,
+                        scale_of(number, size, model.units()));
+  });
+}
+
+Result<Model> NumberModels::at(double h) {
+  const std::vector<double> values(paths_, value_ + h);
+  return variants_.with(values);
+}
+
+Result<std::vector<std::unique_ptr<NumberModels>>> models_by(const Model& model,
+                                                             const std::vector<ProfileNumber>& numbers,
+                                                             double size) {
+  std::vector<std::unique_ptr<NumberModels>> all;
+  for (const ProfileNumber& number : numbers) {
+    auto models = NumberModels::of(model, number, size);
+    if (!models) return tl::unexpected(std::move(models.error()));
+    all.push_back(std::make_unique<NumberModels>(*std::move(models)));
+  }
+  return all;
+}
+
+std::string exactness_objection(const Mechanism& mechanism) {
+  for (const Contact& contact : mechanism.contacts) {
+    if (contact.keep == Keep::kGap) {
+      return "contacts." + contact.name + " may part";
+    }
+  }
+  return "";
+}
+
+bool has_exact_slope(const Column& column) {
+  return !column.name.ends_with(".arc1") && !column.name.ends_with(".arc2");
+}
+
+NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : columns_(columns) {
+  const Mechanism& mechanism = columns.start().mechanism();
+  const auto derivative = mechanism_derivative(
+      [&](double h) -> std::optional<Mechanism> {
+        const auto model = models.at(h);
+        return model ? std::optional(model->mechanism()) : std::nullopt;
+      },
+      models.scale());
+  if (!derivative) {
+    return;
+  }
+  step_ = derivative->step;
+  const auto beside = models.at(step_);
+  if (!beside || joints_differ(mechanism, beside->mechanism())) {
+    return;
+  }
+  if (!find_drivers(models)) {
+    return;
+  }
+  const bool same = !derivative->boundaries && is_zero(derivative->numbers, mechanism, step_);
+  if (!exactness_objection(mechanism).empty()) {
+    state_ = State::kOther;
+    return;
+  }
+  const DriverSlopes first = drivers_at({0, columns.path().path.knots.front()});
+  std::vector<double> positions;
+  for (const DriverState& driver : first.drivers) positions.push_back(driver.si.position);
+  if (same && !drivers_change()) {
+    state_ = State::kNoInfluence;
+    return;
+  }
+  by_ = Sensitivity::at_start(columns.start(), *derivative, positions);
+  state_ = by_ ? State::kExact : State::kOther;
+}
+
+// False where there is no schedule, or, with the state set, where the number of rows changes.
+bool NumberSlopes::find_drivers(NumberModels& models) {
+  const DriverSchedule& own = columns_.drivers().schedule();
+  for (int k = -kReach; k <= kReach; ++k) {
+    const auto model = models.at(k * step_);
+    const auto schedule = model ? schedule_of(model->data(), columns_.settings())
+                                : Result<DriverSchedule>(tl::unexpected(model.error()));
+    if (!schedule) {
+      return false;
+    }
+    if (schedule->size() != own.size()) {
+      state_ = State::kRows;
+      return false;
+    }
+    drivers_.emplace_back(model->profile(), *schedule);
+  }
+  return true;
+}
+
+bool NumberSlopes::drivers_change() const {
+  const DriverSchedule& own = columns_.drivers().schedule();
+  for (const std::int64_t row : {std::int64_t{0}, own.size() / 2, own.size() - 1}) {
+    for (std::size_t i = 0; i < own.driver_count(); ++i) {
+      for (const DriverPlaces& other : drivers_) {
+        const DriverMotion a = own.state(row, i).si, b = other.schedule().state(row, i).si;
+        if (a.position != b.position || a.velocity != b.velocity || a.acceleration != b.acceleration ||
+            own.time(row) != other.schedule().time(row)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+NumberSlopes::DriverSlopes NumberSlopes::drivers_at(const PathPlace& place) const {
+  const auto slope = [&](auto number_of) {
+    return eighth_order_difference(
+        [&](double step) {
+          const auto k = static_cast<std::size_t>(std::lround(step / step_) + kReach);
+          return number_of(drivers_[k]);
+        },
+        step_);
+  };
+  DriverSlopes slopes;
+  slopes.time = slope([&](const DriverPlaces& places) { return places.time(place); });
+  for (std::size_t i = 0; i < drivers_.front().schedule().driver_count(); ++i) {
+    DriverState state;
+    const auto of = [&](auto part) {
+      return slope([&](const DriverPlaces& places) { return part(places.at(place)[i]); });
+    };
+    for (auto member : {&DriverState::profile, &DriverState::si}) {
+      (state.*member).position = of([&](const DriverState& s) { return (s.*member).position; });
+      (state.*member).velocity = of([&](const DriverState& s) { return (s.*member).velocity; });
+      (state.*member).acceleration = of([&](const DriverState& s) { return (s.*member).acceleration; });
+    }
+    for (std::size_t k = 0; k < state.higher_si.size(); ++k) {
+      state.higher_si[k] = of([&](const DriverState& s) { return s.higher_si[k]; });
+    }
+    slopes.drivers.push_back(state);
+  }
+  return slopes;
+}
+
+tl::expected<std::vector<SidedSlope>, NoSensitivity> NumberSlopes::at(const Run& run,
+                                                                      const PathPlace& place) const {
+  const std::vector<DriverState> states = columns_.drivers().at(place);
+  const double time = columns_.drivers().time(place);
+  const DriverSlopes slopes = drivers_at(place);
+  const auto of_row = by_->of_row(run, motions_of(states), motions_of(slopes.drivers));
+  if (!of_row) {
+    return tl::unexpected(of_row.error());
+  }
+  Model::Data like = columns_.data();
+  const auto displaced = [&](DriverMotion values, const DriverMotion& slope, double h) {
+    return DriverMotion{values.position + h * slope.position, values.velocity + h * slope.velocity,
+                        values.acceleration + h * slope.acceleration};
+  };
+  return slopes_along(run, *by_, *of_row, [&](const Run& other, double h) {
+    std::vector<DriverState> drivers = states;
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+      drivers[i].profile = displaced(states[i].profile, slopes.drivers[i].profile, h);
+      drivers[i].si = displaced(states[i].si, slopes.drivers[i].si, h);
+      for (std::size_t k = 0; k < drivers[i].higher_si.size(); ++k) {
+        drivers[i].higher_si[k] += h * slopes.drivers[i].higher_si[k];
+      }
+    }
+    return columns_of_run(like, columns_.settings(), other, drivers, time + h * slopes.time);
+  });
+}
+
+}  // namespace higherpair

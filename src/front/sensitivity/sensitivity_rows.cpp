@@ -1,0 +1,221 @@
+// Derivatives of whole columns, row by row.
+#include "difference_slope.hpp"
+#include "front/arena.hpp"
+#include "front/columns/column_set.hpp"
+#include "front/run_settings.hpp"
+#include "front/tolerances.hpp"
+#include "higherpair/front/sensitivity.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/numeric/special_values.hpp"
+#include "higherpair/numeric/stop.hpp"
+#include "number_slopes.hpp"
+#include "path_results.hpp"
+#include "sensitivity_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace higherpair {
+namespace {
+
+Result<RunSettings> settings_for_columns(const Model& model, RunSettings settings) {
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  if (auto made = settings_with_columns(model.data(), settings)) {
+    return *std::move(made);
+  }
+  settings.forces = settings.jerk = true;
+  return tl::unexpected(columns_of(model.data(), settings, model.units()).error());
+}
+
+// The same run with one number changed by some steps to either side, row by row.
+class SteppedRuns {
+public:
+  SteppedRuns(NumberModels& models, const RunSettings& settings) : h_(kDifferenceStep * models.scale()) {
+    for (const double k : {-2.0, -1.0, 1.0, 2.0}) {
+      const auto model = models.at(k * h_);
+      auto analysis = model ? model->start(settings) : Result<Analysis>(tl::unexpected(model.error()));
+      if (!analysis) {
+        analyses_.clear();
+        return;
+      }
+      analyses_.push_back(*std::move(analysis));
+    }
+  }
+
+  // Derivatives of all columns in the next row.
+  [[nodiscard]] std::vector<double> next(std::size_t columns) {
+    std::vector<double> slopes(columns, kNoValue);
+    std::array<Row, 4> rows;
+    for (std::size_t k = 0; k < analyses_.size(); ++k) {
+      if (!analyses_[k].next(rows[k])) return slopes;
+    }
+    for (std::size_t c = 0; !analyses_.empty() && c < columns; ++c) {
+      slopes[c] =
+          slope_beside({rows[0].values[c], rows[1].values[c], rows[2].values[c], rows[3].values[c]}, h_);
+    }
+    return slopes;
+  }
+
+private:
+  double h_;
+  std::vector<Analysis> analyses_;
+};
+
+class RowDifferentiator {
+public:
+  RowDifferentiator(const Model& model, const SensitivitySettings& settings, RunSettings run,
+                    const std::vector<ProfileNumber>& numbers)
+      : model_(model), settings_(settings), run_(std::move(run)), numbers_(numbers) {}
+
+  [[nodiscard]] Result<SlopeTable> work(const std::function<void(const SlopeTable&)>& begin,
+                                        const std::function<bool(const RowSlopes&)>& take) {
+    auto analysis = model_.start(run_);
+    if (!analysis) return tl::unexpected(analysis.error());
+    columns_.emplace(*analysis, run_);
+    SlopeTable table;
+    for (const ProfileNumber& number : numbers_) table.numbers.push_back(number.number);
+    choose_slots(table);
+    if (auto error = object_to_columns(table)) return tl::unexpected(*std::move(error));
+    if (auto error = make_models()) return tl::unexpected(*std::move(error));
+    begin(table);
+    Row row;
+    while (!stopped() && analysis->next(row)) {
+      if (!take_row(analysis->impl().run, row, take)) break;
+    }
+    table.good = analysis->good();
+    table.stopped = stopped();
+    return table;
+  }
+
+private:
+  [[nodiscard]] bool stopped() const { return is_raised(run_.stop); }
+
+  // Leaves out columns of words, and the residual, which is mere rounding.
+  void choose_slots(SlopeTable& table) {
+    for (std::size_t c = 0; c < columns_->columns().size(); ++c) {
+      rounding_.push_back(rounding_of(*columns_, c));
+      const Column& column = columns_->columns()[c];
+      if (!column.words.empty() || column.name == "residual") continue;
+      slots_.push_back(c);
+      table.columns.push_back(column);
+    }
+  }
+
+  // The objection to a name or glob of columns none of which has derivatives.
+  [[nodiscard]] std::optional<Error> object_to_columns(const SlopeTable& table) const {
+    for (const std::string& glob : run_.columns) {
+      if (std::none_of(table.columns.begin(), table.columns.end(),
+                       [&](const Column& column) { return matches(glob, column.name); })) {
+        return Error{ErrorKind::kInput,
+                     {about("--columns " + glob,
+                            "has no derivatives: columns of words have none, and the residual is rounding")}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Error> make_models() {
+    auto models = models_by(model_, numbers_, columns_->start().plan().size);
+    if (!models) return models.error();
+    models_ = *std::move(models);
+    const bool arcs = std::any_of(slots_.begin(), slots_.end(), [&](std::size_t slot) {
+      return !has_exact_slope(columns_->columns()[slot]);
+    });
+    slopes_.resize(numbers_.size());
+    runs_.resize(numbers_.size());
+    in_parallel([&](std::size_t i) {
+      slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
+      const NumberSlopes::State state = slopes_[i]->state();
+      if (state == NumberSlopes::State::kOther || (arcs && state == NumberSlopes::State::kExact)) {
+        runs_[i] = std::make_unique<SteppedRuns>(*models_[i], run_);
+      }
+    });
+    return std::nullopt;
+  }
+
+  template <class F>
+  void in_parallel(F f) const {
+    for_each_on_threads(numbers_.size(), settings_.threads, [&](std::size_t i) {
+      if (!stopped()) f(i);
+    });
+  }
+
+  [[nodiscard]] bool take_row(const Run& run, const Row& row,
+                              const std::function<bool(const RowSlopes&)>& take) {
+    const PathPlace place{static_cast<double>(row.number), columns_->parameter_of(row.number)};
+    std::vector<double> values, slopes(numbers_.size() * slots_.size(), kNoValue);
+    for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
+    in_parallel([&](std::size_t i) {
+      const std::vector<double> all = slopes_at(i, run, place);
+      for (std::size_t c = 0; c < slots_.size(); ++c) slopes[i * slots_.size() + c] = all[slots_[c]];
+    });
+    return !stopped() && take({row.number, values, slopes});
+  }
+
+  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place) {
+    const std::size_t count = columns_->columns().size();
+    std::vector<double> differences = runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
+    switch (slopes_[i]->state()) {
+      case NumberSlopes::State::kNoInfluence:
+        return std::vector<double>(count, 0.0);
+      case NumberSlopes::State::kExact:
+        break;
+      default:
+        return differences;
+    }
+    std::vector<double> slopes(count, kNoValue);
+    const auto sided = slopes_[i]->at(run, place);
+    for (std::size_t c = 0; c < count; ++c) {
+      if (sided) slopes[c] = slope_of((*sided)[c], kNoSlopeOfRounding * rounding_[c] / models_[i]->scale());
+      if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];
+    }
+    return slopes;
+  }
+
+  // None at a kink, unless both sides are rounding.
+  [[nodiscard]] static double slope_of(const SidedSlope& sided, double rounding) {
+    const bool none = sided.is_kink() && std::max(std::abs(sided.down), std::abs(sided.up)) > rounding;
+    return none ? kNoValue : (sided.down + sided.up) / 2;
+  }
+
+  const Model& model_;
+  const SensitivitySettings& settings_;
+  RunSettings run_;
+  const std::vector<ProfileNumber>& numbers_;
+  std::vector<double> rounding_;  // of the columns of the run
+  std::optional<PathColumns> columns_;
+  std::vector<std::size_t> slots_;  // of the columns of the table
+  std::vector<std::unique_ptr<NumberModels>> models_;
+  std::vector<std::unique_ptr<NumberSlopes>> slopes_;
+  std::vector<std::unique_ptr<SteppedRuns>> runs_;  // for the numbers that need differences
+};
+
+}  // namespace
+
+Result<SlopeTable> sensitivity_rows(const Model& model, const std::vector<std::string>& columns,
+                                    const SensitivitySettings& settings,
+                                    const std::function<void(const SlopeTable&)>& begin,
+                                    const std::function<bool(const RowSlopes&)>& take) {
+  const auto numbers = numbers_for(model, settings.by);
+  if (!numbers) {
+    return tl::unexpected(numbers.error());
+  }
+  RunSettings run = run_settings(settings, results_for(model, settings).in_time);
+  run.columns = columns;
+  if (!columns.empty()) {
+    const Mechanism& mechanism = model.mechanism();
+    if (!mechanism.drivers.empty()) {
+      run.columns.push_back(run.in_time ? "time" : driver_name(mechanism.drivers.front()));
+    }
+  }
+  return settings_for_columns(model, std::move(run)).and_then([&](const RunSettings& made) {
+    return RowDifferentiator(model, settings, made, *numbers).work(begin, take);
+  });
+}
+
+}  // namespace higherpair

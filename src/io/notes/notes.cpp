@@ -1,0 +1,138 @@
+#include "higherpair/io/notes.hpp"
+
+#include "higherpair/analysis/start_ranges.hpp"
+#include "higherpair/io/coordinate.hpp"
+#include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/plan.hpp"
+#include "io/schedule/schedule_timing.hpp"
+#include "io/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace higherpair {
+namespace {
+
+struct Moved {
+  std::string name;
+  double by = 0;  // [m]
+};
+
+// The point or curve of a body that is farthest from its position in the pose.
+Moved farthest(const Body& body, const Pose<double>& X_WB) {
+  const Pose<double> posed = {Rotation<double>::from_angle(body.guess_theta), body.guess_p_WB};
+  Moved moved;
+  const auto add = [&](const std::string& name, const Vector2d& p_B) {
+    const double by = (X_WB * p_B - posed * p_B).norm();
+    moved = by > moved.by ? Moved{name, by} : moved;
+  };
+  for (const NamedPoint& point : body.points) {
+    add(point.name, point.p_B);
+  }
+  for (const NamedCurve& curve : body.curves) {
+    add(curve.name, is_conic(curve.curve) && curve.curve.q > 0 ? center(curve.curve) : curve.curve.vertex_B);
+  }
+  return moved;
+}
+
+bool is_driven_body(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+    const Joint& joint = mechanism.joints[driver.joint];
+    return joint.first.body == body || joint.second.body == body;
+  });
+}
+
+// All bodies are drawn together in the frame of ground; such a drawing need not show the start position.
+bool is_drawing(const Mechanism& mechanism) {
+  return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
+                     [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
+}
+
+// "from 65.835 to 294.16": few digits, rounded so that they stay within the range; "180" for a range without
+// width.
+std::string rounded_inwards(double low, double high) {
+  const double unit = high > low ? std::pow(10, std::floor(std::log10(high - low)) - 3) : 0;
+  const auto inside = [&](double x) { return unit > 0 && x >= low && x <= high ? x : (low + high) / 2; };
+  const std::string from = fmt::format("{:.12g}", inside(std::ceil(low / unit) * unit));
+  const std::string to = fmt::format("{:.12g}", inside(std::floor(high / unit) * unit));
+  return from == to ? from : fmt::format("from {} to {}", from, to);
+}
+
+}  // namespace
+
+Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& bodies) {
+  const Mechanism& mechanism = profile.mechanism;
+  Diagnostics notes;
+  if (is_drawing(mechanism)) {
+    return notes;
+  }
+  const double size = size_of(mechanism);
+  const auto length = [&](double metres) { return with_unit(metres, dimension::kLength, profile.units, 4); };
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const Body& body = mechanism.bodies[i];
+    const Moved moved = farthest(body, bodies[i].X_WB);
+    if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
+      notes.push_back(about(profile.source,
+                            fmt::format("bodies.{}: {} is {} from where the pose has it at the start, in a "
+                                        "mechanism of {}; is that the assembly that is meant? Else give a "
+                                        "better pose",
+                                        body.name, moved.name, length(moved.by), length(size))));
+    }
+  }
+  return notes;
+}
+
+Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedule) {
+  const Mechanism& mechanism = profile.mechanism;
+  Diagnostics notes;
+  if (schedule.is_timed() || schedule.is_listed()) {
+    return notes;
+  }
+  for (std::size_t i = 0; i < profile.programs.size(); ++i) {
+    const double velocity = profile.programs[i].velocity;
+    const double from = schedule.state(0, i).profile.position;
+    const double to = schedule.state(schedule.size() - 1, i).profile.position;
+    if (!((to - from) * velocity < 0)) {
+      continue;
+    }
+    const Dimension position = driver_dimension(mechanism, i);
+    const bool is_default =
+        velocity == default_program(mechanism, mechanism.drivers[i], profile.units).velocity;
+    notes.push_back(io_detail::mistake(
+        profile, i, "velocity",
+        fmt::format(
+            "is {:.6g} {}{}, but the rows go from {:.6g} to {:.6g} {}: rates and friction are those of the "
+            "motion in the other direction; {} velocity = {:.6g}",
+            velocity, unit_text(position / dimension::kTime, profile.units),
+            is_default ? ", the default" : "", from, to, unit_text(position, profile.units),
+            is_default ? "give" : "exchange start and end, or set", -velocity)));
+  }
+  return notes;
+}
+
+std::string start_advice(const Profile& profile, const std::vector<double>& drivers, double tolerance,
+                         const std::atomic<bool>* stop) {
+  const Mechanism& mechanism = profile.mechanism;
+  const auto ranges = find_start_ranges(mechanism, drivers, tolerance, stop);
+  if (!ranges) {
+    return "";
+  }
+  const std::string key = driver_path(mechanism.drivers.front()) + ".start";
+  if (ranges->empty()) {
+    return fmt::format("; it can be with no other {} that was tried", key);
+  }
+  const Dimension dimension = driver_dimension(mechanism);
+  const Scaling scaling = from_si(dimension, profile.units);
+  std::string text;
+  for (const StartRange& range : *ranges) {
+    text +=
+        (text.empty() ? "" : " or ") + rounded_inwards(scaling.apply(range.low), scaling.apply(range.high));
+  }
+  return fmt::format("; it can be with {} {} {}", key, text, unit_text(dimension, profile.units));
+}
+
+}  // namespace higherpair

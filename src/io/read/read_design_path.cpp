@@ -1,0 +1,104 @@
+// The path of a point as a design's objective.
+#include "higherpair/io/diagnostic.hpp"
+#include "io/tables/named_file.hpp"
+#include "read_design.hpp"
+
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace higherpair::io_detail {
+namespace {
+
+using PointPath = DesignTask::PointPath;
+
+void check_points(Reading& reading, const Item& item, const PointPath& path) {
+  if (path.through.size() < 2) {
+    report(reading, item, "expected at least two points: one alone is no path");
+  }
+  for (std::size_t i = 1; i < path.through.size(); ++i) {
+    if (path.through[i] == path.through[i - 1]) {
+      report(reading, item, fmt::format("points {} and {} are the same: leave one out", i, i + 1));
+    }
+  }
+}
+
+void read_list_of_points(Reading& reading, const Item& list, PointPath& path) {
+  const auto items = as_items(reading, list, "a list of points, [[x, y], …]", 0);
+  if (!items) return;
+  for (const Item& entry : *items) {
+    const auto point = as_vector(reading, entry, dimension::kLength);
+    if (!point) return;
+    path.through.push_back(*point);
+  }
+  check_points(reading, list, path);
+}
+
+void read_file_of_points(TableReader& table, const Item& file, PointPath& path) {
+  const auto read = read_place_file(table, file);
+  if (!read) return;
+  for (const auto& [x, y] : read->points) path.through.emplace_back(x.si, y.si);
+  check_points(table.reading(), file, path);
+}
+
+void read_positions(Reading& reading, const Item& at, PointPath& path) {
+  const std::size_t count = path.through.size();
+  const auto items =
+      as_items(reading, at, fmt::format("a list of {} positions of the driver, one for each point", count),
+               count, count);
+  for (const Item& item : items.value_or(std::vector<Item>{})) {
+    if (const auto position = as_plain_number(reading, item)) path.at.push_back(*position);
+  }
+}
+
+// `free`: the placement of the path that may be chosen, so that only its form matters.
+void read_free(Reading& reading, const Item& free, PointPath& path) {
+  static const std::vector<std::string> names = {"position", "turn", "scale"};
+  const auto items = as_items(
+      reading, free, "a list of \"position\", \"turn\" and \"scale\", such as [\"position\", \"turn\"]");
+  if (!items) return;
+  for (const Item& item : *items) {
+    const auto choice = as_choice(reading, item, names);
+    if (!choice) return;
+    (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
+  }
+  if (path.free_position && path.through.size() == 2) {  // a mistake with fewer points is reported elsewhere
+    report(reading, free, "expected at least three points: two have no form but their distance");
+  }
+}
+
+}  // namespace
+
+std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
+  Reading& reading = table.reading();
+  PointPath path;
+  bool known = false;
+  if (const auto item = table.need("point", "the point whose path is meant, \"coupler.E\"")) {
+    const auto point = as_point(reading, *item, mechanism);
+    if (point && point->body == 0) report(reading, *item, "a point of ground does not move");
+    if (point) path.point = as_text(reading, *item).value();
+    path.ref = point.value_or(PointRef());
+    known = point.has_value();
+  }
+  if (const auto file = table.take("file")) {
+    table.refuse("through", "the points are in the file already: one of the two");
+    read_file_of_points(table, *file, path);
+  } else if (const auto list = table.need(
+                 "through", "[[x, y], …], the points of the path in ground (or a `file` with them)")) {
+    read_list_of_points(reading, *list, path);
+  }
+  path.timed = table.flag("timed", false);
+  path.ordered = table.flag("ordered", true);
+  path.closed = table.flag("closed", false);
+  if (!path.timed) {
+    table.refuse("at", "holds for a path with timed = true");
+  } else if (const auto at = table.take("at")) {
+    read_positions(reading, *at, path);
+  }
+  if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
+  if (const auto free = table.take("free")) read_free(reading, *free, path);
+  return known && path.through.size() > 1 ? std::optional(std::move(path)) : std::nullopt;
+}
+
+}  // namespace higherpair::io_detail

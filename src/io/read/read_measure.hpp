@@ -1,0 +1,14 @@
+#pragma once
+
+#include "higherpair/io/tasks.hpp"
+#include "io/document/table_reader.hpp"
+
+#include <optional>
+
+namespace higherpair::io_detail {
+
+/// Reads the keys `column`, `of` and `at` of a table; the caller reads the other keys and finishes the table.
+/// Whether the column exists is known only once the mechanism is run. None if a key is missing or wrong.
+[[nodiscard]] std::optional<Measure> read_measure(TableReader& table);
+
+}  // namespace higherpair::io_detail
