@@ -79,7 +79,7 @@ Around<double> operator-(const Around<double>& a, const Around<double>& b) {
   return {a.middle - b.middle, a.radius + b.radius};
 }
 
-Around<Vector2d> perp(const Around<Vector2d>& a) {
+Around<Vector2d> normal_to(const Around<Vector2d>& a) {
   return {higherpair::perp(a.middle), a.radius};
 }
 
@@ -216,8 +216,8 @@ SheetRange TangencySheet::range(const SheetStretch& one, const SheetStretch& two
     const double off = one.reach + two.reach + m2.norm() * chord_of(turn);
     const Around<Vector2d> w{(m1 - Rm2) / d, off / d};
     const double reach = off * (w.middle.norm() + w.radius / 2);
-    return range_of(one, two, dot(turned_center(one, m1), perp(w)),
-                    dot(w, perp(turned(R, turned_center(two, m2), turn))), above, reach);
+    return range_of(one, two, dot(turned_center(one, m1), normal_to(w)),
+                    dot(w, normal_to(turned(R, turned_center(two, m2), turn))), above, reach);
   }
   if (pair_.motion1.turns || pair_.motion2.turns) {
     const bool first = pair_.motion1.turns;
@@ -229,9 +229,9 @@ SheetRange TangencySheet::range(const SheetStretch& one, const SheetStretch& two
     const Around<Vector2d> Rm{R * m, turning.reach + m.norm() * chord_of(turn)};
     const Around<Vector2d> t{perp(sliding.middle.n_W), chord_of(sliding.tilt)};
     const Around<double> of_turning =
-        dot(Around<Vector2d>{-across.middle, 0}, perp(turned(R, turned_center(turning, m), turn)));
+        dot(Around<Vector2d>{-across.middle, 0}, normal_to(turned(R, turned_center(turning, m), turn)));
     const Around<double> of_sliding =
-        around(sliding.turn) * dot(across, perp(Rm)) - around(sliding.along) * dot(across, t);
+        around(sliding.turn) * dot(across, normal_to(Rm)) - around(sliding.along) * dot(across, t);
     return range_of(one, two, first ? of_turning : of_sliding, first ? of_sliding : of_turning, above,
                     Rm.radius + sliding.reach);
   }
