@@ -1,5 +1,6 @@
 // Events on the path to a row.
 #include "analysis_impl.hpp"
+#include "higherpair/io/row_path.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -84,23 +85,15 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   events.push_back(std::move(event));
 }
 
-// Moves to the next row by way of the positions in between at which the driver turns back, if any: it may
-// pass something there and pass it again on its way back.
 void Analysis::Impl::move() {
   const std::size_t first = events.size();
-  const auto note = [&](double from, double to) {
-    for (const RunEvent& event : run.events) {
-      add_event(event, std::lerp(from, to, event.share));
-    }
-  };
-  double from = 0;
-  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(next)) {
-    move_to(run, {{turning.si.position, turning.si.velocity, turning.si.acceleration}});
-    note(from, turning.share);
-    from = turning.share;
-  }
-  move_to(run, motions);
-  note(from, 1);
+  for_each_part(schedule, next, motions,
+                [&](const std::vector<DriverMotion>& drivers, double from, double to) {
+                  move_to(run, drivers);
+                  for (const RunEvent& event : run.events) {
+                    add_event(event, std::lerp(from, to, event.share));
+                  }
+                });
   add_law_jumps();
   std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(), is_earlier);
 }

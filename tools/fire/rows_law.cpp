@@ -76,14 +76,11 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
 }
 
 void Recorder::move(Run& run, std::int64_t k) {
-  double from = 0;
-  for (const DriverSchedule::TurningPoint& turning : schedule_.turning_points(k)) {
-    move_to(run, {turning.si});
-    note(run, k, from, turning.share);
-    from = turning.share;
-  }
-  move_to(run, drivers_in(schedule_, k));
-  note(run, k, from, 1);
+  for_each_part(schedule_, k, drivers_in(schedule_, k),
+                [&](const std::vector<DriverMotion>& drivers, double from, double to) {
+                  move_to(run, drivers);
+                  note(run, k, from, to);
+                });
 }
 
 RunRecord Recorder::record() {

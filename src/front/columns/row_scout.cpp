@@ -1,6 +1,7 @@
 #include "row_scout.hpp"
 
 #include "higherpair/analysis/go_on_alike.hpp"
+#include "higherpair/io/row_path.hpp"
 
 #include <numeric>
 
@@ -48,14 +49,14 @@ bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
 
 // The drivers turn back at most between row `to` and the row before it.
 void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
-  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(to)) {
-    move_to(place_.run, {turning.si});
-  }
   motions_.clear();
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     motions_.push_back(schedule.state(to, i).si);
   }
-  move_to(place_.run, motions_);
+  for_each_part(schedule, to, motions_,
+                [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
+                  move_to(place_.run, drivers);
+                });
   row_ = to;
 }
 

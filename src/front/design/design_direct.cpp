@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kMostParts = 1000;
 
-std::vector<double> positions_of(const std::vector<DriverMotion>& drivers) {
-  std::vector<double> positions;
-  for (const DriverMotion& driver : drivers) positions.push_back(driver.position);
-  return positions;
-}
-
 // Checks the closure of dyads at equally spaced places between rows as well, and, where the gap is largest at
 // the middle one of three places, at the vertex of the parabola through these: a linkage that only just fails
 // to turn fails between rows.
@@ -27,9 +21,25 @@ public:
   GapWatch(const DesignSetup& setup, DirectMotion& motion, RowReader& reader)
       : setup_(setup), motion_(motion), reader_(reader) {}
 
-  // True if all groups could be positioned.
-  bool go_to(const std::vector<DriverMotion>& drivers) {
-    const int parts = last_.empty() ? 1 : closure_parts(setup_, positions_of(last_), positions_of(drivers));
+  // True if all groups could be positioned. The row's number is that of the calls before.
+  bool go_to_row(const std::vector<DriverMotion>& drivers) {
+    bool placed = true;
+    for_each_part(setup_.schedule, static_cast<std::int64_t>(row_), drivers,
+                  [&](const std::vector<DriverMotion>& end, double /*from*/, double to) {
+                    placed = go_to(end, to == 1);
+                  });
+    ++row_;
+    return placed;
+  }
+
+private:
+  struct Place {
+    std::optional<std::size_t> row;  // none: between two rows
+    std::vector<std::optional<double>> gaps;
+  };
+
+  bool go_to(const std::vector<DriverMotion>& drivers, bool is_row) {
+    const int parts = last_.empty() ? 1 : closure_parts(setup_, last_, drivers);
     std::vector<DriverMotion> between = drivers;
     bool placed = false;
     for (int part = 1; part <= parts; ++part) {
@@ -39,18 +49,11 @@ public:
       }
       placed = motion_.move_to(part < parts ? between : drivers, false);
       const double step = last_.empty() ? 0 : (drivers.front().position - last_.front().position) / parts;
-      note(std::abs(step), part == parts ? std::optional(row_) : std::nullopt);
+      note(std::abs(step), is_row && part == parts ? std::optional(row_) : std::nullopt);
     }
-    ++row_;
     last_ = drivers;
     return placed;
   }
-
-private:
-  struct Place {
-    std::optional<std::size_t> row;  // none: between two rows
-    std::vector<std::optional<double>> gaps;
-  };
 
   void note(double step, std::optional<std::size_t> row) {
     const auto& gaps = motion_.gaps();
@@ -103,13 +106,14 @@ std::optional<GapVertex> vertex_of(double a, double b, double c) {
                    {-s / 4 + s * s / 8, 1 - s * s / 4, s / 4 + s * s / 8}};
 }
 
-int closure_parts(const DesignSetup& setup, std::span<const double> from, std::span<const double> to) {
+int closure_parts(const DesignSetup& setup, std::span<const DriverMotion> from,
+                  std::span<const DriverMotion> to) {
   const Mechanism& mechanism = setup.numbers.model().mechanism();
   double parts = 1;
   for (std::size_t i = 0; i < to.size(); ++i) {
     const Joint& joint = driven_joint(mechanism, i);
     const double step = joint.type == JointType::kRevolute ? kGapStep : kGapSlide * setup.size;
-    parts = std::max(parts, std::ceil(std::abs(to[i] - from[i]) / step - kWholeGapSteps));
+    parts = std::max(parts, std::ceil(std::abs(to[i].position - from[i].position) / step - kWholeGapSteps));
   }
   return static_cast<int>(std::min(parts, kMostParts));
 }
@@ -122,7 +126,7 @@ void place_rows(const DesignSetup& setup, std::unique_ptr<const Mechanism> mecha
   GapWatch watch(setup, *rows.direct, reader);
   for (std::int64_t k = 0; k < setup.schedule.size(); ++k) {
     const std::vector<DriverMotion> motions = drivers_in(setup.schedule, k);
-    const bool placed = watch.go_to(motions);
+    const bool placed = watch.go_to_row(motions);
     rows.started = rows.started || placed;
     reader.take(rows.direct->bodies(), placed, motions.front().position,
                 placed ? RowStatus::kOk : RowStatus::kNotAssemblable);

@@ -10,8 +10,8 @@ namespace higherpair {
 
 /// Number of parts into which the path between two positions of the drivers is divided to check whether the
 /// dyads can be closed there.
-[[nodiscard]] int closure_parts(const DesignSetup& setup, std::span<const double> from,
-                                std::span<const double> to);
+[[nodiscard]] int closure_parts(const DesignSetup& setup, std::span<const DriverMotion> from,
+                                std::span<const DriverMotion> to);
 
 /// The vertex of the parabola through three values at equal distances.
 struct GapVertex {

@@ -37,30 +37,37 @@ PinnedRows::PinnedRows(const DesignSetup& setup, PinLinkage linkage)
 }
 
 void PinnedRows::add_places(const DesignSetup& setup) {
-  std::vector<double> last;
+  std::vector<DriverMotion> last;
   std::vector<double> step;
-  for (std::int64_t k = 0; k < setup.schedule.size(); ++k) {
-    const std::vector<double> next = positions_in(setup.schedule, k);
+  const auto add_part = [&](const std::vector<DriverMotion>& next, bool to_row) {
     const int parts = last.empty() ? 1 : closure_parts(setup, last, next);
     for (int part = 1; part <= parts; ++part) {
       Place& place = places_.emplace_back();
-      if (part == parts) {
+      if (to_row && part == parts) {
         place.row = place_of_row_.size();
         place_of_row_.push_back(places_.size() - 1);
       }
       bool even = places_.size() > 2;
       for (std::size_t i = 0; i < next.size(); ++i) {
-        const double from = last.empty() ? next[i] : last[i];
-        turns_.push_back(Rotation<double>::from_angle(std::lerp(from, next[i], double(part) / parts)));
-        const double stride = (next[i] - from) / parts;
+        const double to = next[i].position;
+        const double from = last.empty() ? to : last[i].position;
+        turns_.push_back(Rotation<double>::from_angle(std::lerp(from, to, double(part) / parts)));
+        const double stride = (to - from) / parts;
         if (step.size() < next.size()) step.push_back(stride);
         even = even && std::abs(stride - step[i]) <= kEvenStep * std::abs(stride);
         step[i] = stride;
       }
       place.even = even;
     }
-    positions_.push_back(next.front());
     last = next;
+  };
+  for (std::int64_t k = 0; k < setup.schedule.size(); ++k) {
+    const std::vector<DriverMotion> at_row = drivers_in(setup.schedule, k);
+    for_each_part(setup.schedule, k, at_row,
+                  [&](const std::vector<DriverMotion>& drivers, double /*from*/, double to) {
+                    add_part(drivers, to == 1);
+                  });
+    positions_.push_back(at_row.front().position);
   }
 }
 

@@ -25,8 +25,12 @@ std::optional<SlopeRun> SlopeRun::start(const DesignSetup& setup, const DesignCa
 
 void SlopeRun::go_to(std::size_t row) {
   for (; next_ <= row; ++next_) {
-    motions_ = drivers_in(*schedule_, static_cast<std::int64_t>(next_));
-    move_to(run_, motions_);
+    const auto k = static_cast<std::int64_t>(next_);
+    motions_ = drivers_in(*schedule_, k);
+    for_each_part(*schedule_, k, motions_,
+                  [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
+                    move_to(run_, drivers);
+                  });
   }
 }
 

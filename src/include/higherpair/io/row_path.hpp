@@ -23,6 +23,21 @@ struct RowPath {
 /// Their positions alone.
 [[nodiscard]] std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row);
 
+/// Calls go(drivers, from, to) for every part of the drivers' path from the row before to a row on which none
+/// of them turns back, in order: they may pass something on such a part and pass it again on the next one.
+/// `drivers` are those at the end of the part, which is the row itself for the last one; `from` and `to` are
+/// the fractions of the time between the two rows at its ends. \param at_row  drivers_in(schedule, row)
+template <class Go>
+void for_each_part(const DriverSchedule& schedule, std::int64_t row, const std::vector<DriverMotion>& at_row,
+                   Go&& go) {
+  double from = 0;
+  for (const DriverSchedule::TurningPoint& turning : schedule.turning_points(row)) {
+    go(std::vector<DriverMotion>{turning.si}, from, turning.share);
+    from = turning.share;
+  }
+  go(at_row, from, 1.0);
+}
+
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
 }  // namespace higherpair
