@@ -87,13 +87,12 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
 
 void Analysis::Impl::move() {
   const std::size_t first = events.size();
-  for_each_part(schedule, next, motions,
-                [&](const std::vector<DriverMotion>& drivers, double from, double to) {
-                  move_to(run, drivers);
-                  for (const RunEvent& event : run.events) {
-                    add_event(event, std::lerp(from, to, event.share));
-                  }
-                });
+  for_each_part(schedule, next, motions, [&](const std::vector<DriverMotion>& end, double from, double to) {
+    move_to(run, end);
+    for (const RunEvent& event : run.events) {
+      add_event(event, std::lerp(from, to, event.share));
+    }
+  });
   add_law_jumps();
   std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(), is_earlier);
 }

@@ -68,7 +68,10 @@ public:
         return false;
       }
       if (run_.events.size() >= kMostEvents) {
-        return give_up();
+        return give_up(fmt::format("{} events lie between two rows", kMostEvents));
+      }
+      if (--steps_left_ < 0) {
+        return give_up("the steps that the motion allows here are too short to come to the next row");
       }
       const Outcome outcome = next();
       if (outcome != Outcome::kGoesOn) {
@@ -96,9 +99,6 @@ private:
   }
 
   Outcome next() {
-    if (--steps_left_ < 0) {
-      return lose({run_.plan().groups.size() - 1, at_.s});
-    }
     aim();
     const StepResult result = try_step(run_, path_, at_.s, step_);
     const bool ok = result.kind == StepResult::kOk;
@@ -285,12 +285,10 @@ private:
     });
   }
 
-  // Ends a path with too many events. Returns false, as follow() does where the motion is lost.
-  bool give_up() {
-    const std::string cause = fmt::format(
-        "{} events lie between two rows, and this path is not followed further; let the drivers "
-        "go less far, or take more rows",
-        kMostEvents);
+  // Ends a path that would take too long. Returns false, as follow() does where the motion is lost.
+  bool give_up(const std::string& why) {
+    const std::string cause =
+        why + ", and this path is not followed further; let the drivers go less far, or take more rows";
     end(event_at(EventType::kEnd, path_, at_.s, cause), at_.s, at_.s);
     run_.at.lost.for_good = true;
     return false;

@@ -27,7 +27,7 @@ th { background: #f3f5f7; } th:first-child, td:first-child { text-align: left; }
 .violated { color: #a00; font-weight: bold; }
 )";
 
-std::string number(double value) {
+std::string number_cell(double value) {
   return std::isfinite(value) ? printed_significant(value, 9) : "&ndash;";
 }
 
@@ -46,8 +46,9 @@ std::string row_of(const std::vector<std::string>& cells, std::string_view tag =
 std::string variables_table(const DesignReport& report) {
   std::string table = "<table>\n" + row_of({"variable", "before", "after", "min", "max", ""}, "th");
   for (const auto& variable : report.variables) {
-    table += row_of({xml_escaped(variable.name), number(variable.before), number(variable.after),
-                     number(variable.low), number(variable.high), variable.at_bound ? "at its bound" : ""});
+    table += row_of({xml_escaped(variable.name), number_cell(variable.before), number_cell(variable.after),
+                     number_cell(variable.low), number_cell(variable.high),
+                     variable.at_bound ? "at its bound" : ""});
   }
   return table + "</table>\n";
 }
@@ -55,10 +56,10 @@ std::string variables_table(const DesignReport& report) {
 std::string objectives_table(const DesignReport& report) {
   std::string table = "<table>\n" + row_of({"objective", "before", "after", "target", "unit"}, "th");
   for (const auto& objective : report.objectives) {
-    table += row_of({xml_escaped(objective.what), number(objective.before), number(objective.after),
-                     objective.target ? number(*objective.target) : "least", unit(objective.unit)});
+    table += row_of({xml_escaped(objective.what), number_cell(objective.before), number_cell(objective.after),
+                     objective.target ? number_cell(*objective.target) : "least", unit(objective.unit)});
   }
-  table += row_of({"altogether", number(report.before), number(report.after), "", ""});
+  table += row_of({"altogether", number_cell(report.before), number_cell(report.after), "", ""});
   return table + "</table>\n";
 }
 
@@ -71,10 +72,11 @@ std::string constraints_table(const DesignReport& report) {
   if (!report.as_found) table += row_of({"starts as it was found", "", "no", "", "", ""}, "td", "violated");
   for (const auto& constraint : report.constraints) {
     const std::string cost =
-        constraint.cost > 0 ? number(constraint.cost) + " " + unit(constraint.cost_unit) : "";
-    table += row_of({xml_escaped(constraint.what), number(constraint.before), number(constraint.after),
-                     unit(constraint.unit), number(constraint.margin), cost},
-                    "td", constraint.margin < 0 ? "violated" : "");
+        constraint.cost > 0 ? number_cell(constraint.cost) + " " + unit(constraint.cost_unit) : "";
+    table +=
+        row_of({xml_escaped(constraint.what), number_cell(constraint.before), number_cell(constraint.after),
+                unit(constraint.unit), number_cell(constraint.margin), cost},
+               "td", constraint.margin < 0 ? "violated" : "");
   }
   return table + "</table>\n";
 }
@@ -91,7 +93,7 @@ std::string search_table(const DesignReport& report) {
       "<table>\n" + row_of(heads, "th");
   for (std::size_t k = 0; k < report.optima.size(); ++k) {
     const auto& optimum = report.optima[k];
-    std::vector<std::string> cells = {fmt::format("{}", k + 1), number(optimum.objective)};
+    std::vector<std::string> cells = {fmt::format("{}", k + 1), number_cell(optimum.objective)};
     for (const double value : optimum.variables) cells.push_back(printed_significant(value, 6));
     table += row_of(cells, "td", optimum.holds ? "" : "violated");
   }
