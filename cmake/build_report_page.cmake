@@ -3,7 +3,7 @@
 function(write_source page missing)
   file(
     WRITE ${OUTPUT}
-    "#include \"front/report_page.hpp\"\n\nnamespace higherpair {\n\n"
+    "#include \"front/report/report_page.hpp\"\n\nnamespace higherpair {\n\n"
     "std::string_view report_page() {\n  return R\"~page~(${page})~page~\";\n}\n\n"
     "std::string_view report_page_missing() {\n  return \"${missing}\";\n}\n\n}  // namespace higherpair\n")
 endfunction()

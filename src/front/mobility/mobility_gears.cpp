@@ -55,21 +55,21 @@ Json gears_of(const MobilityFindings& findings, const Joint& joint) {
   return json;
 }
 
-std::string number(const Json& value) {
+std::string number_text(const Json& value) {
   return fmt::format("{:.7g}", value.get<double>());
 }
 
 std::string mesh_text(const Json& pair, const std::string& length) {
   const Json& mesh = pair["mesh"];
   std::string text = fmt::format("  contact ratio {}; path of contact {} {}: {} of approach, {} of recess\n",
-                                 number(mesh["contact_ratio"]), number(mesh["length"]), length,
-                                 number(mesh["approach"]), number(mesh["recess"]));
+                                 number_text(mesh["contact_ratio"]), number_text(mesh["length"]), length,
+                                 number_text(mesh["approach"]), number_text(mesh["recess"]));
   for (const std::size_t i : {0U, 1U}) {
     const std::string own = pair[i == 0 ? "first" : "second"].get<std::string>();
     const std::string other = pair[i == 0 ? "second" : "first"].get<std::string>();
     if (mesh["past_base"][i].get<double>() > 0) {
       text += fmt::format("  interference: the tips of {} go {} {} past the base circle of {}\n", other,
-                          number(mesh["past_base"][i]), length, own);
+                          number_text(mesh["past_base"][i]), length, own);
     }
     if (pair["teeth"][i].get<double>() < mesh["least_teeth"].get<double>()) {
       text +=
@@ -99,11 +99,11 @@ std::string gears_text(const nlohmann::ordered_json& gears, const std::string& l
     const auto teeth = [&](std::size_t i) {
       return pair["teeth"].is_null() ? "" : fmt::format(" with {} teeth", pair["teeth"][i].get<int>());
     };
-    text +=
-        fmt::format("\nGears {}: {}{}, {}{}; pitch radii {} and {} {}, pressure angle {} {}\n",
-                    pair["joint"].get<std::string>(), pair["first"].get<std::string>(), teeth(0),
-                    pair["second"].get<std::string>(), teeth(1), number(pair["pitch_radii"][0]),
-                    number(pair["pitch_radii"][1]), length_unit, number(pair["pressure_angle"]), angle_unit);
+    text += fmt::format("\nGears {}: {}{}, {}{}; pitch radii {} and {} {}, pressure angle {} {}\n",
+                        pair["joint"].get<std::string>(), pair["first"].get<std::string>(), teeth(0),
+                        pair["second"].get<std::string>(), teeth(1), number_text(pair["pitch_radii"][0]),
+                        number_text(pair["pitch_radii"][1]), length_unit, number_text(pair["pressure_angle"]),
+                        angle_unit);
     if (!pair["mesh"].is_null()) {
       text += mesh_text(pair, length_unit);
     }

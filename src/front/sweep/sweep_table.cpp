@@ -11,7 +11,7 @@
 namespace higherpair {
 namespace {
 
-Column number(std::string name, std::string unit = "1") {
+Column number_column(std::string name, std::string unit = "1") {
   return {std::move(name), std::move(unit), {}};
 }
 
@@ -31,17 +31,17 @@ Result<RunSettings> settings_for_rows(const Model& model, const SweepTask& task,
 void add_results(Sweep::Data& data) {
   const MeasureSet set(data.measures, data.run_columns);
   for (std::size_t i = 0; i < data.task.results.size(); ++i) {
-    data.columns.push_back(number(data.task.results[i].name, set.unit(i)));
+    data.columns.push_back(number_column(data.task.results[i].name, set.unit(i)));
     if (data.task.results[i].where) {
-      data.columns.push_back(number(data.task.results[i].name + ".where", set.where_unit()));
+      data.columns.push_back(number_column(data.task.results[i].name + ".where", set.where_unit()));
     }
   }
   if (data.task.counts) {
     for (int status = 0; status < kNotStarted; ++status) {
-      data.columns.push_back(number(fmt::format("rows.{}", name_of(static_cast<RowStatus>(status)))));
+      data.columns.push_back(number_column(fmt::format("rows.{}", name_of(static_cast<RowStatus>(status)))));
     }
     for (std::size_t type = 0; type < kEventTypeCount; ++type) {
-      data.columns.push_back(number(fmt::format("events.{}", name_of(static_cast<EventType>(type)))));
+      data.columns.push_back(number_column(fmt::format("events.{}", name_of(static_cast<EventType>(type)))));
     }
   }
 }
@@ -106,9 +106,9 @@ Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& setting
     return tl::unexpected(set.error());
   }
   data.run_columns = set->columns();
-  data.columns.push_back(number("variant"));
+  data.columns.push_back(number_column("variant"));
   for (std::size_t i = 0; i < task.plan.variables.size(); ++i) {
-    data.columns.push_back(number(task.plan.variables[i].name, task.units[i]));
+    data.columns.push_back(number_column(task.plan.variables[i].name, task.units[i]));
   }
   data.writes_rows() ? add_row_columns(data) : add_results(data);
   data.columns.push_back({"status", "", sweep_statuses()});
