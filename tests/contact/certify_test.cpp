@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -201,6 +202,29 @@ TEST(Certify, DecidesHalfATurnByAnotherChart) {
   EXPECT_LE(low, kPi);
   EXPECT_GE(high, kPi);
   EXPECT_LE(high - low, 1e-13);
+}
+
+// Numbers that are no binary fractions of small denominators.
+TEST(Certify, DecidesAnEdgeOnAFaceThatSlides) {
+  const double u = kPi / 6, c = std::cos(u), s = std::sin(u);
+  ContactPair face_slides;
+  face_slides.curve1 = make_point({0.02, 0}).value();
+  face_slides.curve2 = make_line({0.03, 0}, {-1, 0}).value();
+  ContactPair edge_slides;
+  edge_slides.curve1 = make_line({0.0055, 0}, {1, 0}).value();
+  edge_slides.curve2 = make_point({0.01, 0.002}).value();
+  for (auto& [pair, q] :
+       {std::pair(face_slides, 0.02 * c - 0.03), std::pair(edge_slides, (0.0055 - 0.002 * s) / c - 0.01)}) {
+    ContactPair sliding = pair;
+    sliding.motion2.turns = false;
+    sliding.motion2.direction_W = {1, 0};
+    const CurveContacts list = find_curve_contacts(sliding, u);
+    const Certificate certificate = certify_contacts(sliding, u, list);
+    EXPECT_EQ(certificate.status, CertificateStatus::kCertified);
+    ASSERT_EQ(list.contacts.size(), 1U);
+    EXPECT_NEAR(list.contacts[0].q, q, 1e-17);
+    EXPECT_NEAR((*certificate.intervals[0])[0], q, 1e-16);
+  }
 }
 
 TEST(Certify, CountsTwoContactsAtOnePosition) {

@@ -229,7 +229,10 @@ template <class T>
     return result;
   }
   const Vector3c<T> d = {motion.direction, conj(motion.direction), Complex<T>{}};
-  const Complex<T> per_q = point_moves ? product(first.v, d) : -product(second.v, d);
+  // A moved point is p + q p₃ d: where its coordinates have been multiplied by p₃ to make them whole, so is
+  // d.
+  const Complex<T> per_q =
+      point_moves ? product(first.v, d) * second.v[2] : -(product(second.v, d) * first.v[2]);
   return {product(first.v, second.v), per_q};
 }
 
