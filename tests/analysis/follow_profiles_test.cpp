@@ -116,5 +116,27 @@ TEST(FollowProfiles, HaveTheirLimitsFromTheReferenceFollower) {
   }
 }
 
+// Coupled bodies beyond their first limit, which they come to at 74.4 and 35.5 degrees: where they can be
+// assembled again, and whether they are taken up there, was once decided by how near to the limit the steps
+// had come.
+TEST(FollowProfiles, GoOnBeyondALimitHoweverManyRowsLeadThere) {
+  for (const char* name : {"closed20402", "coupled20355"}) {
+    const Profile profile = followed(name);
+    const auto at_rows = [&](std::int64_t rows) {
+      RunSettings settings;
+      settings.samples = rows;
+      return RunTable(profile, settings);
+    };
+    const RunTable few = at_rows(41);
+    for (const std::int64_t rows : {81, 361, 1441}) {
+      const RunTable many = at_rows(rows);
+      for (std::size_t k = 0; k < few.size(); ++k) {
+        const std::size_t same = k * static_cast<std::size_t>((rows - 1) / 40);
+        EXPECT_EQ(few.status(k), many.status(same)) << name << ", row " << k << " of 41, and " << rows;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -19,17 +19,10 @@
 namespace higherpair {
 namespace {
 
-// Places a row at a limit: in run.work.trial and run.at.beside, with positions only; run.at.state remains
-// short of it.
-void stop_at_limit(Run& run, const Path& path, std::size_t g, Reduction& reduction,
-                   const Reduction::Point& limit, double s) {
-  reduction.place(limit);
-  run.work.trial.groups[g].sine = 0;
-  run.work.trial.groups[g].sine_rate = 0;
-  for (std::size_t later = g + 1; later < run.plan().groups.size(); ++later) {
-    run.work.trial.groups[later].mode = run.at.state.groups[later].mode;
-    (void)place_group(model_of(run), later, run.at.state, limit.ahead, path.to, run.work.trial);
-  }
+// Places a row at a limit, in run.work.trial and run.at.beside; run.at.state remains short of it.
+void stop_at_limit(Run& run, const Path& path, Reduction& reduction, const Reduction::Point& limit,
+                   double s) {
+  reduction.place_limit(limit);
   run.at.beside = run.work.trial;
   path.positions(s, run.at.drivers);
 }
@@ -184,7 +177,7 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
   const double at = s + found->ahead;
   if (std::abs(path_.length - at) <= kOnLimit * (scale_ + size_at(run_, path_, at))) {
     report_limit(run_, path_, limit_event(run_, g, path_, path_.length));
-    stop_at_limit(run_, path_, g, reduction, *found, s);
+    stop_at_limit(run_, path_, reduction, *found, s);
     return true;
   }
   if (!limit_ || std::abs(at - s) < std::abs(limit_->s - s)) {

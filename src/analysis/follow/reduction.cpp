@@ -51,6 +51,16 @@ void Reduction::place(const Point& point) {
   (void)system_at(point.ahead, point.x);
 }
 
+void Reduction::place_limit(const Point& limit) {
+  place(limit);
+  run_.work.trial.groups[g_].sine = 0;
+  run_.work.trial.groups[g_].sine_rate = 0;
+  for (std::size_t later = g_ + 1; later < run_.plan().groups.size(); ++later) {
+    run_.work.trial.groups[later].mode = run_.at.state.groups[later].mode;
+    (void)place_group(model_of(run_), later, run_.at.state, limit.ahead, path_.to, run_.work.trial);
+  }
+}
+
 std::optional<Reduction::Point> Reduction::solve(const Point& guess, double lambda, double ahead) {
   const Eigen::Index n = start_.size();
   const double size = run_.plan().size;

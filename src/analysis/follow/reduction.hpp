@@ -60,6 +60,9 @@ public:
   /// there.
   void place(const Point& point);
 
+  /// Places all groups in run.work.trial at a limit: this one, and as far as possible those after it.
+  void place_limit(const Point& limit);
+
 private:
   [[nodiscard]] bool make_border();
   [[nodiscard]] bool stays_on_faces() const;

@@ -9,6 +9,7 @@
 #include "line_ahead.hpp"
 #include "outlook.hpp"
 #include "path.hpp"
+#include "reduction.hpp"
 #include "short_way.hpp"
 #include "step.hpp"
 
@@ -96,12 +97,16 @@ void hold_again(Run& run) {
   run.at.on_branch = true;
 }
 
-// Follows the path from run.at.state, whose rates may be those of another path.
-bool follow_part(Run& run, const Path& path, double first_step = kInf) {
+// Sets the rates of run.at.state, which may be those of another path.
+void set_rates_along(Run& run, const Path& path) {
   if (!path.is_single()) {
     path.motions(0, run.work.motions);
     set_rates(run, run.work.motions, run.at.state);
   }
+}
+
+bool follow_part(Run& run, const Path& path, double first_step = kInf) {
+  set_rates_along(run, path);
   return follow(run, path, first_step);
 }
 
@@ -393,8 +398,8 @@ Taken StretchSearch::take_up_first(double from) {
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
-    in_vain = in_vain && taken == Taken::kNot && !at_begin;
-    if (in_vain) {
+    in_vain = in_vain && taken == Taken::kNot;
+    if (in_vain && !at_begin) {
       run_.at.lost.looked_to = here.x;
       nearest_in_vain = run_.at.lost.nearest;
     }
@@ -423,6 +428,27 @@ Taken StretchSearch::take_up_row() {
   return at_begin && come_to_begin(to_) ? Taken::kArrived : Taken::kNot;
 }
 
+// Has coupled bodies looked for from the limit at which they were lost: how near to it the steps have come
+// depends on the rows, and with it where their conditions could be led to.
+void look_from_limit(Run& run) {
+  const Path path = part_of_path(run, run.at.lost.from, run.at.lost.at);
+  set_rates_along(run, path);
+  const std::vector<Group>& groups = run.plan().groups;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!traits_of(groups[g]).coupled) {
+      continue;
+    }
+    Reduction reduction(run, path, g, 0);
+    const auto limit = reduction.limit_ahead(path.length);
+    if (limit && std::abs(limit->ahead - path.length) <= kSameLimit * unit_of(run, path)) {
+      reduction.place_limit(*limit);
+      run.at.lost.nearest = Nearest{run.work.trial, {}};
+      run.at.lost.nearest->continuations.resize(groups.size());
+      return;
+    }
+  }
+}
+
 // Takes the motion up again where it first can be behind `from`.
 Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
   if (is_stopped(run) || run.at.lost.for_good) {
@@ -435,6 +461,9 @@ Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vec
   // The motion may have been lost again on the way to the drivers, or at once.
   if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
     return Taken::kNot;
+  }
+  if (run.plan().couples && !run.at.lost.nearest) {
+    look_from_limit(run);
   }
   const std::vector<double> behind = comes_back ? run.at.lost.at : from;
   const LineAhead line(run, behind, drivers);
