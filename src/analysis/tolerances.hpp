@@ -108,6 +108,9 @@ inline constexpr double kSameLimit = 1e-9;
 /// Spacing of the positions at which a lost branch is looked for, as a fraction of the leading driver's
 /// scale.
 inline constexpr double kLostBranchProbe = kPi / 576;
+/// Positions from which lost coupled bodies are looked for are rounded to multiples of this [rad, of the
+/// size]: much more than rounding errors, and much less than any distance that counts.
+inline constexpr double kSearchGrid = 1e-6;
 /// Largest distance between a pole and the end of the stretch on its other side, as a fraction of the leading
 /// driver's scale.
 inline constexpr double kAcrossPole = kPi / 144;

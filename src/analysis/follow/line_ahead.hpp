@@ -22,6 +22,7 @@ public:
   /// The leading driver's coordinate.
   [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return drivers[leading_]; }
   [[nodiscard]] const std::vector<double>& begin() const { return begin_; }
+  [[nodiscard]] std::size_t leading() const { return leading_; }
   /// One unit of x.
   [[nodiscard]] double scale() const { return scale_; }
   /// The sense in which x moves away from the limit: +1, -1.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "analysis/tolerances.hpp"
 #include "line_ahead.hpp"
 #include "step.hpp"
 
+#include <cmath>
 #include <optional>
 
 // Looks between positions on a line of the drivers at which a lost branch cannot be placed.
@@ -17,6 +19,12 @@ struct Outlook {
   int rises = 0;
   double slope = 0;  ///< of Placeable::room, if the same condition fails a little further ahead; else NaN
 };
+
+/// A number rounded to the grid of the search for lost bodies: a long search would magnify the rounding
+/// errors in which runs with other rows differ. \param unit  1 for angles, the size for lengths
+[[nodiscard]] inline double on_search_grid(double x, double unit) {
+  return std::round(x / (kSearchGrid * unit)) * (kSearchGrid * unit);
+}
 
 /// Changes run.work.trial. \param spacing  distance to the next position that is tested
 [[nodiscard]] Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing);

@@ -165,12 +165,37 @@ enum class Taken {
   kLost,     // the motion is lost again before the row
 };
 
+// Rounds the positions from which a long search goes on: it would magnify the rounding errors in which runs
+// with other rows differ.
+void round_to_grid(const Run& run, State& state) {
+  const double size = run.plan().size;
+  for (BodyMotion& motion : state.bodies) {
+    motion.theta = on_search_grid(motion.theta, 1);
+    const Vector2d& p_W = motion.X_WB.p_WB;
+    motion.X_WB = {Rotation<double>::from_angle(motion.theta),
+                   {on_search_grid(p_W.x(), size), on_search_grid(p_W.y(), size)}};
+  }
+  for (ContactMotion& motion : state.contacts) {
+    motion.phi = on_search_grid(motion.phi, 1);
+    motion.at.n_W = unit_vector(on_search_grid(angle_of(motion.at.n_W), 1));
+    for (BoundaryPlace& place : motion.place) {
+      place.t = on_search_grid(place.t, 1);
+    }
+  }
+  for (const Group& group : run.plan().groups) {
+    if (traits_of(group).coupled) {
+      (void)place_contacts(model_of(run), group, state);
+    }
+  }
+}
+
 // Positions on a line at which a lost branch is looked for: the limit, a few close to it, and then every
 // kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
 class Probes {
 public:
   explicit Probes(const LineAhead& line)
-      : limit_(line.x_of(line.begin())), step_(line.sense() * kLostBranchProbe * line.scale()) {}
+      : limit_(on_search_grid(line.x_of(line.begin()), line.scale())),
+        step_(line.sense() * kLostBranchProbe * line.scale()) {}
 
   [[nodiscard]] double at(double k) const {
     return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
@@ -392,6 +417,7 @@ Taken StretchSearch::take_up_first(double from) {
     const bool at_begin = couples_ && here.placing.complete && is_beside_limit(run_.work.trial);
     if (couples_) {
       run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.continuations};
+      round_to_grid(run_, run_.at.lost.nearest->state);
     }
     const std::optional<double> x = placed_up_to(k, before, here);
     const Taken taken = x ? take_up(*x) : Taken::kNot;
@@ -442,6 +468,7 @@ void look_from_limit(Run& run) {
     const auto limit = reduction.limit_ahead(path.length);
     if (limit && std::abs(limit->ahead - path.length) <= kSameLimit * unit_of(run, path)) {
       reduction.place_limit(*limit);
+      round_to_grid(run, run.work.trial);
       run.at.lost.nearest = Nearest{run.work.trial, {}};
       run.at.lost.nearest->continuations.resize(groups.size());
       return;

@@ -161,12 +161,17 @@ private:
   BodyCoordinates coordinates_;
 };
 
-// The minimum of |F|² near zero change by Newton's method. Where no solution is near, the remaining violation
-// contributes as much to the curvature of |F|² as JᵀJ does, which the method of Levenberg and Marquardt would
-// have to discover step by step. None where the iteration leads elsewhere.
-std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(violation.unknowns());
-  Eigen::VectorXd F, slope, beside;
+bool is_all_but_zero(const Eigen::VectorXd& F) {
+  return F.norm() <= kCoupledApproach;
+}
+
+// The minimum of |F|² near a change by Newton's method, no farther than `farthest` from zero change. Where no
+// solution is near, the remaining violation contributes as much to the curvature of |F|² as JᵀJ does, which
+// the method of Levenberg and Marquardt would have to discover step by step. None where the iteration leads
+// elsewhere.
+std::optional<Eigen::VectorXd> least_nearby(const Violation& violation, Eigen::VectorXd change,
+                                            double farthest) {
+  Eigen::VectorXd F, slope, before, behind;
   Eigen::MatrixXd J;
   for (int i = 0; i < kApproachSteps; ++i) {
     if (!violation.linear(change, F, J)) return std::nullopt;
@@ -174,40 +179,56 @@ std::optional<Eigen::VectorXd> least_nearby(const Violation& violation) {
     Eigen::MatrixXd H = J.transpose() * J;
     for (Eigen::Index k = 0; k < change.size(); ++k) {
       Eigen::VectorXd nudged = change;
-      nudged(k) += kApproachDifference;
-      if (!violation.gradient(nudged, F, beside)) return std::nullopt;
-      H.col(k) += (beside - slope) / kApproachDifference;
+      nudged(k) = change(k) - kApproachDifference;
+      if (!violation.gradient(nudged, F, before)) return std::nullopt;
+      nudged(k) = change(k) + kApproachDifference;
+      if (!violation.gradient(nudged, F, behind)) return std::nullopt;
+      H.col(k) += (behind - before) / (2 * kApproachDifference);
     }
     const Eigen::LLT<Eigen::MatrixXd> factor((H + H.transpose()) / 2);
     if (factor.info() != Eigen::Success) return std::nullopt;
     const Eigen::VectorXd step = -factor.solve(slope);
     change += step;
-    if (!violation.lead(change) || !(violation.farthest() <= kLargestCoupledStep)) return std::nullopt;
+    if (!violation.lead(change) || !(violation.farthest() <= farthest)) return std::nullopt;
     if (step.cwiseAbs().maxCoeff() <= kApproachSettled) return change;
   }
   return std::nullopt;
 }
 
-// Moves `to` to the minimum of |F|² near zero change; true where that is all but 0. If it is far away, `to`
-// is left where it was.
-bool approach(const Violation& violation) {
+// A solution, or a minimum of |F|², by the method of Levenberg and Marquardt. Where that ends in a flat
+// valley is a matter of rounding: a place with F ≠ 0 counts only if it is a minimum.
+std::optional<Eigen::VectorXd> least_far(const Violation& violation, const Eigen::VectorXd& start) {
   Eigen::VectorXd F;
-  if (const auto change = least_nearby(violation)) {
-    return violation.values(*change, F) && F.norm() <= kCoupledApproach;
-  }
   LeastSquaresProblem problem;
   problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) { return violation.values(x, r); };
   problem.jacobian = [&](const Eigen::VectorXd& x, Eigen::MatrixXd& J) { return violation.linear(x, F, J); };
   LeastSquaresOptions options;
   options.iterations = kMostApproachSteps;
   options.rounding = kCoupledClosure;
-  const Eigen::VectorXd start = Eigen::VectorXd::Zero(violation.unknowns());
-  const LeastSquaresFit fit = least_squares(problem, start, options);
+  // Where two solutions begin, the place between them is a saddle, from which no step would lead away.
+  const Eigen::Index n = start.size();
+  const Eigen::VectorXd beside = start + Eigen::VectorXd::LinSpaced(n, 1, 2) * kApproachDifference;
+  const LeastSquaresFit fit = least_squares(problem, beside, options);
   if (!violation.lead(fit.x) || !(violation.farthest() <= kFarthestApproach)) {
+    return std::nullopt;
+  }
+  return is_all_but_zero(fit.r) ? fit.x : least_nearby(violation, fit.x, kFarthestApproach);
+}
+
+// Moves `to` to the minimum of |F|² near zero change; true where that is all but 0. If it is far away, `to`
+// is left where it was.
+bool approach(const Violation& violation) {
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(violation.unknowns());
+  auto least = least_nearby(violation, start, kLargestCoupledStep);
+  if (!least) {
+    least = least_far(violation, start);
+  }
+  Eigen::VectorXd F;
+  if (!least || !violation.values(*least, F)) {
     (void)violation.lead(start);
     return false;
   }
-  return fit.sum <= kCoupledApproach * kCoupledApproach;
+  return is_all_but_zero(F);
 }
 
 // J at a state; it does not depend on the drivers' positions.
