@@ -135,7 +135,7 @@ private:
       return std::abs(step_) / 2;
     }
     if (near_crossing_ && !last_ && !limit_.is_known() && std::abs(step_) > kLongStep * at_.scale) {
-      return 0.618 * std::abs(step_);
+      return kShorterByCrossing * std::abs(step_);
     }
     if (last_ && (near_crossing_ || !ok)) {
       // End at a position to interpolate from, near enough to be certainly on the same branch.

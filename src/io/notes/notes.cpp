@@ -46,7 +46,8 @@ bool is_driven_body(const Mechanism& mechanism, int body) {
   });
 }
 
-// All bodies are drawn together in the frame of ground; such a drawing need not show the start position.
+// Whether all bodies are described in the frame of ground, with no pose of their own: such a description need
+// not be in the start position.
 bool is_drawing(const Mechanism& mechanism) {
   return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
                      [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
