@@ -244,7 +244,8 @@ inline constexpr double kCutResolution = 1e-10;  // critical positions closer th
 // Critical positions up to this far apart may be one: rounding splits a crossing into two folds (limits).
 inline constexpr double kCrossingResolution = 1e-7;
 inline constexpr double kSameEventNormal = 1e-6;
-// A contact that is followed forth and back again must agree with its start to within this.
+// A contact that has been followed to the middle of another interval is that contact listed there with which
+// it agrees to within this.
 inline constexpr double kSameMapContact = 1e-6;
 inline constexpr double kNearMapCrossing = 1e-4;  // points closer to a crossing are interpolated
 inline constexpr double kMapEndMargin = 1e-9;     // distance of a sample from the end of a branch
