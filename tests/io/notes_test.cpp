@@ -290,7 +290,7 @@ joint = "a"
   EXPECT_THAT(
       texts(notes_at_start(profile)),
       ElementsAre("test.toml: note: bodies.coupler: C is 94 mm from where the pose has it at the start, in a "
-                  "mechanism of 98.97 mm; is that the assembly that is meant? Else give a better pose"));
+                  "mechanism of 73.76 mm; is that the assembly that is meant? Else give a better pose"));
 }
 
 // The size of the mechanism is that of its poses only where they are right: with this one it would be 140 mm.

@@ -53,7 +53,13 @@ bool is_drawing(const Mechanism& mechanism) {
                      [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
 }
 
-// The size of the mechanism as it has been assembled. That of the poses is of no use where they are wrong.
+bool slides(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::kPrismatic && (joint.first.body == body || joint.second.body == body);
+  });
+}
+
+// The size of the mechanism as it has been assembled.
 double assembled_size(Mechanism mechanism, const std::vector<BodyMotion>& bodies) {
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     mechanism.bodies[i].guess_p_WB = bodies[i].X_WB.p_WB;
@@ -108,11 +114,15 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
   if (is_drawing(mechanism)) {
     return notes;
   }
-  const double size = assembled_size(mechanism, bodies);
+  const double assembled = assembled_size(mechanism, bodies);
+  const double posed = size_of(mechanism);
   const auto length = [&](double metres) { return with_unit(metres, dimension::kLength, profile.units, 4); };
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const Moved moved = farthest(body, bodies[i].X_WB);
+    // Wrong poses make the size too large. But the pose of a body that slides, such as a follower, may well
+    // be elsewhere on its guide.
+    const double size = slides(mechanism, static_cast<int>(i)) ? std::max(assembled, posed) : assembled;
     if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
       notes.push_back(about(profile.source,
                             fmt::format("bodies.{}: {} is {} from where the pose has it at the start, in a "
