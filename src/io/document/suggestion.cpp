@@ -47,10 +47,13 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// One wrong letter is always allowed, and one more for every four letters, but not half of a word.
-bool is_near(int distance, std::string_view name) {
+// One wrong letter is always allowed, and one more for every four letters; where that is half of the name,
+// only if the first letter is right.
+bool is_near(int distance, std::string_view name, std::string_view candidate) {
   const int size = static_cast<int>(name.size());
-  return distance <= 1 + size / 4 && (distance <= 1 ? distance < size : 2 * distance < size);
+  const bool begins_alike = !candidate.empty() && !name.empty() && same_letter(name[0], candidate[0]);
+  return distance <= 1 + size / 4 && distance < size &&
+         (distance <= 1 || 2 * distance < size || begins_alike);
 }
 
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& existing) {
@@ -63,7 +66,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
     const int distance = edit_distance(name, candidate);
     const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a dot may be missing here
     const bool cut_short = name.size() >= 3 && candidate.starts_with(name);
-    if (is_near(distance, name) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
+    if (is_near(distance, name, candidate) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
     }
   }
