@@ -5,37 +5,42 @@
 #include <array>
 #include <limits>
 
-// The tolerances of the analysis. Unless stated otherwise, lengths are fractions of the mechanism's size and
-// steps along a path are fractions of one unit of its drivers (unit_of in step.hpp). A driver's scale is one
-// radian or, where it slides, the size (driver_scale in step.hpp).
+// The tolerances of the analysis. "The size" is that of the mechanism, "[rad, of the size]" means radians for
+// angles and fractions of the size for lengths. Unless stated otherwise, lengths are fractions of the size
+// and steps along a path are fractions of one unit of its drivers (unit_of in step.hpp). A driver's scale is
+// one radian or, where it slides, the size (driver_scale in step.hpp).
+//
+// A sine is GroupState::sine: how far the conditions of a group of bodies are from losing their rank, 0 at
+// limit positions and change points. A change point is a position in which branches cross.
 
 namespace higherpair {
 
 // Assemblies and starts.
 
-/// Assemblies that differ by no more than this are the same [of the size, rad].
+/// Assemblies that differ by no more than this are the same [rad, of the size].
 inline constexpr double kSameAssembly = 1e-12;
-/// Positions that differ by less than this are the same [of the size, rad].
+/// Positions of bodies in a run that differ by less than this are the same [rad, of the size].
 inline constexpr double kSameRunPosition = 1e-9;
-/// Fraction of the size by which a sliding driver is tried to either side of its start, if it cannot start
-/// there.
+/// If a mechanism cannot start, other starts of a sliding driver are tried up to this distance to either
+/// side, as a fraction of the size.
 inline constexpr double kReachOfSlide = 2;
 
 /// Ranges of positions to start from are equally near if their distances differ by less than this fraction of
-/// the positions that were looked at: their ends are bisected to a hundredth of it.
+/// the range that was searched: bisection finds their ends to a hundredth of it.
 inline constexpr double kSameStartDistance = 1e-7;
 
-/// Relative to a group's lever: a start whose sine (see GroupState) is below this counts as singular.
+/// Relative to a group's lever: a start whose sine is below this counts as singular.
 inline constexpr double kSingularStart = 1e-7;
 /// How near a start has to be to a singular point, as a fraction of the path's unit, to be moved onto it:
 /// there Newton's method yields only half the digits.
 inline constexpr double kNearSingularStart = 1e-5;
-/// Largest distance of a position from one at which two branches merge [rad, of the size].
+/// Farthest that the bodies at a start may be from where two branches merge, for the start to be moved there
+/// [rad, of the size].
 inline constexpr double kNearMerge = 0.3;
-/// Of the branches at a start next to a change point, one is that of the poses if it is nearer to them than
-/// any other by this factor: squared distances, a tenth of the distance.
+/// Next to a change point, a branch is taken to be the one meant by the poses if its squared distance from
+/// them is below this fraction of every other branch's (a tenth in distance).
 inline constexpr double kPosesTell = 1e-2;
-/// Speeds, and accelerations, whose relative difference is smaller are the same.
+/// Relative differences below which two speeds, or two accelerations, are the same.
 inline constexpr double kSameSpeed = 1e-3;
 inline constexpr double kSameAcceleration = 1e-6;
 
@@ -43,32 +48,36 @@ inline constexpr double kSameAcceleration = 1e-6;
 
 /// Largest inner step of a sliding driver, as a fraction of the size; kLargestTurn is that of a turning one.
 inline constexpr double kLargestSlide = 1.0 / 6;
-/// Fraction of the driver's scale: longer steps may be shortened so that they do not end near a crossing of
+/// Steps longer than this fraction of the driver's scale are shortened if they end near a crossing of
 /// branches.
 inline constexpr double kLongStep = 0.02;
-/// Fraction of the driver's scale: longer steps are halved where a contact has passed joints that are not
-/// found.
+/// Factor by which they are shortened: the golden section, for crossings are often at simple fractions of the
+/// path, as in symmetric mechanisms, and the shorter step should not end near another one.
+inline constexpr double kShorterByCrossing = 0.618;
+/// Steps longer than this fraction of the driver's scale are halved if a contact has left its span without a
+/// joint of spans having been found within the step.
 inline constexpr double kShortPassing = 1e-4;
-/// Largest step while a contact is open, as a fraction of the largest step otherwise.
+/// Largest step while a contact is open, as a fraction of the largest step otherwise: it must not close and
+/// open again within a step.
 inline constexpr double kOpenShare = 0.2;
 /// Largest turn of a body in one step [rad].
 inline constexpr double kFarthestBodyTurn = 2;
-/// Largest mismatch between a step and a smooth motion, as a fraction of the step's change; see Smoothness in
-/// step.cpp.
+/// Largest mismatch between the change of a coordinate in a step and the change that its rates at both ends
+/// predict, as a fraction of the change; see Smoothness in step.cpp.
 inline constexpr double kSmoothStep = 0.04;
-/// The same of the travel of a contact point along a body, and the least travel, relative to the size, that
-/// counts as a jump.
+/// The same for the travel of a contact point along a body; mismatches up to kLeastJump, relative to the
+/// size, never count as a jump of the point.
 inline constexpr double kSmoothTravel = 0.3;
 inline constexpr double kLeastJump = 1e-4;
-/// Mismatch of a step that is accepted as rounding [rad, of the size].
+/// A mismatch up to this is always accepted: rounding [rad, of the size].
 inline constexpr double kNoMismatch = 1e-9;
 /// Jumps of the normal, and of velocities per unit of the path, at a joint of two spans whose directions
-/// differ by too little for a corner (kSameJointDirection): of bodies at rest beyond it nothing else is to be
-/// seen.
+/// differ by too little for a corner (kSameJointDirection): if the bodies are at rest beyond the joint, these
+/// jumps are the only sign of it.
 inline constexpr double kTurnOfKink = 2e-7;
 inline constexpr double kVelocityOfKink = 1e-6;
-/// Drivers that are off the line ahead by no more than this are on it; relative to the driver's scale plus
-/// its coordinate.
+/// Drivers that are no farther than this from the line along which they left a limit are on it; relative to
+/// the driver's scale plus its coordinate.
 inline constexpr double kOnLineAhead = 1e-9;
 /// Turns that differ from half a turn by less than this count as half a turn [rad].
 inline constexpr double kHalfTurn = 1e-3;
@@ -79,31 +88,32 @@ inline constexpr double kHalfTurn = 1e-3;
 inline constexpr double kOnLimit = 1e-14;
 /// Fraction of the driver's scale: a row this near to a limit is solved for directly, without a step.
 inline constexpr double kBesideLimit = 1e-12;
-/// Fraction of the driver's scale: a limit this near is reached; what is left is rounding.
+/// Fraction of the driver's scale: a limit this near counts as reached; the rest is rounding.
 inline constexpr double kReachesLimit = 1e-9;
-/// Fraction of the driver's scale: nearer to a limit, rates may be too inexact to go on.
+/// Fraction of the driver's scale: nearer than this to a limit, rates may be too inexact to go on.
 inline constexpr double kNearLimit = 1e-6;
-/// The same for a pole, where only its position is needed.
+/// The same for a pole, a limit at which bodies run off to infinity: there only its position is needed.
 inline constexpr double kNearPole = 1e-2;
 /// Length of the next step before a limit, as a fraction of what is left to the limit.
 inline constexpr double kShareToLimit = 0.5;
 /// Relative to the size: bodies and contacts farther away than this may be on their way to infinity.
 inline constexpr double kFarAway = 100;
-/// Relative to the size: farther out than this the rates of a contact lose their digits.
+/// Relative to the size: farther out than this the rates of a contact have too few correct digits.
 inline constexpr double kTooFar = 1e4;
-/// Fraction of the size: a contact is at infinity if the rounding of its coordinates alone exceeds this, so
-/// that its gap cannot be closed.
+/// Fraction of the size: a contact counts as at infinity if the rounding of its coordinates alone exceeds
+/// this, so that its gap cannot be closed.
 inline constexpr double kRoundingOfGap = 1e-10;
 /// Largest distance of a predicted follower from its limit position, in units of its coordinate [rad, of the
 /// size].
 inline constexpr double kNearFollowerLimit = 0.3;
-/// Lever added for a turning follower, so that it is not 0 if the contact is at its pivot, as a fraction of
-/// the size.
+/// Added to the lever of a turning follower, as a fraction of the size, so that the lever is not 0 if the
+/// contact is at the pivot.
 inline constexpr double kLeastLever = 1e-3;
 /// Limits that are nearer to each other than this fraction of the driver's scale are the same.
 inline constexpr double kSameLimit = 1e-9;
 
-// Beyond a limit at which the motion was lost.
+// Beyond a limit at which the motion was lost. A stretch is a range of the drivers in which the branch can be
+// assembled.
 
 /// Spacing of the positions at which a lost branch is looked for, as a fraction of the leading driver's
 /// scale.
@@ -111,24 +121,25 @@ inline constexpr double kLostBranchProbe = kPi / 576;
 /// Positions from which lost coupled bodies are looked for are rounded to multiples of this [rad, of the
 /// size]: much more than rounding errors, and much less than any distance that counts.
 inline constexpr double kSearchGrid = 1e-6;
-/// Largest distance between a pole and the end of the stretch on its other side, as a fraction of the leading
-/// driver's scale.
+/// Largest distance between a pole and where the motion is resumed on its other side, as a fraction of the
+/// leading driver's scale.
 inline constexpr double kAcrossPole = kPi / 144;
 /// Shortest first step away from a limit, as a fraction of the driver's scale.
-inline constexpr double kNearestBegin = 1e-12;
-/// Fraction of the driver's scale: a row this near to where a stretch begins, or could be followed back to,
-/// is at its begin.
-inline constexpr double kBesideBegin = 1e-6;
+inline constexpr double kShortestFirstStep = 1e-12;
+/// Fraction of the driver's scale: a row this near to where a stretch begins, or to the earliest position
+/// that it could be followed back to, is at its beginning.
+inline constexpr double kAtBeginning = 1e-6;
 /// Relative to a group's lever: a GroupState::sine below this is too near to a limit.
 inline constexpr double kTooNearLimit = 1e-6;
-/// Relative to the size: contacts farther out than this come from infinity or are about to run off to it.
+/// Relative to the size: beyond a limit, contacts farther out than this come from infinity or are about to
+/// run off to it.
 inline constexpr double kFarOut = 1e6;
-/// How far inside a stretch the search for the limit at its begin starts, as a fraction of the driver's
-/// scale; for a row at that limit.
+/// For a row at the limit at which a stretch begins: how far inside the stretch the search for that limit
+/// starts, as a fraction of the driver's scale.
 inline constexpr double kInsideLimit = 1e-3;
 
-/// Step by which it is tested how things change beyond a position, as a fraction of the distance to the next
-/// position.
+/// Step for the slope of the room that is left to assemble the bodies, as a fraction of the distance to the
+/// next position that is tried.
 inline constexpr double kALittleAhead = 1e-4;
 /// Shortest stretch that is looked for, as a fraction of the leading driver's scale.
 inline constexpr double kShortestStretch = 1e-9;
@@ -147,47 +158,50 @@ inline constexpr double kNearCrossing = 1e-3;
 /// Distance from a crossing of branches, as a fraction of the driver's scale, at which positions are regular
 /// and can be interpolated from.
 inline constexpr double kCrossingReach = 4e-3;
-/// Farthest that a body may move within this distance, as an angle or relative to the size: the error of the
-/// interpolation is its sixth power.
+/// Farthest that a body may move within this distance [rad, of the size]: the error of the interpolation is
+/// the sixth power of it.
 inline constexpr double kCrossingTurn = 0.012;
 
-// Series through change points. Distances are how far the fastest of a group's bodies moves, as an angle or
-// relative to the size.
+// Power series in time, of a row and through change points. Distances are how far the fastest of a group's
+// bodies moves [rad, of the size].
 
-/// Largest rounding of the last order of a row's series, relative, that is not looked into.
+/// Relative rounding error of the highest-order term up to which a series is used unchecked.
 inline constexpr double kRoundingOfSeries = 1e-10;
-/// With more rounding than this a series is given only where it does not matter.
+/// Beyond this rounding error the series of a row near a change point is marked unknown, unless the series
+/// through the change point replaces it.
 inline constexpr double kSpoiltSeries = 1e-6;
 /// Farthest change point that is looked for: beyond it no series of moderate order converges.
 inline constexpr double kChangePointReach = 0.3;
-/// A place this near to where the rank is lost is there; the last step is from a much smaller distance.
+/// Positions closer than this to the point of rank loss count as that point. It is the length of the last
+/// step towards it, after which the distance is much smaller.
 inline constexpr double kAtChangePoint = 1e-9;
-/// Most steps of Newton's method for it.
+/// Most steps of Newton's method towards that point.
 inline constexpr int kMostChangePointSteps = 10;
-/// Relative to the largest singular value: all but one are above this where branches cross.
+/// At a change point all singular values but one are above this fraction of the largest.
 inline constexpr double kOneLostRank = 1e-3;
-/// Largest share of the last two terms of a series in a derivative beside the change point.
+/// A series converges if its last two terms make up no more than this fraction of the derivatives at the row.
 inline constexpr double kLastTerms = 1e-9;
-/// Relative to the size: the series of a crossing leads past the row by no more, nor its rates relative to
-/// the largest; other branches are farther away.
+/// The series through a crossing must reproduce the row's position, relative to the size, and its rates,
+/// relative to the largest, to within this; other branches are farther away.
 inline constexpr double kSameBranch = 0.02;
-/// Branches that come near each other by more than this, as a violation of the conditions relative to the
-/// size, are no matter of rounding, which is this fraction's 1e-7.
+/// Branches that violate the conditions where they would cross by more than this, relative to the size, do
+/// not meet: rounding is 1e7 times smaller.
 inline constexpr double kMeetsNoLonger = 1e-9;
-/// Largest share of the conditions' derivatives by a parameter that bodies cannot make up for at the change
-/// point.
+/// A change point persists when a parameter changes if no more than this fraction of the conditions'
+/// derivatives by the parameter is such that no motion of the bodies can compensate.
 inline constexpr double kKeepsChangePoint = 1e-9;
 
 // Events.
 
-/// Velocities below this fraction of the step's largest are rounding and do not count as a sense of motion.
+/// Velocities below this fraction of the largest in the step are rounding: they have no sense of motion.
 inline constexpr double kSlowestOutput = 1e-12;
-/// An estimated least speed within a step below this fraction of the speeds at its ends may be a reversal.
+/// A step in which the estimated least speed is below this fraction of the speeds at its ends is searched for
+/// reversals.
 inline constexpr double kMayReverse = 0.3;
 /// Change points that are nearer to each other than this fraction of the driver's scale are the same.
 inline constexpr double kSameChangePoint = 1e-7;
 
-// Reduction of a group's conditions to one equation.
+// Reduction of a group's conditions to one equation ε(λ, s) = 0 (see Reduction in reduction.hpp).
 
 /// Last change of a solution at which Newton's method ends, as a fraction of the size.
 inline constexpr double kReductionSettled = 1e-13;
@@ -195,7 +209,7 @@ inline constexpr double kReductionSettled = 1e-13;
 inline constexpr double kReductionNear = 1e-9;
 /// Difference steps for second derivatives, as fractions of the size and of the unit of s.
 inline constexpr double kReductionDifference = 1e-5;
-/// Largest |λ| that is followed, relative to the size.
+/// Largest |λ|, and largest step of Newton's method, relative to the size.
 inline constexpr double kReductionFarthest = 2;
 /// Steps of Newton's method for the root below this fall quadratically; once they do not, they are rounding.
 inline constexpr double kReductionNearRoot = 1e-7;
@@ -229,19 +243,20 @@ inline constexpr double kCoupledRounding = 1e-14;
 /// second meet the conditions.
 inline constexpr double kCoupledNear = 1e-9;
 inline constexpr double kCoupledResidual = 1e-9;
-/// Fraction of the size: where lost bodies violate their conditions by no more than this, a solution is next
-/// to them.
+/// Fraction of the size: where bodies that cannot be assembled violate their conditions by no more than this,
+/// there is a solution next to their position.
 inline constexpr double kCoupledApproach = 1e-6;
-/// In the search for the least violation, for angles [rad] and for places as fractions of the size: the
-/// difference step for second derivatives, the last change of the iteration, and the farthest that bodies may
-/// be led in one step of the driver.
+/// The search for the position of least violation [rad, of the size]: the difference step for second
+/// derivatives, the change at which the iteration ends, and the largest displacement of the bodies in one
+/// driver step.
 inline constexpr double kApproachDifference = 1e-6;
 inline constexpr double kApproachSettled = 1e-7;
 inline constexpr double kFarthestApproach = 4;
 /// Most iterations of that search, by Newton's method and by the method of Levenberg and Marquardt.
 inline constexpr int kApproachSteps = 6;
 inline constexpr int kMostApproachSteps = 200;
-/// Relative to the size: bodies that are lost farther out than this are on their way to infinity.
+/// Relative to the size: coupled bodies whose motion is lost farther out than this are on their way to
+/// infinity.
 inline constexpr double kCoupledFarOut = 1e3;
 
 // Overlap of bodies.
@@ -251,43 +266,49 @@ inline constexpr double kCoupledFarOut = 1e3;
 inline constexpr double kOverlapDepth = 1e-9;
 /// The same for boundaries, which are sampled.
 inline constexpr double kOverlapOfBoundaries = 1e-7;
+/// That precision.
 inline constexpr double kOverlapPrecision = kOverlapDepth / 10;
 
-// Where a contact can either go onto a corner or go over to another place that gives the bodies the same
-// motion, it is on the corner until the overlap exceeds kOverlapDepth. Rates closer than kSameRates are those
-// of such a place, and a corner reached less than kAtCorner before is not reported.
+// A contact that reaches a corner can also change to another place that gives the bodies the same motion. It
+// stays on the corner until the overlap at the other place exceeds kOverlapDepth. Rates that differ by less
+// than kSameRates are the same motion; a corner that was reached less than kAtCorner before the change is not
+// reported.
 inline constexpr double kSameRates = 1e-6;  // relative to the follower's unit
 inline constexpr double kAtCorner = 1e-6;   // relative to the driver's scale
 
 // Places of contacts on boundaries.
 
-/// Fraction of the drivers' unit: a path that leads over a joint of spans by no more ends at the joint.
+/// Fraction of the drivers' unit: a path that ends no farther than this beyond a joint of spans ends at the
+/// joint.
 inline constexpr double kJointAtEnd = 1e-12;
 /// A contact this near to the end of a span is at it, as a fraction of the boundary's size; on corners [rad].
 inline constexpr double kAtSpanEnd = 1e-6;
 /// How far beyond a second contact a step ends, as a fraction of the drivers' unit.
 inline constexpr double kBehindSecondContact = 1e-6;
-/// Largest distance that a contact runs in a step, relative to what its speeds at both ends suggest.
+/// Largest distance that a contact is expected to run along a boundary in a step, relative to what its speeds
+/// at both ends suggest.
 inline constexpr double kFartherAlong = 2;
-/// A place at which bodies cease to touch nearer to the begin of the step than this fraction of the drivers'
-/// unit ended there. A place this near to the end of a span, as a fraction of the boundary's size, is at it.
+/// A place at which bodies cease to touch nearer to the start of the step than this fraction of the drivers'
+/// unit counts as left at that start. Also, as a fraction of the boundary's size: a place this near to the
+/// end of a span is at the end.
 inline constexpr double kJustLeft = 1e-9;
-/// Distances beyond a vertex, as fractions of the drivers' unit, at which the motion is tried to go on.
+/// Distances beyond a vertex, as fractions of the drivers' unit, from which it is tried to continue the
+/// motion.
 inline constexpr std::array kBeyondVertex = {0.0, 1e-14, 1e-13, 1e-12, 1e-11};
-/// A smaller jump of a rate is due to rounded dimensions [1, of the size].
+/// A smaller jump of a rate is due to rounded dimensions [rad, of the size, per unit of the driver].
 inline constexpr double kNoJump = 1e-9;
 /// Relative to the larger of two rates: a rate below this is 0.
 inline constexpr double kRateRounding = 1e-12;
 
-/// Distance within which other places are looked for, relative to how far the bodies move against each other
-/// by their rates.
+/// Distance within which other places of touch are looked for, relative to how far the bodies move against
+/// each other in the step at their largest rates.
 inline constexpr double kFartherThanByRates = 1.5;
-/// A place this near to the contact, as a fraction of the boundaries' size, is the contact itself.
+/// A place this near to the contact, as a fraction of the boundaries' size, is the contact itself ...
 inline constexpr double kSameMeeting = 1e-6;
-/// The same for its normal [rad]: the two sides of a notch are near each other.
+/// ... if the normals agree to within this [rad]: the two sides of a notch are near each other.
 inline constexpr double kSameMeetingNormal = 1e-3;
-/// Largest mismatch of a followed gap, as a fraction of its change by its rates, for it to belong to the same
-/// place.
+/// Gaps before and after a step are of the same place if they agree with their rates to within this fraction
+/// of the change.
 inline constexpr double kGapAgrees = 0.1;
 /// An estimated least gap within a step is solved for if it is below this fraction of the gaps at the step's
 /// ends.
@@ -301,12 +322,13 @@ inline constexpr double kClosedGap = 1e-14;
 inline constexpr double kCapture = 1e-3;
 /// Largest shift of a body that is moved onto its contact, as a fraction of the size.
 inline constexpr double kFarthestShift = 5e-3;
-/// Fraction of the size: a pose that is farther from its contact than this starts open.
+/// Fraction of the size: a contact whose body is posed farther from it than this starts open.
 inline constexpr double kStartsApart = 1e-4;
-/// Product of sines below which a normal is that of a sample to within rounding.
+/// Product of the sines between a normal and those of two neighbouring samples, below which it is one of
+/// theirs to within rounding.
 inline constexpr double kOnSample = 1e-12;
-/// First distance, as a fraction of the drivers' unit, by which a contact that closes next to an end is moved
-/// on if the curves do not meet yet.
+/// First further distance, as a fraction of the drivers' unit, for a contact that closes next to an end of a
+/// curve if the curves do not meet yet there.
 inline constexpr double kFirstNudge = 1e-13;
 /// Far out on open curves, rounding of the common normal shifts contact points along the tangent by this
 /// fraction of the radii of curvature.
@@ -314,26 +336,29 @@ inline constexpr double kNormalRounding = 4 * std::numeric_limits<double>::epsil
 
 // Chains of dyads, many rows at once.
 
-/// Largest ratio of a coordinate to the shortest link. It leaves a link's direction a rounding of 1e-13, so
-/// that no residual comes near 1e-9 of the size.
+/// Largest ratio of a coordinate to the shortest link: the rounding of a link's direction is then at most
+/// 1e-13, so that no residual comes near 1e-9 of the size.
 inline constexpr double kFarthestPoint = 1e3;
 /// A body whose first angle differs from its pose's by more than this may be half a turn from it, on either
 /// side.
 inline constexpr double kSureTurn = kPi - 1e-6;
 /// Fraction of the size: the direction of a shorter spring is made of rounding, or undefined.
 inline constexpr double kShortestSpring = 1e-6;
-/// Assemblies whose squared distances from the poses differ by less than this fraction of the size's square
-/// are equally near: that whose bodies are turned less is taken.
+/// Assemblies whose squared distances from the poses differ by less than this fraction of the square of the
+/// size are equally near: the one whose bodies are turned less is taken.
 inline constexpr double kAsNear = 1e-9;
-/// Largest distance between a disc and where a Run has put it, as a fraction of the size. The other mode is
-/// much farther away.
+/// Largest distance between a disc that a chain has placed and where a Run places it, as a fraction of the
+/// size, for both to be in the same mode: the other mode is much farther away.
 inline constexpr double kSameChainPlace = 1e-6;
 
-/// A smaller sine is near a limit; steps of a run take a crossing into account from kNearCrossing on.
+/// Bounds are only given for sines above this; a smaller one may be near a limit or a crossing
+/// (kNearCrossing).
 inline constexpr double kSafeSine = 0.02;
-/// A body that turns by more than this from one position to the next might be whole turns off [rad].
+/// If a body turns by more than this from one row to the next, its whole turns are uncertain [rad].
 inline constexpr double kSafeTurn = 2;
-/// How far a contact's force may fall below its values in the rows, as a multiple of their differences.
+/// How far a contact's force may fall between rows below its values in the rows, as a multiple of their
+/// differences. At the two rows next to either end it is larger by the second factor, as the differences
+/// there are those of the third row.
 inline constexpr double kForceDip = 0.5;
 inline constexpr double kForceDipAtEnd = 4;
 
@@ -352,43 +377,45 @@ inline constexpr double kUnevenRows = 1e-3;
 
 // Derivatives by dimensions.
 
-/// Change of slip, in the mechanism's size, by a unit change of a coordinate, below which the coordinate does
-/// not matter.
+/// A coordinate has no effect on the slip of a contact if its unit change changes the slip by less than this
+/// fraction of the size.
 inline constexpr double kNoInfluenceSlip = 1e-9;
 
-/// Largest displacement of a row for differences. Their truncation error, in its eighth power, is below
-/// rounding, and rounding is not amplified much.
+/// Largest displacement of a row for difference quotients [rad, of the size]. Their truncation error, of the
+/// eighth power, is below rounding, and rounding is not amplified much.
 inline constexpr double kLargestDisplacement = 4e-3;
-/// There is a kink or a jump at 0 if the slopes of its two sides differ by more than the sum of these
-/// fractions of the fourth difference on the smoother side, of the slopes and of the values.
+/// There is a kink or a jump at the row itself, displacement 0, if the slopes on its two sides differ by more
+/// than the sum of these multiples of the fourth difference on the smoother side, of the slopes and of the
+/// values.
 inline constexpr double kKinkOfBends = 100;
 inline constexpr double kKinkOfSlopes = 1e-7;
 inline constexpr double kKinkOfValues = 1e-12;
 /// Fraction of the step by which a row is displaced to see how fast curvatures change.
 inline constexpr double kCurvatureProbe = 1e-3;
-/// A step for radii of curvature that is not shorter than this fraction of the step for all else serves both:
-/// it costs a digit.
+/// If the step suited to radii of curvature is at least this fraction of the step suited to the rest, it is
+/// used for both, which costs a digit.
 inline constexpr double kMuchShorterStep = 0.1;
-/// How much smaller the estimated error of a derivative has to be with the shorter step for it to be taken;
-/// that of a kink at 0 is the same with both.
+/// The shorter step is used if its error estimate is smaller by this factor; at a kink at 0 both are equal.
 inline constexpr double kWorthShorterStep = 2;
-/// An eighth difference above both, relative to the change in a step and to the largest value, may spoil the
-/// slope: the former of smooth functions is below, the latter is above rounding.
+/// A slope is doubtful if the eighth difference exceeds both of these fractions, of the change in a step and
+/// of the largest value: smooth functions stay below the first, rounding below the second ...
 inline constexpr double kDoubtfulDifference = 1e-5;
 inline constexpr double kSureDifference = 1e-10;
-/// Relative to the largest value: that of |x| is at most 10, that of random numbers around 60.
+/// ... unless it exceeds this multiple of the largest value: then the values are nothing but rounding. The
+/// eighth difference of |x| is at most 10 times the largest value, that of random numbers around 60 times.
 inline constexpr double kRoundingDifference = 25;
-/// The next shorter step where a slope is doubtful, and how often it is taken.
+/// Factor by which the step is shortened where a slope is doubtful, and how often at most.
 inline constexpr double kShorterStep = 1.0 / 16;
 inline constexpr int kMostShorterSteps = 4;
-/// Largest relative disagreement of differences of two orders for dimensions that count as smooth.
+/// Largest relative disagreement of difference quotients of two orders for dimensions that count as smooth
+/// functions of a parameter.
 inline constexpr double kDimensionsNotSmooth = 1e-6;
 
-/// Difference steps of a parameter that are tried, as fractions of its scale.
+/// Difference steps of a parameter that are tried one after another, as fractions of its scale.
 inline constexpr std::array kParameterSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
-/// Disagreement of differences of two orders of boundaries: below the first it is rounding, or so little that
-/// the better ones have no other error; above the second it is too much. Changes of boundaries with a
-/// parameter below the third count as none.
+/// Disagreement of two difference quotients, of different order, of a boundary by a parameter: below the
+/// first the better one is exact to rounding, and no other step is tried; above the second it is not used.
+/// Boundaries that change with the parameter by less than the third do not change.
 inline constexpr double kBoundariesAgree = 1e-10;
 inline constexpr double kBoundariesDisagree = 1e-8;
 inline constexpr double kBoundariesStandStill = 1e-11;

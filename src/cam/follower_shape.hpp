@@ -9,8 +9,8 @@
 
 namespace higherpair {
 
-/// A size as one number y >= 0, 0 where the cam shrinks to nothing: the follower's rest position is origin +
-/// sense y.
+/// The cam's size as one number y >= 0; at y = 0 it shrinks to a point. The follower's rest position is
+/// origin + sense y.
 struct SizeRange {
   double origin = 0;
   double sense = 1;

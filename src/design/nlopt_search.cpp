@@ -16,8 +16,6 @@ namespace {
 constexpr int kMostEvaluations = 500;       // for SLSQP, not counting gradients
 constexpr int kMostWithoutGradients = 100;  // for the methods without gradients, per variable
 constexpr int kMostOfEvolution = 2000;      // the same for ISRES
-constexpr double kPenalty = 1e3;            // per unit of violation, for methods that do not support
-                                            // constraints
 
 struct Bridge {
   Search& search;
@@ -108,7 +106,7 @@ void search_by_nlopt(Search& search, const Eigen::VectorXd& u, DesignMethod meth
   nlopt_set_maxeval(opt.get(), chosen.most);
   nlopt_set_xtol_rel(opt.get(), kVariablesSettled);
   nlopt_set_ftol_rel(opt.get(), kObjectiveSettled);
-  nlopt_set_initial_step1(opt.get(), 0.05);
+  nlopt_set_initial_step1(opt.get(), kFirstDesignStep);
   nlopt_srand(static_cast<unsigned long>(seed));
   double value = 0;
   (void)nlopt_optimize(opt.get(), at.data(), &value);

@@ -139,7 +139,7 @@ private:
   bool moved_ = false;              // whether the path has more than one position
   double longest_ = 0;              // length of the first pieces of this stretch
   int times_left_out_ = 0;          // in the present first piece
-  std::optional<double> left_out_;  // begin of what was left out since the last piece
+  std::optional<double> left_out_;  // start of what was left out since the last piece
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ public:
   /// Where the last break was found; none if there was none.
   [[nodiscard]] std::optional<double> last_break() const;
 
-  /// The forces on a stretch. \pre the fitter is at or before its begin
+  /// The forces on a stretch. \pre the fitter is at or before its start
   [[nodiscard]] ForceFit fit(const ForceStretch& stretch);
   /// The forces at the position itself, as a piece of length 0; none where they are not defined.
   [[nodiscard]] std::optional<ForcePiece> here();

@@ -118,16 +118,16 @@ std::string travel_objection(const Model::Data& model, std::size_t driver, doubl
     return turns <= kMostDriverTurns
                ? ""
                : fmt::format(
-                     "{} goes {:.6g} turns from its first position; at most 1e7 turns can be followed: "
-                     "let it go less far",
+                     "{} goes {:.6g} turns from its first position; at most 1e7 turns can be followed; "
+                     "shorten the driver's range",
                      name, turns);
   }
   return travel <= longest
              ? ""
              : fmt::format(
                    "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can "
-                   "be followed (the largest distance of its points, or {} where they coincide): let it go "
-                   "less far",
+                   "be followed (the largest distance of its points, or {} where they coincide); shorten the "
+                   "driver's range",
                    name, length(travel), length(longest), length(1));
 }
 

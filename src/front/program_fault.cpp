@@ -13,7 +13,7 @@
 namespace higherpair {
 namespace {
 
-// \param driver  its name
+// \param driver  the path of its table
 std::string fault_of(const DriverProgram& program, const std::string& driver, const Dimension& position,
                      const Units& units) {
   const auto place = [&](const std::string& key, double value) {
@@ -48,7 +48,7 @@ std::string fault_of(const std::vector<DriverProgram>& programs, const Mechanism
   }
   std::string found;
   for (std::size_t i = 0; i < programs.size() && found.empty(); ++i) {
-    found = fault_of(programs[i], driver_name(mechanism.drivers[i]), driver_dimension(mechanism, i), units);
+    found = fault_of(programs[i], driver_path(mechanism.drivers[i]), driver_dimension(mechanism, i), units);
   }
   return found;
 }

@@ -59,8 +59,8 @@ std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
   return on_both ? std::optional(parts) : std::nullopt;
 }
 
-// The next span beyond the end of a span, skipping corners; none at the end of an open boundary, unless it is
-// gone on with at the other end.
+// The next span beyond the end of a span, skipping corners; none at the end of an open boundary, unless the
+// search wraps to the other end.
 std::optional<int> span_beyond(const Boundary& boundary, int span, bool high, bool over_ends) {
   const int from = span;
   do {

@@ -76,6 +76,12 @@ inline constexpr double kOnVariableStep = 1e-9;
 
 // Notes.
 
+/// Relative: a gravity whose number is this close to that of the earth in some unit (9.8 or 10, say) is meant
+/// to be the earth's ...
+inline constexpr double kEarthsNumber = 0.02;
+/// ... and its unit is a mistake unless the value that it gives is this close to the earth's.
+inline constexpr double kEarthsGravity = 0.05;
+
 /// Error of a multiple of π/2, up to 6.28, that is written with two decimals.
 inline constexpr double kRoundedPi = 4e-3;
 /// A radius of gyration this many times larger or smaller than its body is probably a mistake of units.

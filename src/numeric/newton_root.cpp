@@ -23,8 +23,8 @@ public:
       return from_far_;
     }
     const double step = -at_near_.value / at_near_.slope;
-    // Where f jumps to the other side, the root is approached from this side: short of it by twice the change
-    // of the step that the curvature of f makes, and by more than rounding.
+    // Where f jumps to the other sign, the root is approached from this side, stopping short by twice the
+    // second-order correction of the Newton step, and by more than rounding.
     const double x =
         near_ +
         (jumps_ ? step * (1 - std::clamp(2 * bend_ * std::abs(step), kLeastShortOfRoot, kMostShortOfRoot))

@@ -505,7 +505,7 @@ TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
   EXPECT_EQ(far.code, 2);
   EXPECT_EQ(far.out, "");
   EXPECT_THAT(far.err, HasSubstr("slider_crank.toml: driver goes 2.77778e+07 turns from its first position; "
-                                 "at most 1e7 turns can be followed: let it go less far"));
+                                 "at most 1e7 turns can be followed; shorten the driver's range"));
   const Outcome fast = run("step " + profile("slider_crank.toml") +
                            " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
   EXPECT_EQ(fast.code, 2);

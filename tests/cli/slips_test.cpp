@@ -216,6 +216,20 @@ TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
             "higherpair: step has no option --output; did you mean `--csv` or `--json`?\n");
   EXPECT_EQ(message("mobility p.toml --wibble"),
             "higherpair: mobility has no option --wibble; see higherpair mobility --help\n");
+  EXPECT_EQ(message("analyze p.toml --cert"),
+            "higherpair: analyze has no option --cert; see higherpair analyze --help\n");
+  EXPECT_EQ(message("analyze p.toml --forces"),
+            "higherpair: analyze has no option --forces; did you mean the command `higherpair forces`?\n");
+  EXPECT_EQ(message("analyze p.toml --positions 3"),
+            "higherpair: analyze has no option --positions; it is a key of the profile's driver: "
+            "--set driver.positions=…\n");
+  EXPECT_EQ(message("analyze p.toml --speed=3"),
+            "higherpair: analyze has no option --speed; it is a key of the profile's driver: "
+            "--set driver.velocity=…\n");
+  EXPECT_THAT(message("verify p.toml --samples 3"), HasSubstr("verify has no option --samples"));
+  EXPECT_EQ(message("help"), "higherpair: there is no command help; did you mean `higherpair --help`?\n");
+  EXPECT_EQ(message("version"),
+            "higherpair: there is no command version; did you mean `higherpair --version`?\n");
   EXPECT_EQ(message("analyze p.toml q.toml"), "higherpair: analyze does not take `q.toml`\n");
   EXPECT_EQ(message("analyse p.toml"),
             "higherpair: there is no command analyse; did you mean `analyze`?; see higherpair --help\n");
@@ -236,6 +250,7 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
   EXPECT_EQ(message("analyze p.toml --samples 3.5"), "higherpair: --samples 3.5: must be an integer" + help);
   EXPECT_EQ(message("design p.toml --seed one"),
             "higherpair: --seed one: must be an integer; see higherpair design --help\n");
+  EXPECT_THAT(message("design p.toml --seed -1"), HasSubstr("--seed: '-1' is negative"));
   EXPECT_EQ(message("analyze p.toml --csv"), "higherpair: --csv needs a value" + help);
   EXPECT_EQ(message("analyze p.toml --csv a --csv b"), "higherpair: --csv is given more than once" + help);
   EXPECT_EQ(message("analyze p.toml --csv --quiet"),

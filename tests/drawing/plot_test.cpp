@@ -423,13 +423,14 @@ TEST(Plot, RunsInTime) {
 
 TEST(Plot, RefusesWhatIsNoColumnOfNumbers) {
   const Model model = shipped("ellipse_cam_roller");
-  EXPECT_THAT(error_of(model, {"follower.alfa"}), HasSubstr("--y follower.alfa: no column of this run has"));
+  EXPECT_THAT(error_of(model, {"follower.alfa"}),
+              HasSubstr("setting y follower.alfa: no column of this run has"));
   EXPECT_THAT(error_of(model, {"follower.alfa"}), HasSubstr("did you mean `follower.alpha`"));
-  EXPECT_THAT(error_of(model, {"driver"}, "touch.presure"), HasSubstr("--x touch.presure: no column"));
-  EXPECT_THAT(error_of(model, {"status"}), HasSubstr("--y status: this column holds words"));
-  EXPECT_THAT(error_of(model, {"driver"}, "status"), HasSubstr("--x status: this column holds words"));
+  EXPECT_THAT(error_of(model, {"driver"}, "touch.presure"), HasSubstr("setting x touch.presure: no column"));
+  EXPECT_THAT(error_of(model, {"status"}), HasSubstr("setting y status: this column holds words"));
+  EXPECT_THAT(error_of(model, {"driver"}, "status"), HasSubstr("setting x status: this column holds words"));
   EXPECT_THAT(error_of(model, {"driver"}, "follower.*"), HasSubstr("expected the name of one column"));
-  EXPECT_THAT(error_of(model, {}), HasSubstr("--y: names no column"));
+  EXPECT_THAT(error_of(model, {}), HasSubstr("setting y: names no column"));
 }
 
 TEST(Plot, EscapesWhatNamesHold) {

@@ -146,7 +146,7 @@ TEST(Columns, ThatNoGlobMatchesAreAnErrorWithTheNearestNames) {
   for (const auto& [glob, hint] :
        {std::pair("folower.y", "did you mean `follower.y`"),
         std::pair("cam.omga", "did you mean `cam.omega`"), std::pair("omega", "did you mean `*.omega`"),
-        std::pair("nothing.*", "no column of this run"), std::pair("", "--columns ")}) {
+        std::pair("nothing.*", "no column of this run"), std::pair("", "setting columns ")}) {
     RunSettings settings;
     settings.columns = {"driver", glob};
     const auto refused = model.start(settings);

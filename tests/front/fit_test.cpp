@@ -584,7 +584,7 @@ TEST(Fit, AProfileThatAsksForNothingOrTooMuchIsRefused) {
   FitSettings settings;
   settings.offsets = {"folower.y"};
   EXPECT_THAT(message_of(kCamFit, lift, settings),
-              HasSubstr("--offset folower.y: `folower.y` is no measured column"));
+              HasSubstr("setting offset folower.y: `folower.y` is no measured column"));
   settings = {};
   settings.confidence = 1;
   EXPECT_THAT(message_of(kCamFit, lift, settings), HasSubstr("confidence = 1: must be between 0 and 1"));

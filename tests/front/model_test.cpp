@@ -33,7 +33,7 @@ TEST(Model, ThatCannotBeReadSaysWhatIsWrongAndWhere) {
   const auto wrong = Model::from_text(kCam, "cam.toml", overrides);
   ASSERT_FALSE(wrong);
   EXPECT_THAT(wrong.error().diagnostics, SizeIs(::testing::Ge(2U)));
-  EXPECT_THAT(to_string(wrong.error()), HasSubstr("--set bodies.cam.curves.disc.radius=-1"));
+  EXPECT_THAT(to_string(wrong.error()), HasSubstr("override bodies.cam.curves.disc.radius=-1"));
 }
 
 TEST(Model, WithoutADriverCannotBeRun) {
@@ -293,6 +293,16 @@ TEST(Model, WhoseDriverIsProgrammedWronglySaysSo) {
             "four-bar: driver.time_step = -0.1: must be > 0");
 }
 
+TEST(Model, NamesTheTableOfOneOfSeveralDriversThatIsProgrammedWrongly) {
+  Mechanism mechanism = four_bar();
+  mechanism.drivers[0].name = "two";
+  DriverProgram program = default_program(mechanism, mechanism.drivers[0], Units());
+  program.duration = -1;
+  const auto refused = Model::from(mechanism, {}, {program});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(to_string(refused.error()), "four-bar: drivers.two.duration = -1: must be >= 0");
+}
+
 // Mechanisms of every kind of curve, and contacts with copies and parts of them.
 TEST(Model, OfEveryShippedProfileCanBeBuiltFromItsMechanism) {
   for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {
@@ -425,7 +435,7 @@ TEST(Model, WithAKeyThatIsWrongSaysSo) {
   const Model model = model_of(kCam);
   const auto wrong = model.with({{"bodies.cam.curves.disc.radius", -3}});
   ASSERT_FALSE(wrong);
-  EXPECT_THAT(to_string(wrong.error()), HasSubstr("--set bodies.cam.curves.disc.radius=-3"));
+  EXPECT_THAT(to_string(wrong.error()), HasSubstr("override bodies.cam.curves.disc.radius=-3"));
   EXPECT_THAT(to_string(model.with({{"bodies.cam.curves.disc.radios", 3}}).error()),
               HasSubstr("did you mean `radius`"));
   const auto built = Model::from(four_bar()).value().with({{"driver.end", 3}});

@@ -548,7 +548,7 @@ TEST(SensitivityOfResults, SayWhatIsWrong) {
   const Model model = model_of(kCam, {});
   EXPECT_THAT(refusal(model, wanted({"folower.y:max"})), HasSubstr("did you mean `follower.y`"));
   EXPECT_THAT(refusal(model, wanted({}, {"bodies.cam.curves.disc.radus"})),
-              ::testing::AllOf(HasSubstr("--by bodies.cam.curves.disc.radus: no number of the profile"),
+              ::testing::AllOf(HasSubstr("setting by bodies.cam.curves.disc.radus: no number of the profile"),
                                HasSubstr("did you mean `bodies.cam.curves.disc.radius`")));
   EXPECT_THAT(refusal(model, wanted({"follower.y:at=1.5"})), HasSubstr("no row is at 1.5"));
   EXPECT_THAT(refusal(model_of(kSlider, {"bodies.rod.points.B.0=3"})), HasSubstr("cannot"));
@@ -664,7 +664,7 @@ TEST(SensitivityOfRows, AreRefusedForColumnsThatHaveNone) {
   };
   for (const char* name : {"status", "stat*", "residual"}) {
     EXPECT_EQ(refused({"follower.y", name}),
-              "--columns " + std::string(name) +
+              "setting columns " + std::string(name) +
                   ": has no derivatives: columns of words have none, and the residual is rounding");
   }
   EXPECT_EQ(refused({"follower.y", "*"}), "");

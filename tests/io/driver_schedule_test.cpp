@@ -107,14 +107,13 @@ TEST(AnalyzeSchedule, TheOptionSamplesTakesThePlaceOfTheProfiles) {
               ElementsAre(0, 15, 30));
   EXPECT_EQ(analyze(crank_profile(), 10'000'001).size(), 10'000'001);
   EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile()), 0)),
-              ElementsAre("--samples 0: must be an integer from 1 to 2^53"));
+              ElementsAre("setting samples 0: must be an integer from 1 to 2^53"));
 }
 
 TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
-  EXPECT_THAT(
-      lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
-      ElementsAre(
-          "test.toml:10:1: driver.positions are given one by one: --samples has no meaning for them"));
+  EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
+              ElementsAre("test.toml:10:1: driver.positions are given one by one: another number of rows "
+                          "(samples) has no meaning"));
   EXPECT_THAT(
       lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
       ElementsAre(
@@ -147,8 +146,10 @@ TEST(AnalyzeSchedule, SeveralDriversHaveEquallyManyPositions) {
   EXPECT_EQ(schedule.state(1, 1).profile.position, 5);
   EXPECT_EQ(schedule.state(1, 1).si.position, 0.005);
   EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
-              ElementsAre("test.toml:19:1: drivers.b.samples gives 2 positions where the first driver has 3: "
+              ElementsAre("test.toml:19:1: drivers.b.positions are 2 positions where the first driver has 3: "
                           "all drivers need equally many"));
+  EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "end = 4\nsamples = 2\n"))),
+              ElementsAre(HasSubstr("drivers.b.samples gives 2 positions where the first driver has 3")));
 }
 
 TEST(StepSchedule, HasARowAtEveryTimeStepAndAtBothEnds) {
@@ -243,11 +244,10 @@ TEST(StepSchedule, TheOptionSamplesDividesTheDuration) {
 }
 
 TEST(StepSchedule, NeedsADurationAndATimeStep) {
-  EXPECT_THAT(
-      lines(DriverSchedule::step(read(crank_profile()))),
-      ElementsAre(
-          "test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
-          "test.toml:10:1: driver.time_step is missing: give the time between two rows, or --samples"));
+  EXPECT_THAT(lines(DriverSchedule::step(read(crank_profile()))),
+              ElementsAre("test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
+                          "test.toml:10:1: driver.time_step is missing: give the time between two rows, or "
+                          "the number of rows (samples)"));
 }
 
 TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {

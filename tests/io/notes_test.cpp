@@ -290,7 +290,45 @@ joint = "a"
   EXPECT_THAT(
       texts(notes_at_start(profile)),
       ElementsAre("test.toml: note: bodies.coupler: C is 94 mm from where the pose has it at the start, in a "
-                  "mechanism of 98.97 mm; is that the assembly that is meant? Else give a better pose"));
+                  "mechanism of 73.76 mm; is that the assembly that is meant? Else give a better pose"));
+}
+
+// The size of the mechanism is that of its poses only where they are right: with this one it would be 140 mm.
+TEST(StartNotes, MeasureTheDistanceInTheAssembledMechanism) {
+  const std::vector<std::string> overrides = {"bodies.follower.pose.x=140"};
+  const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml", overrides);
+  ASSERT_TRUE(profile);
+  EXPECT_THAT(texts(notes_at_start(*profile)), ElementsAre(HasSubstr("bodies.follower: ")));
+}
+
+std::string advice_with_driver(const std::string& driver, double start) {
+  std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const Profile profile = testing::read(text.substr(0, text.find("[driver]")) + driver);
+  return start_advice(profile, {start}, 1e-9);
+}
+
+// `start` is the value at the origin of the law, 10 degrees before that at time 0.
+TEST(StartAdvice, NamesWhatMovesTheDriver) {
+  const std::string driver = "[driver]\njoint = \"cam_pivot\"\n";
+  EXPECT_EQ(advice_with_driver(driver + "positions = [90, 100]\n", kPi / 2),
+            "; it can be with driver.positions from -65.8 to 65.8 deg");
+  const std::string law = driver + "law = \"swing\"\n[laws.swing]\n";
+  const std::string segments = "segments = [{ over = 2, law = \"uniform\", rise = 40 }]\n";
+  EXPECT_EQ(advice_with_driver(law + segments + "start = 90\n", kPi / 2),
+            "; it can be with laws.swing.start from -65.8 to 65.8 deg");
+  EXPECT_EQ(advice_with_driver(law + segments + "start = 80\norigin = -0.5\n", kPi / 2),
+            "; it can be with laws.swing.start from -75.8 to 55.8 deg");
+  EXPECT_EQ(advice_with_driver(law + "points = [[0, 90], [1, 95], [2, 97], [3, 100]]\n", kPi / 2),
+            "; it can be with laws.swing at time 0 from -65.8 to 65.8 deg");
+}
+
+TEST(StartAdvice, NamesTheTableOfOneOfSeveralDrivers) {
+  const std::vector<std::string> far = {"bodies.left_link.points.T=[13, 0]", "drivers.left.start=110"};
+  const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/five_bar.toml", far);
+  ASSERT_TRUE(profile);
+  EXPECT_THAT(start_advice(*profile, DriverSchedule::analyze(*profile).value().first_positions(), 1e-9),
+              HasSubstr("drivers.left.start"));
 }
 
 TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {

@@ -64,34 +64,57 @@ TEST(Override, IsAText) {
 }
 
 TEST(Override, IsThePlaceOfItsMistakes) {
-  EXPECT_THAT(messages(kCamProfile, {"driver.samples=0"}),
-              ElementsAre("--set driver.samples=0: driver.samples = 0: must be an integer from 1 to 2^53"));
+  EXPECT_THAT(
+      messages(kCamProfile, {"driver.samples=0"}),
+      ElementsAre("override driver.samples=0: driver.samples = 0: must be an integer from 1 to 2^53"));
   EXPECT_THAT(
       messages(kCamProfile, {"bodies.cam.curves.disc.radius=-12"}),
       ElementsAre(
-          "--set bodies.cam.curves.disc.radius=-12: bodies.cam.curves.disc.radius = -12 mm: must be > 0"));
+          "override bodies.cam.curves.disc.radius=-12: bodies.cam.curves.disc.radius = -12 mm: must be > 0"));
   EXPECT_THAT(messages(kCamProfile, {"driver.speed=3"}),
-              ElementsAre("--set driver.speed=3: driver.speed: unknown key; did you mean `velocity`?"));
-  EXPECT_THAT(messages(kCamProfile, {"driver.qqqqqq=3"}),
-              ElementsAre(HasSubstr("--set driver.qqqqqq=3: driver.qqqqqq: unknown key; there are joint, ")));
+              ElementsAre("override driver.speed=3: driver.speed: unknown key; did you mean `velocity`?"));
+  EXPECT_THAT(
+      messages(kCamProfile, {"driver.qqqqqq=3"}),
+      ElementsAre(HasSubstr("override driver.qqqqqq=3: driver.qqqqqq: unknown key; there are joint, ")));
 }
 
 TEST(Override, MistakesComeBehindThoseOfTheFile) {
-  EXPECT_THAT(messages(crank_profile("samples = 0\n"), {"bodies.crank.pose.x=x", "driver.end=y"}),
-              ElementsAre(HasSubstr("test.toml:12:11: driver.samples"),
-                          HasSubstr("--set bodies.crank.pose.x=x: "), HasSubstr("--set driver.end=y: ")));
+  EXPECT_THAT(
+      messages(crank_profile("samples = 0\n"), {"bodies.crank.pose.x=x", "driver.end=y"}),
+      ElementsAre(HasSubstr("test.toml:12:11: driver.samples"), HasSubstr("override bodies.crank.pose.x=x: "),
+                  HasSubstr("override driver.end=y: ")));
+}
+
+// A misspelt name makes a table of its own, which then lacks most keys: that is not what is wrong.
+TEST(Override, OfATableThatIsNotThereNamesTheNearest) {
+  EXPECT_THAT(
+      messages(kCamProfile, {"bodies.cam.curves.disk.radius=3"}),
+      ElementsAre("override bodies.cam.curves.disk.radius=3: there is no `disk` in bodies.cam.curves; "
+                  "did you mean `disc`?"));
+  EXPECT_THAT(
+      messages(kCamProfile, {"bodies.cma.curves.disc.radius=3"}),
+      ElementsAre("override bodies.cma.curves.disc.radius=3: there is no `cma` in bodies; did you mean "
+                  "`cam`?"));
+  // A new table may have a name near to another one.
+  EXPECT_EQ(read(kCamProfile, {"bodies.can.points.O=[0, 0]"}).mechanism.bodies.back().name, "can");
+}
+
+TEST(Override, OfAMisspeltKeyGetsTheNearest) {
+  EXPECT_THAT(messages(kCamProfile, {"driver.stepp=3"}),
+              ElementsAre(::testing::AllOf(HasSubstr("driver.stepp: unknown key; did you mean"),
+                                           HasSubstr("`time_step`"))));
 }
 
 TEST(Override, APathThatLeadsNowhereIsExplained) {
   EXPECT_THAT(messages(kCamProfile, {"nothing"}),
-              ElementsAre("--set nothing: expected PATH=VALUE, such as driver.samples=721"));
+              ElementsAre("override nothing: expected PATH=VALUE, such as driver.samples=721"));
   EXPECT_THAT(messages(kCamProfile, {"driver.joint.x=3"}),
-              ElementsAre("--set driver.joint.x=3: there is no `x` in \"cam_pivot\", which is a string"));
+              ElementsAre("override driver.joint.x=3: there is no `x` in \"cam_pivot\", which is a string"));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.3=3"}),
               ElementsAre(HasSubstr("`3` is no item of a list of 2 (the first one is 0)")));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.2=3"}),
               ElementsAre(::testing::AllOf(
-                  HasSubstr("--set bodies.ground.points.O1.2=3: bodies.ground.points.O1 = ["),
+                  HasSubstr("override bodies.ground.points.O1.2=3: bodies.ground.points.O1 = ["),
                   HasSubstr("expected a list of 2 numbers, found 3"))));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.x=3"}),
               ElementsAre(HasSubstr("`x` is no item")));

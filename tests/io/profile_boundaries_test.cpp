@@ -251,7 +251,7 @@ TEST_F(ProfileBoundaries, WrongNumbersOfArcsAndSegmentsAreRefused) {
   EXPECT_THAT(
       messages_of("{ type = \"segment\", from = [1, 2], to = [1, 3], side = \"inside\", lenght = 2 }"),
       ElementsAre(HasSubstr("c.side = \"inside\": an open curve has its material on the left or right of its "
-                            "way: `material`"),
+                            "direction: `material`"),
                   HasSubstr("c.lenght: unknown key")));
 }
 

@@ -203,7 +203,7 @@ TEST(ProfileGears, AreNotDrivenAndCarryNoSpring) {
   const std::string mesh = "type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n";
   EXPECT_THAT(
       messages(planetary(mesh), {"driver.joint=mesh"}),
-      ElementsAre("--set driver.joint=mesh: driver.joint = \"mesh\": gears and belts leave two freedoms: "
+      ElementsAre("override driver.joint=mesh: driver.joint = \"mesh\": gears and belts leave two freedoms: "
                   "expected a revolute or prismatic joint"));
   EXPECT_THAT(
       messages(planetary(mesh) + "[springs.s]\njoint = \"mesh\"\nstiffness = 1\n"),

@@ -202,7 +202,7 @@ TEST(ProfileMessages, DecimalCommasInListsAndTexts) {
   EXPECT_THAT(
       messages(crank_profile(), {"driver.end=30,5 deg"}),
       ElementsAre(
-          "--set driver.end=30,5 deg: driver.end = \"30,5 deg\": has a comma: decimals are written with a "
+          "override driver.end=30,5 deg: driver.end = \"30,5 deg\": has a comma: decimals are written with a "
           "point; expected an angle, such as \"25.4 deg\""));
 }
 
@@ -335,7 +335,7 @@ TEST(ProfileMessages, StayOnOneLineWhateverTheNames) {
   EXPECT_THAT(
       messages(crank_profile(), {"driver.joint=a\nb"}),
       ElementsAre(
-          "--set driver.joint=a?b: driver.joint = \"a?b\": there is no joint `a?b`; there is only pivot"));
+          "override driver.joint=a?b: driver.joint = \"a?b\": there is no joint `a?b`; there is only pivot"));
 }
 
 TEST(ProfileMessages, CutLongValuesBetweenCharacters) {
@@ -507,6 +507,15 @@ TEST(ProfileMessages, EveryTypeOfJointHasItsKeys) {
   EXPECT_THAT(about_joint(between),
               ElementsAre("test.toml:12:1: joints.j.type is missing: expected revolute, prismatic, "
                           "slot, gears or belt"));
+  for (const char* fixed : {"weld", "fixed", "rigid"}) {
+    EXPECT_THAT(
+        about_joint(fmt::format("type = \"{}\"\n", fixed) + between),
+        ElementsAre(fmt::format("test.toml:13:8: joints.j.type = \"{}\": bodies that are fixed to each "
+                                "other are one body: give it the points and curves of both",
+                                fixed)));
+  }
+  EXPECT_THAT(about_joint("type = \"R\"\n" + between), ElementsAre(HasSubstr("did you mean `revolute`?")));
+  EXPECT_THAT(about_joint("type = \"P\"\n" + between), ElementsAre(HasSubstr("did you mean `prismatic`?")));
   for (const char* misspelt : {"typ", "tpye", "kind"}) {
     EXPECT_THAT(
         about_joint(misspelt + (" = \"revolute\"\n" + between)),

@@ -259,11 +259,12 @@ TEST(SweepProfiles, SayWhatIsWrongWithResults) {
 }
 
 TEST(SweepProfiles, SayAllMistakesAtOnce) {
-  EXPECT_THAT(messages(cam(), {"sweep.count=0", "sweep.variables.r.path=bodies.cam.nothing",
-                               "sweep.results.peak.of=most", "sweep.some=1"}),
-              ElementsAre(HasSubstr("--set sweep.count=0: sweep.count = 0: expected an integer from 1 to 1"),
-                          HasSubstr("there is no `nothing` in bodies.cam"), HasSubstr("expected one of max"),
-                          HasSubstr("sweep.some: unknown key")));
+  EXPECT_THAT(
+      messages(cam(), {"sweep.count=0", "sweep.variables.r.path=bodies.cam.nothing",
+                       "sweep.results.peak.of=most", "sweep.some=1"}),
+      ElementsAre(HasSubstr("override sweep.count=0: sweep.count = 0: expected an integer from 1 to 1"),
+                  HasSubstr("there is no `nothing` in bodies.cam"), HasSubstr("expected one of max"),
+                  HasSubstr("sweep.some: unknown key")));
 }
 
 }  // namespace

@@ -183,6 +183,9 @@ TEST(Encoding, OtherThanUtf8IsNamedWithTheRemedy) {
           save));
   EXPECT_THAT(messages(std::string("format = 1\n\0", 12)),
               ::testing::ElementsAre("test.toml:2:1: a zero byte: this is no text file"));
+  EXPECT_THAT(
+      messages("\x1f\x8b\x08\x08\x9b"),  // as gzip writes it
+      ::testing::ElementsAre("test.toml:1:2: the byte 0x8B and control characters: this is no text file"));
 }
 
 TEST(Encoding, AMarkTabsAndTheLineEndsOfWindowsAreFine) {

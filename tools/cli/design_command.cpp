@@ -184,8 +184,10 @@ Command add_design(CLI::App& app) {
       ->add_option("--best", options->settings.best,
                    "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
       ->check(CLI::Range(1, 10));
-  command->add_option("--seed", options->settings.seed,
-                      "of the random starts (default 1): the same seed, the same result");
+  command
+      ->add_option("--seed", options->settings.seed,
+                   "of the random starts (default 1): the same seed, the same result")
+      ->check(not_negative());
   command
       ->add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
       ->check(positive_number());

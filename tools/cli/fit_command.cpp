@@ -2,6 +2,7 @@
 #include "fit_report.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "status_line.hpp"
 
@@ -181,8 +182,10 @@ Command add_fit(CLI::App& app) {
       ->add_option("--starts", options->settings.starts,
                    "searches (default 12 where all variables have bounds, else 1)")
       ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options->settings.seed,
-                      "of the random starts (default 1): the same seed, the same result");
+  command
+      ->add_option("--seed", options->settings.seed,
+                   "of the random starts (default 1): the same seed, the same result")
+      ->check(not_negative());
   add_threads_option(*command, options->settings.threads);
   command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
   command->final_callback([options] {

@@ -17,6 +17,14 @@ namespace higherpair::cli {
   return {objection, "POSITIVE"};
 }
 
+/// Requires an option to be an integer >= 0; the parser would take the sign of -1 for a large number.
+[[nodiscard]] inline CLI::Validator not_negative() {
+  return {[](const std::string& text) -> std::string {
+            return text.starts_with('-') ? "'" + text + "' is negative" : "";
+          },
+          ""};
+}
+
 /// Requires an option to be a finite number.
 [[nodiscard]] inline CLI::Validator finite_number() {
   const auto objection = [](const std::string& text) -> std::string {

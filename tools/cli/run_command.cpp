@@ -83,6 +83,17 @@ std::vector<std::string> event_lines(const std::vector<Event>& events, const Mod
   return lines;
 }
 
+// What the library calls the setting `columns`, or an override, is an option here: "setting columns driver"
+// is
+// `--columns driver`, "override driver.end=3" is `--set driver.end=3`.
+std::string in_options(const std::string& source) {
+  constexpr std::string_view kSetting = "setting ";
+  constexpr std::string_view kOverride = "override ";
+  return source.starts_with(kSetting)    ? "--" + source.substr(kSetting.size())
+         : source.starts_with(kOverride) ? "--set " + source.substr(kOverride.size())
+                                         : source;
+}
+
 // All outputs that are written while a run goes on.
 class Outputs {
 public:
@@ -231,7 +242,11 @@ int exit_unwritten() {
 }
 
 int report_error(const Error& error) {
-  fmt::print(stderr, "{}\n", to_string(error));
+  Error said = error;
+  for (Diagnostic& diagnostic : said.diagnostics) {
+    diagnostic.place.source = in_options(diagnostic.place.source);
+  }
+  fmt::print(stderr, "{}\n", to_string(said));
   switch (error.kind) {
     case ErrorKind::kInput:
       return kExitInput;
@@ -248,7 +263,8 @@ int exit_failed(const Error& error) {
 }
 
 void print_notes(const Diagnostics& notes, bool quiet) {
-  for (const Diagnostic& note : notes) {
+  for (Diagnostic note : notes) {
+    note.place.source = in_options(note.place.source);
     if (!quiet) fmt::print(stderr, "{}\n", note_text(note));
   }
 }

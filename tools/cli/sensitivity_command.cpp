@@ -2,6 +2,7 @@
 #include "number_text.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
+#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "sensitivity_report.hpp"
 #include "sweep/progress.hpp"
@@ -241,7 +242,7 @@ Command add_sensitivity(CLI::App& app) {
       ->add_option("--variants", options->variants,
                    "check the bands of [tolerances] by so many random variants, such as 100000")
       ->check(CLI::Range(kFewestVariants, kMostToleranceVariants));
-  command->add_option("--seed", options->seed, "other random variants (default 1)");
+  command->add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
   command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   command->add_option("--samples", options->settings.samples, "number of rows");

@@ -64,7 +64,7 @@ struct LawDescription {
   SplineEnds ends = SplineEnds::kNatural;
   double period = 0;     ///< of a periodic spline; 0: the last point repeats the first one a period later
   double smoothing = 0;  ///< how far the spline may miss a point; 0: it passes through all of them
-  /// Whether the law repeats before its begin and after its end. If it ends higher than it begins, every
+  /// Whether the law repeats before its beginning and after its end. If it ends higher than it begins, every
   /// repetition begins higher.
   bool repeats = false;
 };

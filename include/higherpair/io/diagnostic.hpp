@@ -10,9 +10,10 @@ namespace higherpair {
 
 /// A place in the user's input.
 struct Place {
-  std::string source;  ///< a file's name, or the option `--set PATH=VALUE` itself
-  int line = 0;        ///< from 1; 0: the whole source is meant
-  int column = 0;      ///< from 1, in characters; 0 with line 0
+  /// A file's name; or "override PATH=VALUE"; or a setting and its value, "setting columns follower.*".
+  std::string source;
+  int line = 0;    ///< from 1; 0: the whole source is meant
+  int column = 0;  ///< from 1, in characters; 0 with line 0
 };
 
 /// One mistake in the user's input: what is wrong and what is expected.

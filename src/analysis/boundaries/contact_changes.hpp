@@ -17,7 +17,7 @@ namespace higherpair {
 
 /// How far a run has come on a path. It remembers recent changes so that none happens twice at one place.
 struct OnPath {
-  /// At the begin of the path.
+  /// At the beginning of the path.
   OnPath(Run& run_on_it, const Path& its_path);
 
   Run& run;

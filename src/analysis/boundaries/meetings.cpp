@@ -308,7 +308,7 @@ private:
   const Boundary& boundary1_;
   const Boundary& boundary2_;
   double depth_;                               // a smaller depth is a touch
-  std::optional<std::array<int, 2>> corners_;  // where the contact is at the begin, if it is at two
+  std::optional<std::array<int, 2>> corners_;  // where the contact is at the start, if it is at two
   ContactMeeting found_;
   std::optional<StateAside> aside_;  // set once run.work.trial is used for other positions
 };

@@ -24,7 +24,7 @@ struct Meeting {
 /// Where else the two bodies of a contact meet in a step.
 struct ContactMeeting {
   std::optional<Meeting> first;  ///< none if the bodies do not overlap anywhere
-  /// The other places at which smooth parts touch without overlapping, at the step's begin and end.
+  /// The other places at which smooth parts touch without overlapping, at the step's beginning and end.
   std::vector<NearPlace> sharing_before, sharing_after;
 };
 

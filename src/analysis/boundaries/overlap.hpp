@@ -11,7 +11,7 @@ namespace higherpair {
 /// is everywhere more curved than the ring around it.
 [[nodiscard]] std::vector<OverlapWatch> watched_contacts(const Mechanism& mechanism);
 
-/// At the start of a run, or where a branch is taken up again: sets which bodies overlap in run.at.state.
+/// At the start of a run, or where the motion is resumed: sets which bodies overlap in run.at.state.
 void renew_overlaps(Run& run);
 
 /// Sets run.work.overlaps: which touching bodies overlap elsewhere in run.work.trial. For boundaries, whose

@@ -11,7 +11,7 @@
 
 namespace higherpair {
 
-/// The places other than their contact at which two bodies touch at the begin and at the end of a step.
+/// The places other than their contact at which two bodies touch at the beginning and at the end of a step.
 struct SharedTouch {
   std::size_t contact = 0;
   std::vector<NearPlace> before, after;

@@ -48,7 +48,7 @@ public:
   /// position there, which has no rates, and run.at.drivers to where run.at.state is, short of it.
   [[nodiscard]] bool look_for(std::size_t g, double s, double h);
 
-  /// Whether the end of the path is just before the limit, so near that no step to there can be judged:
+  /// Whether the end of the path is just before the limit, so near that no step to it can be verified:
   /// run.at.beside is then set to the position there, and run.at.drivers to where run.at.state is, at s. \pre
   /// is_known()
   [[nodiscard]] bool rests_before(double s);

@@ -135,7 +135,7 @@ private:
       return std::abs(step_) / 2;
     }
     if (near_crossing_ && !last_ && !limit_.is_known() && std::abs(step_) > kLongStep * at_.scale) {
-      return 0.618 * std::abs(step_);
+      return kShorterByCrossing * std::abs(step_);
     }
     if (last_ && (near_crossing_ || !ok)) {
       // End at a position to interpolate from, near enough to be certainly on the same branch.
@@ -268,7 +268,7 @@ private:
     const RunEvent event = limit_event(run_, limit.group, path_, limit.s);
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
-    // From where rates have their digits the motion can be taken up again.
+    // The motion can be resumed from where rates still have their digits.
     at_.s = limit_.go_back_from_far().value_or(at_.s);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
     forget_strokes_beside(event);

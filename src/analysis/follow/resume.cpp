@@ -18,7 +18,7 @@
 #include <optional>
 #include <utility>
 
-// Takes up the motion again beyond a limit at which it was lost. A stretch is a range of the drivers in which
+// Resumes the motion beyond the limit where it was lost. A stretch is a range of the drivers in which
 // the branch can be assembled.
 
 namespace higherpair {
@@ -58,8 +58,8 @@ bool has_coupled_far_out(const Run& run) {
   return farthest_coupled(model_of(run), run.at.state) > kCoupledFarOut * run.plan().size;
 }
 
-// Whether the drivers are at the limit, to within half of the tolerance of a row there, or have come back
-// from it towards where the motion came from.
+// Whether the drivers are at the limit, to within half of the tolerance of a row there, or have reversed away
+// from it.
 bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
@@ -88,7 +88,7 @@ Path part_of_path(const Run& run, const std::vector<double>& from, const std::ve
   return path;
 }
 
-// The motion is taken up again behind a gap, in which arcs along the curves are not measured.
+// The motion is resumed beyond a gap, in which arcs along the curves are not measured.
 void hold_again(Run& run) {
   renew_overlaps(run);
   for (OverlapWatch& watch : run.at.watches) {
@@ -110,18 +110,19 @@ bool follow_part(Run& run, const Path& path, double first_step = kInf) {
   return follow(run, path, first_step);
 }
 
-// Continues the motion from where it was lost, after the drivers have come back from the limit.
+// Continues the motion from where it was lost, after the drivers have reversed away from the
+// limit.
 bool come_back(Run& run, const std::vector<double>& drivers) {
   const Path path = part_of_path(run, run.at.lost.from, drivers);
   hold_again(run);
   report_limit(run, path, run.at.lost.event);
   const double to_limit = distance_between(run, run.at.lost.from, run.at.lost.at);
-  return follow_part(run, path, std::max(to_limit, kNearestBegin) * unit_of(run, path));
+  return follow_part(run, path, std::max(to_limit, kShortestFirstStep) * unit_of(run, path));
 }
 
-// Whether a group is so near to its limit that its position is known to only half the digits. At a limit that
-// is hardly one (a pressure angle of 90 degrees where the follower is at rest) rounding alone creates and
-// removes such positions by the thousand.
+// Whether a group is so near to its limit that its position is known to only half the digits. At a degenerate
+// limit (a pressure angle of 90 degrees where the follower is at rest) rounding makes and removes thousands
+// of such positions.
 bool is_beside_limit(const State& state) {
   return std::any_of(state.groups.begin(), state.groups.end(), [](const GroupState& group) {
     return std::abs(group.sine) <= kTooNearLimit * group.lever;
@@ -228,7 +229,8 @@ public:
         to_(line.x_of(drivers)),
         searched_to_(line.x_of(line.begin())) {}
 
-  /// Takes up the stretch that contains x at its begin, if that is before the row, and follows it to the row.
+  /// Resumes at the beginning of the stretch that contains x, if that is before the row, and follows the
+  /// stretch to the row.
   /// `poles` limits how many other stretches may be looked for before it.
   Taken take_up(double x, int poles = kMostPoles);
 
@@ -244,7 +246,7 @@ private:
   Outlook outlook(double k);
   std::optional<double> placed_up_to(double k, const std::optional<Outlook>& before, const Outlook& here);
   Taken take_up_row();
-  bool come_to_begin(double x);
+  bool come_to_beginning(double x);
   Taken take_up_across(double pole, double begin, int poles);
   void go_on_from(const Run& back, const State& state, double from);
   bool follow_from(double from, double first_step);
@@ -253,11 +255,11 @@ private:
   const LineAhead& line_;
   const std::vector<double>& drivers_;
   Probes probes_;
-  bool couples_;                             // whether bodies are coupled
-  double to_;                                // x of the row
-  double searched_to_;                       // no stretch of the branch begins before this x
-  std::optional<double> begins_ahead_ = {};  // x beyond the row where one begins
-  std::vector<RunEvent> begin_events_ = {};  // the events at that begin
+  bool couples_;                                    // whether bodies are coupled
+  double to_;                                       // x of the row
+  double searched_to_;                              // no stretch of the branch begins before this x
+  std::optional<double> begins_ahead_ = {};         // x beyond the row where one begins
+  std::vector<RunEvent> events_at_beginning_ = {};  // the events where it begins
 };
 
 // Continues from a state of the stretch, at x = `from`. Adds the event of the limit at which the stretch
@@ -285,14 +287,14 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 // For a row next to the limit where a stretch begins. Placed directly, a position there has half its digits
 // only. It is therefore taken from the limit as solved for when the branch is followed back from within the
 // stretch; run.at.state then remains within.
-bool StretchSearch::come_to_begin(double x) {
+bool StretchSearch::come_to_beginning(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
   auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
   if (!inside || !inside->at.on_branch || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
     return false;
   }
   if (begins_ahead_) {
-    inside->events = begin_events_;
+    inside->events = events_at_beginning_;
   }
   const State lost = run_.at.state;
   const State& begin = inside->at.shown();
@@ -313,8 +315,8 @@ bool StretchSearch::follow_from(double from, double first_step) {
   return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
 }
 
-// At a pole one stretch ends where another begins, at `begin`. Takes up the former, from as near to the pole
-// as it can be followed from.
+// At a pole one stretch ends where another begins, at `begin`. Resumes on the former, from as near to the
+// pole as it can be followed from.
 Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
   for (double x = 2 * pole - begin; is_before(searched_to_, x) && is_before(x, begin);
        x = pole + 4 * (x - pole)) {
@@ -334,7 +336,7 @@ Taken StretchSearch::take_up(double x, int poles) {
   }
   const bool is_row = x == to_;
   if (is_row && is_beside_limit(run_.work.trial)) {
-    if (come_to_begin(x)) {
+    if (come_to_beginning(x)) {
       return Taken::kArrived;
     }
     (void)place_anew(run_, drivers_at(x));
@@ -354,16 +356,16 @@ Taken StretchSearch::take_up(double x, int poles) {
   if (!back || is_before(to_, begin)) {
     if (back) {
       begins_ahead_ = begin;
-      begin_events_ = back->events;
+      events_at_beginning_ = back->events;
     }
     return back ? Taken::kNotYet : Taken::kNot;
   }
   const RunPosition before = run_.at;
   const std::size_t events = run_.events.size();
   go_on_from(*back, back->at.state, begin);
-  const double to_limit =
-      back->at.on_branch ? kInf
-                         : std::max(std::abs(x_of(back->at.lost.at) - begin), kNearestBegin * line_.scale());
+  const double to_limit = back->at.on_branch ? kInf
+                                             : std::max(std::abs(x_of(back->at.lost.at) - begin),
+                                                        kShortestFirstStep * line_.scale());
   if (follow_from(begin, to_limit)) {
     return Taken::kArrived;
   }
@@ -450,8 +452,8 @@ Taken StretchSearch::take_up_row() {
   if (!couples_) {
     return take_up(to_);
   }
-  const bool at_begin = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kBesideBegin * line_.scale();
-  return at_begin && come_to_begin(to_) ? Taken::kArrived : Taken::kNot;
+  const bool at_beginning = begins_ahead_ && std::abs(*begins_ahead_ - to_) <= kAtBeginning * line_.scale();
+  return at_beginning && come_to_beginning(to_) ? Taken::kArrived : Taken::kNot;
 }
 
 // Has coupled bodies looked for from the limit at which they were lost: how near to it the steps have come
@@ -476,7 +478,7 @@ void look_from_limit(Run& run) {
   }
 }
 
-// Takes the motion up again where it first can be behind `from`.
+// Resumes the motion at the first possible position beyond `from`.
 Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
   if (is_stopped(run) || run.at.lost.for_good) {
     return Taken::kNot;

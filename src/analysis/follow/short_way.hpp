@@ -9,7 +9,7 @@ namespace higherpair {
 /// begins they are within half a turn of where the branch was lost. Does nothing where gears make whole turns
 /// of one body matter to others.
 /// \param lost   the last state before that range
-/// \param begin  run.at.state followed back to the begin of its stretch
+/// \param begin  run.at.state followed back to the beginning of its stretch
 void take_short_way(Run& run, const State& lost, const State& begin);
 
 }  // namespace higherpair

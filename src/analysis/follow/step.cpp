@@ -65,7 +65,7 @@ public:
 
   // A body's contact point, which may jump to another place of two nearly flat curves where the bodies hardly
   // feel it.
-  // \param travel  from begin to end along the boundary
+  // \param travel  from the step's beginning to its end along the boundary
   void add_travel(double travel, double v0, double v1) {
     const double mismatch = per_size_ * std::abs(travel - half_ * (v0 + v1));
     const double longest = per_size_ * (std::abs(travel) + std::abs(half_) * (std::abs(v0) + std::abs(v1)));

@@ -25,7 +25,7 @@ struct SeriesMotion {
   std::vector<bool> known;  ///< of the bodies: whether their series have been solved
   /// How near the conditions of a group that can cross are to losing their rank (LeastNormSolver).
   double least_sine = 1;
-  bool diverges = false;  ///< of partials: the parameter does away with a change point next to the row
+  bool diverges = false;  ///< of partials: changing the parameter removes the change point near the row
 
   [[nodiscard]] bool all_known() const { return std::find(known.begin(), known.end(), false) == known.end(); }
 };
@@ -91,7 +91,7 @@ template <class Series>
 /// solve_series() for run.row, except next to a change point. There the conditions divide rounding by the
 /// k-th power of the distance at order k; series through the change point itself do not (ChangePoint). They
 /// are along the path of a single driver; of several drivers along their motion in time, if that has no terms
-/// beyond the second order. Bodies whose series is rounding and cannot be had in this way are not known.
+/// beyond the second order. Bodies for which neither series is accurate are marked unknown.
 /// \param plan  of the run, or with held joints
 /// \param at    constant except for the drivers
 template <class D, int N>

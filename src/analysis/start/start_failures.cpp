@@ -29,9 +29,9 @@ std::string why_no_contact(FindStatus status, const Contact& contact) {
   return name +
          (contact.approach == Approach::kNearest
               ? "the two bodies do not touch, or only where they overlap as well, whatever the follower's "
-                "position, at the first driver position; change driver.start or the pose of the follower"
+                "position, at the first driver position; change that position or the pose of the follower"
               : "the two bodies do not touch at the first driver position, however far the follower is "
-                "moved that way from its pose; change its approach or pose, or driver.start");
+                "moved that way from its pose; change its approach or pose, or that position");
 }
 
 std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
@@ -42,7 +42,7 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
   if (end) {
     return fmt::format(
         "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
-        "driver.start, the dimensions or that end",
+        "that position, the dimensions or that end",
         run.mechanism().joints[end->joint].name, end->upper ? "to" : "from");
   }
   if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
@@ -52,16 +52,15 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
     const double limit = far ? reach : std::abs(dyad->length_a - dyad->length_b);
     return fmt::format(
         "bodies {} cannot be put together at the first driver position: their outer pins are {:.6g} times as "
-        "far apart as the two links {}; change driver.start or the lengths",
+        "far apart as the two links {}; change that position or the lengths",
         names_of(run.mechanism().bodies, group.bodies), distance / limit,
         far ? "reach together" : "differ in length");
   }
   const std::vector<int> phased = phase_bodies_of(run.plan(), group);
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
-      "there{}; give them the poses they have there (others may lead elsewhere), or change driver.start or "
-      "the "
-      "dimensions",
+      "there{}; give them the poses they have there (others may lead elsewhere), or change that position "
+      "or the dimensions",
       names_of(run.mechanism().bodies, group.bodies),
       phased.empty() ? ""
                      : fmt::format(" ({}, turned by rolling alone, with the angle of the pose)",

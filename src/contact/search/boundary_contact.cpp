@@ -57,7 +57,7 @@ public:
   }
 
   // Moves by ds along the tangent, or turns by dphi on a corner. Whether an end stops it.
-  // \param opposite  the other side: against a corner the contact does not rest at a kink
+  // \param opposite  the other side: if it is a corner, kinks are ignored
   bool advance(double ds, double dphi, const PairSide& opposite) {
     if (kink_) {
       turn_at_kink(dphi);

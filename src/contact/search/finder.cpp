@@ -57,7 +57,7 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
     return std::nullopt;
   }
   const Separation check = separation_at(pair, u, result.at.q, kFineGap * size);
-  if (!(std::abs(check.gap) <= 10 * kTouching * size)) {
+  if (!(std::abs(check.gap) <= kStillTouching * size)) {
     return std::nullopt;
   }
   return FindResult{FindStatus::kFound, result.at, branch};
@@ -107,7 +107,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
       }
     }
     last_gap = std::abs(here.gap);
-    q += direction * std::max((last_gap - error) * (1 - kFineGap), 0.1 * kTouching * size) / *bound;
+    q += direction * std::max((last_gap - error) * (1 - kFineGap), kLeastApproach * size) / *bound;
   }
   result.status = FindStatus::kNoContact;
   return result;

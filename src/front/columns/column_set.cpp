@@ -97,7 +97,7 @@ tl::expected<void, Diagnostic> ColumnSet::finish(const std::string& source) {
     const std::string& glob = globs_[unmatched - glob_matches_.begin()];
     const bool is_end = std::any_of(names_.begin(), names_.end(),
                                     [&](const std::string& name) { return name.ends_with("." + glob); });
-    return tl::unexpected(about("--columns " + glob,
+    return tl::unexpected(about("setting columns " + glob,
                                 "no column of this run has such a name; " +
                                     (is_end ? "did you mean `*." + glob + "`?" : suggestion(glob, names_))));
   }

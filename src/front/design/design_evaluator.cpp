@@ -19,8 +19,6 @@ double tightened(double off, bool idle) {
   return idle && off <= kConstraintTolerance ? off - kInside : off + kInside;
 }
 
-constexpr double kGoodPath = -0.01;  // value of the path constraint for a good path: not active
-
 // Values in place of undefined numbers, where a candidate does not work.
 constexpr double kMissing = 1e3;
 constexpr double kViolated = 1;

@@ -12,9 +12,8 @@
 namespace higherpair {
 namespace {
 
-constexpr int kMostPasses = 12;         // of Newton's method
-constexpr std::size_t kMostBegins = 4;  // places tried as the first of a closed path
-constexpr double kReachOfPlace = 1.5;   // steps between rows: how far a place may lie from its row
+constexpr int kMostPasses = 12;              // of Newton's method
+constexpr std::size_t kMostFirstPlaces = 4;  // places tried as the first of a closed path
 
 using Rows = std::vector<std::size_t>;
 
@@ -72,7 +71,7 @@ Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets)
     if (far(k) <= far(k + 1) && far(k) < far(k + n - 1)) begins.push_back(k);
   }
   std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
-  begins.resize(std::min(begins.size(), kMostBegins));
+  begins.resize(std::min(begins.size(), kMostFirstPlaces));
   Assignment best;
   std::size_t begin = 0;
   for (const std::size_t k : begins) {
@@ -130,7 +129,7 @@ public:
       const double slope = off.dot(v_);
       const double bend = v_.squaredNorm() + off.dot(a_);
       // Where the squared distance is not convex, the step downhill is that for a straight path.
-      const double step = -slope / (bend > 0.1 * v_.squaredNorm() ? bend : v_.squaredNorm());
+      const double step = -slope / (bend > kConvexDistance * v_.squaredNorm() ? bend : v_.squaredNorm());
       const double next = std::clamp(t + step, from, to);
       const bool done = !(std::abs(next - t) > kSharpestStep * reach);
       if (done || pass + 1 == kMostPasses) break;
@@ -294,7 +293,7 @@ private:
       const double on = (blocks[(k + 1) % blocks.size()].place.t - blocks[k].place.t) / lap;
       laps += on - std::floor(on);
     }
-    return laps < 1.5;
+    return laps < 1.5;  // a whole number to within rounding
   }
 
   // Places that have passed each other between rows become one: among places in order, the sum of squares of

@@ -28,10 +28,10 @@ RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const
   }
 }
 
-void RowReader::take(const std::vector<BodyMotion>& bodies, bool there, double driver, RowStatus status) {
+void RowReader::take(const std::vector<BodyMotion>& bodies, bool assembled, double driver, RowStatus status) {
   rows_.positions.push_back(driver);
   not_good_ += status == RowStatus::kOk ? 0 : 1;
-  if (there) {
+  if (assembled) {
     take_transmissions(bodies);
     take_extents(bodies);
   }
@@ -40,8 +40,8 @@ void RowReader::take(const std::vector<BodyMotion>& bodies, bool there, double d
     if (!objective.path) continue;
     const PointRef& ref = objective.path->ref;
     std::vector<Vector2d>& points = rows_.points[path++];
-    points.push_back(there || points.empty() ? bodies[ref.body].X_WB * point_of(mechanism_, ref)
-                                             : points.back());
+    points.push_back(assembled || points.empty() ? bodies[ref.body].X_WB * point_of(mechanism_, ref)
+                                                 : points.back());
   }
 }
 

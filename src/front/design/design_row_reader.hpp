@@ -12,12 +12,12 @@ class RowReader {
 public:
   RowReader(const DesignSetup& setup, const Mechanism& mechanism, const Plan& plan, DesignRows& rows);
 
-  /// \param there  whether the bodies could be positioned
-  void take(const std::vector<BodyMotion>& bodies, bool there, double driver, RowStatus status);
+  /// \param assembled  whether the bodies could be positioned
+  void take(const std::vector<BodyMotion>& bodies, bool assembled, double driver, RowStatus status);
   /// \param gaps  of each group of the plan, in the last row taken
   void take_gaps(const std::vector<std::optional<double>>& gaps);
   void take_gaps(const std::vector<BodyMotion>& bodies);
-  /// \param rows  on which the gap of this group depends; empty: on other places
+  /// \param rows  on which the gap of this group depends; empty: the gap lies between rows
   void take_gap(std::size_t group, double gap, const std::vector<WeightedRow>& rows);
   /// \param limits  number of events on the path that end it
   void finish(int limits);

@@ -20,7 +20,7 @@ DesignTask ranges_of(const DesignTask& task) {
   DesignTask ranges;
   for (DesignTask::Variable variable : task.variables) {
     DesignVariable& range = variable.range;
-    const double span = range.start != 0 ? 0.25 * std::abs(range.start) : 1;
+    const double span = range.start != 0 ? kUnboundedRange * std::abs(range.start) : 1;
     if (!std::isfinite(range.low)) range.low = std::min(range.start, range.high) - span;
     if (!std::isfinite(range.high)) range.high = std::max(range.start, range.low) + span;
     ranges.variables.push_back(std::move(variable));

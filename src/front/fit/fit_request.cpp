@@ -22,7 +22,7 @@ FitTask with_settings(FitTask task, const FitSettings& settings, Diagnostics& mi
     FitTask::Column column;
     column.column = name;
     column.offset = true;
-    column.place = {"--offset " + name, 0, 0};
+    column.place = {"setting offset " + name, 0, 0};
     task.columns.push_back(std::move(column));
   }
   if (std::string fault =

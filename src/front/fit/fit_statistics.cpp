@@ -251,8 +251,8 @@ Succession succession_of(const std::vector<double>& residuals) {
   }
   if (!(square > 0)) return succession;
   succession.correlation = product / square;
-  succession.systematic =
-      succession.correlation > 0.3 && succession.correlation * std::sqrt(static_cast<double>(n)) > 4;
+  succession.systematic = succession.correlation > kSuccessionWorthSaying &&
+                          succession.correlation * std::sqrt(static_cast<double>(n)) > kSureSuccession;
   return succession;
 }
 

@@ -12,12 +12,12 @@ namespace higherpair {
 namespace {
 
 // By how much a step has to exceed the neighbouring ones to be a jump; none: the values are continuous at
-// such an event. Behind the end of a branch the motion is on another one, whatever the size of the step.
+// such an event. After a branch ends, the motion is on another branch even if the step is small.
 std::optional<double> least_growth(EventType type) {
   switch (type) {
     case EventType::kLimitPosition:
     case EventType::kEnd:
-      return 1.5;
+      return kStepOntoBranch;
     case EventType::kSecondContact:
     case EventType::kContactOpen:
     case EventType::kCurvatureJump:
@@ -25,7 +25,7 @@ std::optional<double> least_growth(EventType type) {
     case EventType::kEngage:
     case EventType::kRelease:
     case EventType::kLawJump:
-      return 4;
+      return kStepOfJump;
     case EventType::kDeadPoint:
     case EventType::kStrokeEnd:
     case EventType::kConforming:

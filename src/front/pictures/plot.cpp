@@ -16,13 +16,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Replaces `--columns` in errors of the run by the plot's own option.
+// Replaces the run's setting `columns` in errors by that of the plot.
 Error renamed(Error error, const std::string& x) {
   for (Diagnostic& diagnostic : error.diagnostics) {
-    const std::string before = "--columns ";
+    const std::string before = "setting columns ";
     if (diagnostic.place.source.starts_with(before)) {
       const std::string name = diagnostic.place.source.substr(before.size());
-      diagnostic.place.source = (name == x ? "--x " : "--y ") + name;
+      diagnostic.place.source = (name == x ? "setting x " : "setting y ") + name;
     }
   }
   return error;
@@ -48,7 +48,7 @@ Result<Names> y_columns(const std::vector<Column>& columns, const Names& globs) 
       if (!contains(names, column.name)) names.push_back(column.name);
     }
     if (!found) {
-      return wrong(Place{"--y " + glob}, "this column holds words; a plot needs numbers");
+      return wrong(Place{"setting y " + glob}, "this column holds words; a plot needs numbers");
     }
   }
   return names;
@@ -88,10 +88,10 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
   const std::string driver_column = driver_name(model.mechanism().drivers.front());
   const std::string x_name = settings.x.value_or(settings.run.in_time ? "time" : driver_column);
   if (settings.y.empty()) {
-    return wrong(Place{"--y"}, "names no column; expected at least one, such as --y 'driver.velocity'");
+    return wrong(Place{"setting y"}, "names no column; expected at least one, such as `driver.velocity`");
   }
   if (x_name.find_first_of("*?") != std::string::npos) {
-    return wrong(Place{"--x " + x_name}, "expected the name of one column");
+    return wrong(Place{"setting x " + x_name}, "expected the name of one column");
   }
   RunSettings run = settings.run;
   run.columns = settings.y;
@@ -106,7 +106,7 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
     return tl::unexpected(names.error());
   }
   if (!analysis->columns()[column_slot(analysis->columns(), x_name)].words.empty()) {
-    return wrong(Place{"--x " + x_name}, "this column holds words; a plot needs numbers");
+    return wrong(Place{"setting x " + x_name}, "this column holds words; a plot needs numbers");
   }
   MotionPlot plot;
   plot.notes = analysis->notes();

@@ -368,7 +368,7 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   extreme.jumps = jumps_at(column, *found, spread);
   const double noise = rounding_of(columns_, column);
   const double same = std::max(kSameResult * spread, noise);
-  const double worth = std::abs(extreme.value) + spread;  // accept everything: rivals are named however small
+  const double worth = std::abs(extreme.value) + spread;  // keep every rival, however small
   const double rounding = std::max(noise, kResultRounding * std::abs(extreme.value));
   int number = 0;
   for (const Sampled::Stretch& stretch : sampled->stretches(column, sign, extreme.value, rounding)) {

@@ -59,7 +59,7 @@ Result<std::vector<ProfileNumber>> chosen_by(const std::vector<std::string>& glo
       for (const auto& quantity : quantities) {
         if (!is_of_task(quantity.path)) paths.push_back(quantity.path);
       }
-      return wrong(Place{"--by " + glob},
+      return wrong(Place{"setting by " + glob},
                    fmt::format("no number of the profile has such a path; {}", suggestion(glob, paths)));
     }
   }
@@ -139,7 +139,7 @@ std::vector<NamedMeasure> default_results(const Model& model) {
 }
 
 Result<NamedMeasure> measure_from(const std::string& text) {
-  const Place place{"--results " + text};
+  const Place place{"setting results " + text};
   const std::size_t colon = text.rfind(':');
   const std::vector<std::string> kinds(kMeasureNames.begin(), kMeasureNames.end());
   if (colon == std::string::npos || colon == 0) {

@@ -112,7 +112,7 @@ private:
       if (std::none_of(table.columns.begin(), table.columns.end(),
                        [&](const Column& column) { return matches(glob, column.name); })) {
         return Error{ErrorKind::kInput,
-                     {about("--columns " + glob,
+                     {about("setting columns " + glob,
                             "has no derivatives: columns of words have none, and the residual is rounding")}};
       }
     }

@@ -84,10 +84,18 @@ void for_each_number(const Table& document,
 [[nodiscard]] tl::expected<Value, Diagnostic> parse_document(std::string_view text,
                                                              const std::string& source_name);
 
+/// A document with an override.
+struct Overridden {
+  Value document;
+  /// If the path leads through a table that was not there but whose name is near to one that was: "there is
+  /// no `disk` in bodies.cam.curves; did you mean `disc`?". Else empty.
+  std::string doubt;
+};
+
 /// Sets the key named by "PATH=VALUE" in `document`; everything set is marked with source `number`. The error
 /// tells what is wrong with the path.
-[[nodiscard]] tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment,
-                                                              int number);
+[[nodiscard]] tl::expected<Overridden, std::string> apply_override(Value document,
+                                                                   std::string_view assignment, int number);
 
 /// The VALUE of an override: TOML where it can be parsed as such, otherwise a string.
 [[nodiscard]] Value parse_override_value(std::string_view text, int number);

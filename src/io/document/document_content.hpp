@@ -13,6 +13,7 @@ struct ProfileDocument::Content {
   std::string text;                    ///< as given to the parser
   std::vector<std::string> overrides;  ///< applied so far
   std::vector<std::string> sources;    ///< what messages call the text and each override, by Mark::source
+  std::vector<std::string> doubts;     ///< Overridden::doubt of each override
 };
 
 }  // namespace higherpair

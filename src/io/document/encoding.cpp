@@ -27,6 +27,16 @@ std::string not_utf8(unsigned byte) {
                      byte, meant, kSaveAsUtf8);
 }
 
+// Whether the start of a file has control characters: programs and compressed files do, texts in whatever
+// encoding do not.
+bool has_controls(std::string_view text) {
+  constexpr std::size_t kLooked = 4096;
+  const std::string_view start = text.substr(0, kLooked);
+  return std::any_of(start.begin(), start.end(), [](char c) {
+    return (c >= '\0' && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f') || c == '\x7f';
+  });
+}
+
 }  // namespace
 
 // Detects UTF-16 and UTF-32 by their byte order marks, or else by the zero bytes that ASCII letters have in
@@ -83,7 +93,11 @@ std::optional<Mistake> encoding_mistake(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = character_length(text.substr(i));
     if (length == 0) {
-      return Mistake{mark_at(text, i), not_utf8(byte_of(text, i))};
+      return Mistake{mark_at(text, i),
+                     has_controls(text) ? fmt::format("the byte 0x{:02X} and control characters: this is no "
+                                                      "text file",
+                                                      byte_of(text, i))
+                                        : not_utf8(byte_of(text, i))};
     }
     if (text[i] == '\0') {
       return Mistake{mark_at(text, i), "a zero byte: this is no text file"};

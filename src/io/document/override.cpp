@@ -1,5 +1,6 @@
 #include "document.hpp"
 #include "encoding.hpp"
+#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/names.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -75,6 +76,29 @@ Step descend(Value& value, const std::string& part, const Mark& mark) {
       fmt::format("there is no `{}` in {}, which is {}", part, text_of(value), kind_of(value)));
 }
 
+// What is to be said of the path if the document cannot be read with it (see Overridden::doubt). The last
+// part is a key, whose names are known to the reader.
+std::string doubt_about(const Value& document, std::span<const std::string> parts) {
+  const Value* value = &document;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    const Value* const next = find_part(*value, parts[i]);
+    if (next != nullptr) {
+      value = next;
+      continue;
+    }
+    const auto* table = std::get_if<Table>(&value->content);
+    std::vector<std::string> names;
+    for (const Entry& entry : table == nullptr ? Table() : *table) {
+      names.push_back(entry.key);
+    }
+    const std::string likely = i == 0 ? "" : did_you_mean(parts[i], names);
+    return likely.empty()
+               ? ""
+               : fmt::format("there is no `{}` in {}; {}", parts[i], fmt::join(parts.first(i), "."), likely);
+  }
+  return "";
+}
+
 }  // namespace
 
 const Value* find_part(const Value& value, std::string_view part) {
@@ -95,7 +119,8 @@ Value* find_path(Value& document, std::string_view path) {
   return value;
 }
 
-tl::expected<Value, std::string> apply_override(Value document, std::string_view assignment, int number) {
+tl::expected<Overridden, std::string> apply_override(Value document, std::string_view assignment,
+                                                     int number) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) {
     return tl::unexpected(std::string("expected PATH=VALUE, such as driver.samples=721"));
@@ -104,7 +129,9 @@ tl::expected<Value, std::string> apply_override(Value document, std::string_view
     return tl::unexpected(std::string("is not UTF-8, as all texts of a profile are"));
   }
   Value* target = &document;
-  for (const std::string& part : split_path(assignment.substr(0, equals))) {
+  const std::vector<std::string> parts = split_path(assignment.substr(0, equals));
+  const std::string doubt = doubt_about(document, parts);
+  for (const std::string& part : parts) {
     const Step next = descend(*target, part, {number, 0, 0});
     if (!next) {
       return tl::unexpected(next.error());
@@ -112,7 +139,7 @@ tl::expected<Value, std::string> apply_override(Value document, std::string_view
     target = *next;
   }
   *target = parse_override_value(trimmed(assignment.substr(equals + 1)), number);
-  return document;
+  return Overridden{std::move(document), doubt};
 }
 
 }  // namespace higherpair::io_detail

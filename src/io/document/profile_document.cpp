@@ -27,7 +27,7 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::parse(std::string_vi
     return tl::unexpected(Diagnostics{root.error()});
   }
   return ProfileDocument(
-      std::make_shared<const Content>(Content{*std::move(root), std::string(text), {}, {source_name}}));
+      std::make_shared<const Content>(Content{*std::move(root), std::string(text), {}, {source_name}, {}}));
 }
 
 tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
@@ -38,13 +38,14 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
   Content content = *content_;
   for (const std::string& assignment : overrides) {
     content.overrides.push_back(assignment);
-    content.sources.push_back("--set " + io_detail::visible(assignment));
+    content.sources.push_back("override " + io_detail::visible(assignment));
     auto changed = io_detail::apply_override(std::move(content.root), assignment,
                                              static_cast<int>(content.sources.size()) - 1);
     if (!changed) {
       return tl::unexpected(Diagnostics{about(content.sources.back(), changed.error())});
     }
-    content.root = *std::move(changed);
+    content.root = std::move(changed->document);
+    content.doubts.push_back(std::move(changed->doubt));
   }
   return ProfileDocument(std::make_shared<const Content>(std::move(content)));
 }

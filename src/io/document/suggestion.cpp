@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostSuggestions = 3;
 constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kShortestMisspelt = 5;  // of synonyms; shorter words are near to too many others
 constexpr std::size_t kLongestCompared = 64;  // comparing takes time ~ length²
 
 bool same_letter(char a, char b) {
@@ -46,9 +47,13 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// One wrong letter is always allowed, and one more for every four letters.
-bool is_near(int distance, std::string_view name) {
-  return distance <= 1 + static_cast<int>(name.size() / 4) && distance < static_cast<int>(name.size());
+// One wrong letter is always allowed, and one more for every four letters; where that is half of the name,
+// only if the first letter is right.
+bool is_near(int distance, std::string_view name, std::string_view candidate) {
+  const int size = static_cast<int>(name.size());
+  const bool begins_alike = !candidate.empty() && !name.empty() && same_letter(name[0], candidate[0]);
+  return distance <= 1 + size / 4 && distance < size &&
+         (distance <= 1 || 2 * distance < size || begins_alike);
 }
 
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& existing) {
@@ -61,7 +66,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
     const int distance = edit_distance(name, candidate);
     const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a dot may be missing here
     const bool cut_short = name.size() >= 3 && candidate.starts_with(name);
-    if (is_near(distance, name) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
+    if (is_near(distance, name, candidate) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
     }
   }
@@ -123,8 +128,8 @@ constexpr Synonyms kSynonyms[] = {
     {"inside", "in inner interior convex solid"},
     {"outside", "out outer exterior concave hole hollow"},
     // Joints and contacts.
-    {"revolute", "pin hinge pivot rotary rotational rotation turning pinned bearing"},
-    {"prismatic", "slider slide sliding translational translation linear piston guide"},
+    {"revolute", "r pin hinge pivot rotary rotational rotation turning pinned bearing"},
+    {"prismatic", "p slider slide sliding translational translation linear piston guide"},
     {"slot", "pin_in_slot pin_slot pinslot slotted half_joint"},
     {"gears", "gear gear_pair gearing"},
     {"belt", "chain pulley pulleys toothed_belt belt_drive"},
@@ -216,21 +221,23 @@ std::string normal_word(std::string_view name) {
   return word;
 }
 
-bool is_among(std::string_view word, std::string_view words) {
+// Whether a word is among `words`, but for so many wrong letters.
+bool is_among(std::string_view word, std::string_view words, int wrong) {
   while (!words.empty()) {
     const std::string_view next = words.substr(0, words.find(' '));
-    if (next == word) return true;
+    if (wrong == 0 ? next == word : edit_distance(next, word) <= wrong) return true;
     words.remove_prefix(std::min(words.size(), next.size() + 1));
   }
   return false;
 }
 
-// The existing names that `name` is a synonym of.
-std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& existing) {
+// The existing names that `name` is a synonym of, but for so many wrong letters.
+std::vector<std::string> meant(std::string_view name, const std::vector<std::string>& existing,
+                               int wrong = 0) {
   const std::string word = normal_word(name);
   std::vector<std::string> names;
   for (const Synonyms& synonyms : kSynonyms) {
-    if (is_among(word, synonyms.others) && contains(existing, synonyms.word)) {
+    if (is_among(word, synonyms.others, wrong) && contains(existing, synonyms.word)) {
       names.push_back(fmt::format("`{}`", synonyms.word));
     }
   }
@@ -245,6 +252,9 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   std::vector<std::string> names = meant(name, existing);
   if (names.empty()) {
     names = nearest(name, existing);
+  }
+  if (names.empty() && name.size() >= kShortestMisspelt) {
+    names = meant(name, existing, 1);
   }
   return names.empty() ? "" : fmt::format("did you mean {}?", joined_words(names, " or "));
 }

@@ -46,10 +46,54 @@ bool is_driven_body(const Mechanism& mechanism, int body) {
   });
 }
 
-// All bodies are drawn together in the frame of ground; such a drawing need not show the start position.
+// Whether all bodies are described in the frame of ground, with no pose of their own: such a description need
+// not be in the start position.
 bool is_drawing(const Mechanism& mechanism) {
   return std::all_of(mechanism.bodies.begin(), mechanism.bodies.end(),
                      [](const Body& body) { return body.guess_p_WB.isZero(0) && body.guess_theta == 0; });
+}
+
+bool slides(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+    return joint.type == JointType::kPrismatic && (joint.first.body == body || joint.second.body == body);
+  });
+}
+
+// The size of the mechanism as it has been assembled.
+double assembled_size(Mechanism mechanism, const std::vector<BodyMotion>& bodies) {
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    mechanism.bodies[i].guess_p_WB = bodies[i].X_WB.p_WB;
+    mechanism.bodies[i].guess_theta = bodies[i].theta;
+  }
+  return size_of(mechanism);
+}
+
+// What is to be changed for a driver to start elsewhere.
+struct StartKey {
+  std::string path;
+  double shift = 0;  // to be added to the driver's first position, in its unit
+};
+
+StartKey start_key(const Profile& profile, std::size_t driver) {
+  const std::string path = driver_path(profile.mechanism.drivers[driver]);
+  if (profile.programs.empty()) {
+    return {path + ".start"};
+  }
+  const DriverProgram& program = profile.programs[driver];
+  if (!program.positions.empty()) {
+    return {path + ".positions"};
+  }
+  if (!program.law) {
+    return {path + ".start"};
+  }
+  const auto& laws = profile.mechanism.laws;
+  const auto named = std::find_if(
+      laws.begin(), laws.end(), [&](const NamedLaw& law) { return program.law_name == "laws." + law.name; });
+  const bool has_start = named != laws.end() && !named->law.segments.empty() &&
+                         named->law.segments.front().type != LawType::kPolynomial;
+  return has_start ? StartKey{program.law_name + ".start",
+                              (*program.law)(program.law->begin()) - (*program.law)(0.0)}
+                   : StartKey{program.law_name + " at time 0"};
 }
 
 // "from 65.835 to 294.16": few digits, rounded so that they stay within the range; "180" for a range without
@@ -70,11 +114,15 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
   if (is_drawing(mechanism)) {
     return notes;
   }
-  const double size = size_of(mechanism);
+  const double assembled = assembled_size(mechanism, bodies);
+  const double posed = size_of(mechanism);
   const auto length = [&](double metres) { return with_unit(metres, dimension::kLength, profile.units, 4); };
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     const Moved moved = farthest(body, bodies[i].X_WB);
+    // Wrong poses make the size too large. But the pose of a body that slides, such as a follower, may well
+    // be elsewhere on its guide.
+    const double size = slides(mechanism, static_cast<int>(i)) ? std::max(assembled, posed) : assembled;
     if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
       notes.push_back(about(profile.source,
                             fmt::format("bodies.{}: {} is {} from where the pose has it at the start, in a "
@@ -121,18 +169,18 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   if (!ranges) {
     return "";
   }
-  const std::string key = driver_path(mechanism.drivers.front()) + ".start";
+  const StartKey key = start_key(profile, 0);
   if (ranges->empty()) {
-    return fmt::format("; it can be with no other {} that was tried", key);
+    return fmt::format("; it can be with no other {} that was tried", key.path);
   }
   const Dimension dimension = driver_dimension(mechanism);
   const Scaling scaling = from_si(dimension, profile.units);
   std::string text;
   for (const StartRange& range : *ranges) {
-    text +=
-        (text.empty() ? "" : " or ") + rounded_inwards(scaling.apply(range.low), scaling.apply(range.high));
+    text += (text.empty() ? "" : " or ") +
+            rounded_inwards(scaling.apply(range.low) + key.shift, scaling.apply(range.high) + key.shift);
   }
-  return fmt::format("; it can be with {} {} {}", key, text, unit_text(dimension, profile.units));
+  return fmt::format("; it can be with {} {} {}", key.path, text, unit_text(dimension, profile.units));
 }
 
 }  // namespace higherpair

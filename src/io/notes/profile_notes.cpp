@@ -113,9 +113,10 @@ private:
     const double written = std::hypot(*x, *y);
     const double share = mechanism_.gravity_W.norm() / kEarth;
     constexpr double kNumbers[] = {kEarth, 100 * kEarth, 1000 * kEarth, kEarth / 0.3048, kEarth / 0.0254};
-    const bool is_earths = std::any_of(std::begin(kNumbers), std::end(kNumbers),
-                                       [&](double number) { return is_near(written, number, 0.02); });
-    if (is_earths && !is_near(share, 1, 0.05)) {
+    const bool is_earths = std::any_of(std::begin(kNumbers), std::end(kNumbers), [&](double number) {
+      return is_near(written, number, kEarthsNumber);
+    });
+    if (is_earths && !is_near(share, 1, kEarthsGravity)) {
       add_with_value(
           "gravity",
           fmt::format("{:.3g} times the earth's: numbers here are in {}, in which the earth's is {:.6g}; or "

@@ -107,6 +107,19 @@ Diagnostics diagnostics_of(Reading reading) {
   return diagnostics;
 }
 
+// Of an override whose path is doubtful, says that instead of what is wrong with the table that it has made.
+void doubt(const std::vector<std::string>& doubts, std::vector<io_detail::Mistake>& mistakes) {
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    const int source = static_cast<int>(i) + 1;
+    const auto is_of_it = [&](const io_detail::Mistake& mistake) { return mistake.mark.source == source; };
+    if (doubts[i].empty() || std::none_of(mistakes.begin(), mistakes.end(), is_of_it)) {
+      continue;
+    }
+    std::erase_if(mistakes, is_of_it);
+    mistakes.push_back({{source, 0, 0}, doubts[i]});
+  }
+}
+
 }  // namespace
 
 tl::expected<Profile, Diagnostics> ProfileDocument::read() const {
@@ -135,6 +148,7 @@ tl::expected<Profile, Diagnostics> ProfileDocument::read(bool with_notes) const 
   reading.advises = with_notes;
   Profile profile = read_document(content_->root, reading);
   if (!reading.mistakes.empty()) {
+    doubt(content_->doubts, reading.mistakes);
     return tl::unexpected(diagnostics_of(std::move(reading)));
   }
   profile.source = content_->sources.front();

@@ -1,6 +1,8 @@
+#include "higherpair/numeric/contains.hpp"
 #include "reading.hpp"
 
 #include <array>
+#include <string_view>
 
 namespace higherpair::io_detail {
 namespace {
@@ -8,7 +10,24 @@ namespace {
 constexpr std::array<JointType, 5> kJointTypes = {JointType::kRevolute, JointType::kPrismatic,
                                                   JointType::kSlot, JointType::kGears, JointType::kBelt};
 
+constexpr std::array<std::string_view, 5> kFixed = {"fixed", "weld", "welded", "rigid", "bonded"};
+
+// Whether the table has a type that other programs give to bodies fixed to each other; then says what to do.
+bool refuses_fixed(TableReader& table) {
+  const auto item = table.take("type");
+  const auto* text = item ? std::get_if<std::string>(&item->value->content) : nullptr;
+  if (text == nullptr || !contains(kFixed, *text)) {
+    return false;
+  }
+  report(table.reading(), *item,
+         "bodies that are fixed to each other are one body: give it the points and curves of both");
+  return true;
+}
+
 std::optional<JointType> read_type(TableReader& table) {
+  if (refuses_fixed(table)) {
+    return std::nullopt;
+  }
   const auto choice = table.need_type("revolute, prismatic, slot, gears or belt",
                                       {"revolute", "prismatic", "slot", "gears", "belt"});
   return choice ? std::optional(kJointTypes[*choice]) : std::nullopt;

@@ -24,7 +24,8 @@ bool is_turning(const Profile& profile, std::size_t driver) {
 Diagnostics mistakes_of_option(std::optional<std::int64_t> samples) {
   Diagnostics mistakes;
   if (samples && (*samples < 1 || *samples > DriverSchedule::kMostRows)) {
-    mistakes.push_back(about("--samples " + std::to_string(*samples), "must be an integer from 1 to 2^53"));
+    mistakes.push_back(
+        about("setting samples " + std::to_string(*samples), "must be an integer from 1 to 2^53"));
   }
   return mistakes;
 }
@@ -45,7 +46,8 @@ tl::expected<std::int64_t, Diagnostic> analyze_rows(const Profile& profile, std:
   };
   const DriverProgram& program = profile.programs[driver];
   if (!program.positions.empty()) {
-    if (option) return fail("positions", "are given one by one: --samples has no meaning for them");
+    if (option)
+      return fail("positions", "are given one by one: another number of rows (samples) has no meaning");
     return static_cast<std::int64_t>(program.positions.size());
   }
   const auto samples = option ? option : program.samples;
@@ -125,10 +127,11 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::analyze(const Profile&
       return tl::unexpected(Diagnostics{rows.error()});
     }
     if (i > 0 && *rows != schedule.size_) {
-      return tl::unexpected(Diagnostics{mistake(
-          profile, i, "samples",
-          fmt::format("gives {} positions where the first driver has {}: all drivers need equally many",
-                      *rows, schedule.size_))});
+      const bool listed = !profile.programs[i].positions.empty();
+      return tl::unexpected(Diagnostics{
+          mistake(profile, i, listed ? "positions" : "samples",
+                  fmt::format("{} {} positions where the first driver has {}: all drivers need equally many",
+                              listed ? "are" : "gives", *rows, schedule.size_))});
     }
     schedule.size_ = *rows;
   }

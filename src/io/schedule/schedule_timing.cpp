@@ -131,8 +131,8 @@ tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optiona
     samples = *given;
   }
   if (!samples && !time_step) {
-    errors.push_back(
-        mistake(profile, 0, "time_step", "is missing: give the time between two rows, or --samples"));
+    errors.push_back(mistake(profile, 0, "time_step",
+                             "is missing: give the time between two rows, or the number of rows (samples)"));
   }
   if (!errors.empty()) {
     return tl::unexpected(errors);

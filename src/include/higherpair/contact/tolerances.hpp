@@ -7,7 +7,8 @@
 
 // Tolerances of contact analysis. Unless stated otherwise they are relative to what they are compared with:
 // to the size of the pair or of the curves, to a radian, or to the unit of a coordinate (a radian, or the
-// size).
+// size). The coordinate of the driver is u, that of the follower q; n is the common normal of the two curves
+// and φ its angle.
 
 namespace higherpair {
 
@@ -15,12 +16,13 @@ inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 // Limit positions of a follower.
 
-/// Below this, relative to its scale, ∂gap/∂q may belong to a limit position or a change point: the square
-/// root of the rounding error of a gap.
+/// If |∂gap/∂q|, relative to its scale, is below this, the contact may be at a limit position or a change
+/// point: the square root of the rounding error of a gap.
 inline constexpr double kGapQMayVanish = 1e-7;
-/// Below this, relative to its scale, ∂gap/∂q is 0 to within rounding.
+/// Values of |∂gap/∂q| below this, relative to its scale, are 0 to within rounding.
 inline constexpr double kGapQIsZero = 1e-12;
-/// Bounds of the radii of curvature that enter that scale, as fractions of the distances from the pivots.
+/// That scale is made of the distances of the contact from the pivots and of the radii of curvature. Bounds
+/// of the latter, as fractions of those distances.
 inline constexpr double kLeastGapScale = 1e-3;
 inline constexpr double kMostGapScale = 0.05;
 
@@ -28,16 +30,16 @@ inline constexpr double kMostGapScale = 0.05;
 
 /// Largest step of a turning driver [rad].
 inline constexpr double kLargestTurn = kPi / 18;
-/// Shortest step that a coordinate resolves, relative to the sum of its unit and its value.
+/// Shortest step that changes a coordinate by more than rounding, relative to the sum of its unit and its
+/// value.
 inline constexpr double kStepResolution = 1e-14;
 /// The rest of the path is taken in one step if it is at most this many steps long; avoids a remainder of
 /// rounding size.
 inline constexpr double kAlmostThere = 1.001;
-/// Largest difference between a step's solution and its prediction that is accepted where branches cross and
-/// the branch changes, as a fraction of the change in that step: beyond it the step may have jumped to
-/// another branch.
+/// Largest difference between a step's solution and its prediction, as a fraction of the change in that step,
+/// where branches cross: with more, the step may have jumped to another branch.
 inline constexpr double kCrossingAgreement = 0.03;
-/// The same for the walk from one contact to another on the same branch.
+/// The same when one contact is followed to another on the same branch.
 inline constexpr double kWalkAgreement = 0.1;
 /// A difference up to this is always accepted: rounding.
 inline constexpr double kInnerMismatch = 1e-9;
@@ -45,53 +47,63 @@ inline constexpr double kInnerMismatch = 1e-9;
 inline constexpr double kCosFarthestTurn = 0.866;
 /// Largest turn of a follower in one inner step [rad].
 inline constexpr double kFarthestInnerTurn = 3 * kLargestTurn;
-/// Largest deviation, as a fraction of its change, of the measure that vanishes at a change point from the
-/// change that its rates predict.
+/// The measure that vanishes at a change point must change in a step as its rates predict, to within this
+/// fraction of the change: else it has turned back, and the branch does not cross another one.
 inline constexpr double kSmoothRise = 0.25;
-// Shortest steps, relative to the driver's unit, from which the higher derivatives of a prediction are
-// estimated: d²φ/du² and d³q/du³; d³φ/du³.
+// Shortest steps, relative to the driver's unit, from which the higher derivatives for a prediction are
+// estimated: kShortestForSecond for d²φ/du² and d³q/du³, kShortestForThird for d³φ/du³.
 inline constexpr double kShortestForSecond = 1e-14;
 inline constexpr double kShortestForThird = 1e-4;
-// Longest step that such derivatives serve to predict, relative to the step they were estimated over.
+// Longest step that is predicted by such derivatives, relative to the step from which they were estimated.
 inline constexpr double kFarthestReach = 1e3;
-// Largest step that counts as short, relative to the driver's unit.
+// Longest step, relative to the driver's unit, whose prediction includes d³φ/du³; with it, a jump of the
+// normal in a longer step could seem to agree.
 inline constexpr double kShortTurn = 0.01;
 
 // The osculating iteration.
 inline constexpr int kMaxPasses = 12;  // it converges quadratically, mostly within 4
-// Largest last step [rad]: what it leaves out is of third order.
+// Largest turn in the last pass [rad]: its error is of third order.
 inline constexpr double kLastTurn = 1e-8;
-// Largest angle that the last step may leave out [rad].
+// Largest error that the last pass may leave [rad].
 inline constexpr double kLeftOut = kEps / 10;
 // Largest tangential distance in a closed contact of nearly straight curves, where rounding of the normal
 // moves the points.
 inline constexpr double kLargestSlip = 0.01;
 
 // Distances of bodies and the search for a first touch.
-inline constexpr double kTouching = 1e-9;  // closer bodies touch: the last iteration starts from there
+inline constexpr double kTouching = 1e-9;  // closer bodies touch: their contact is then solved for
+// Least distance by which a step of the search approaches or leaves the other body, so that the search gets
+// to kTouching in a few steps although each step is safe.
+inline constexpr double kLeastApproach = 0.1 * kTouching;
+// Distance of the bodies in a contact found from there: with more, or with a deeper overlap, they overlap at
+// another place.
+inline constexpr double kStillTouching = 10 * kTouching;
 // Precision of a distance that decides between touching and overlapping.
 inline constexpr double kFineGap = 1e-12;
 // Precision of a distance that only serves to find a safe step, relative to the distance itself.
 inline constexpr double kRoughGap = 0.1;
-// Largest displacement, in units of the follower, from a position of near touch to its own contact.
+// Largest displacement, in units of the follower, from a position in which the bodies nearly touch to the
+// contact that belongs to it.
 inline constexpr double kSameTouch = 1e-2;
-// Displacement, in units of the follower, beyond a contact that is not the wanted one, to search on from
-// there.
+// Where a contact is not the wanted one, the search continues from this far beyond it, in units of the
+// follower.
 inline constexpr double kBesideTouch = 1e-6;
 inline constexpr double kFreeOverlap = 1e-10;  // overlap, by rounding, of bodies that only touch
 inline constexpr double kFinestArc = 1e-15;    // [rad]: shorter arcs of normals are not halved
 
-// Newton's method for the extreme gap: its steps are expected to converge quadratically below this.
+// Newton's method for the extreme gap: once steps are shorter than this, they are expected to converge
+// quadratically; when they no longer do, what is left is rounding.
 inline constexpr double kExtremeQuadratic = 1e-7;
 
 // A difference of vectors shorter than this fraction of them has no direction.
 inline constexpr double kDirectionless = 1e-12;
 
-// Algebra of tangency, in 100-digit numbers: these tolerances cover what rounding of the input doubles does
-// to exact double roots and exact zeros. It splits a double root by its square root, 1e-8, and a fourfold one
-// by its fourth root, 1e-4.
+// Algebra of tangency, in 100-digit numbers: the computation itself has no rounding to speak of, but the
+// input numbers are rounded to doubles, 1e-16. That turns exact zeros into small numbers and moves the parts
+// of a double root apart by its square root, 1e-8, those of a fourfold root by its fourth root, 1e-4.
 
-// Largest distance of a root of the contact polynomial from the real position it stands for.
+// Largest distance of a complex root of the contact polynomial from a real position, for it to be a split
+// root at that position.
 inline constexpr double kSplitTangency = 1e-4;
 inline constexpr double kSplitFoot = 1e-6;  // the same for the quartic of the normals through a pivot
 inline constexpr double kOnCurve = 1e-13;   // distance of a point from a curve on which it lies
@@ -102,7 +114,8 @@ inline constexpr double kNotDefinite = 1e-13;   // negative eigenvalue, by round
 inline constexpr double kSameCurvature = 1e-7;  // largest difference of two curvatures that count as equal
 // Distance of a pivot from an axis, or of a foot from a pivot, that counts as zero.
 inline constexpr double kOnAxis = 1e-14;
-// Distance kept from the end of the cone of normals of an open curve, as sin² of the angle.
+// Distance that normals keep from the end of the cone of normals of an open curve, its asymptote, as sin² of
+// the angle.
 inline constexpr double kFarthestNormal = 1e-12;
 // Points beyond this distance count as points at infinity. Curves that approach their asymptotes touch there
 // within 1e-14 rad of the position in which the asymptotes are parallel: rounding of the input decides
@@ -115,9 +128,9 @@ inline constexpr double kSmallestConic = 1e-40;
 // Longest step in refining a tangency that an equation gives roughly.
 inline constexpr double kLongestRefinement = 1e-4;
 inline constexpr double kNoRefinement = 1e-60;  // shorter refining steps count as zero
-// Size of the adjugate of a matrix, relative to the matrix: below, the matrix is a double line (rank 1).
+// A conic's matrix whose adjugate is smaller than this, relative to the matrix, is a double line (rank 1).
 inline constexpr double kDoubleLine = 1e-5;
-// Distance from a tangency below which a point is an exact one.
+// Distance below which a point that has been refined is an exact tangency.
 inline constexpr double kExactTangency = 1e-18;
 // Squared distance below which two tangencies are the same one, found twice.
 inline constexpr double kSameTangency = 1e-36;
@@ -140,12 +153,13 @@ inline constexpr long double kNearbyRoots = 1e-3L;
 inline constexpr long double kRoughlyConvergedSquared = 1e-30L;
 inline constexpr double kConvergedSquared = 1e-120;
 
-// Certificates: how far rounding may shift a contact or let contacts change places; how far it splits double
-// or fourfold roots.
+// Certificates: a list of contacts is compared with the exact roots of the contact polynomial. Rounding may
+// shift contacts, exchange close ones, and split double and fourfold roots.
 inline constexpr double kSameRoot = 1e-9;  // a contact of the list and an exact root this close are the same
 // Next to another contact this close, rounding decides which of the two is free.
 inline constexpr double kCrowded = 1e-12;
-// Distance from a contact at a limit within which its root need not be matched; of fourfold roots below.
+// Exact roots within this distance from a contact at a limit need no contact of their own: they may be parts
+// of its split root. The second is for fourfold roots.
 inline constexpr double kFragile = 1e-5;
 inline constexpr double kFragileFourfold = 1e-4;
 // Relative rounding of each number of the pair.
@@ -158,9 +172,11 @@ inline constexpr double kArcTangentSeries = 1e-5;
 
 // Conforming positions.
 
-// Residual of the condition at a root, relative to size²: larger ones occur where the condition jumps.
+// Largest residual of the condition at a root, relative to size²: with more, the condition does not vanish
+// but jumps.
 inline constexpr double kConformingRoot = 1e-6;
-// Positions closer than this are the same: mirror images meet at the edges of their arcs.
+// Positions closer than this are the same: each is found once for an arc and once for its mirror image if it
+// is at the edge of both.
 inline constexpr double kSameConforming = 1e-7;
 
 // Boundaries.
@@ -170,22 +186,24 @@ inline constexpr double kSameConforming = 1e-7;
 inline constexpr double kTouchingDepth = 1e-7;
 // How far beside a body, relative to the sizes of both, samples of the other one are examined.
 inline constexpr double kBesideBody = 0.1;
-// Distance from the foot, relative to the size, at which the search for it ends: the error of the depth is of
-// second order in it.
+// The search for the foot of a point on a boundary ends this close to it, relative to the size: the error of
+// the depth is of second order in this.
 inline constexpr double kNearFoot = 1e-9;
-// Least 1 + κ·(distance from the foot) for a whole Newton step: close to the centre of curvature one would
-// lead anywhere.
+// Newton's steps towards the foot are taken in full if 1 + κ·(distance from the foot) is above this: near the
+// centre of curvature, where it is 0, they would lead anywhere.
 inline constexpr double kLeastFootStretch = 0.1;
 
 // The iteration towards a contact.
 inline constexpr double kLongestPass = 0.25;  // longest step of one pass, relative to the size of the pair
-// How far a turn takes the contact of two flat parts [sizes per rad]: as far as one pass may go.
+// How far a turn moves the contact along two flat parts [sizes per rad]: it would be infinite, so that any
+// turn moves it as far as one pass may.
 inline constexpr double kSlideOfFlats = 1e12;
 // Largest turn of the follower, or of the normal at a corner, in one pass [rad].
 inline constexpr double kMostTurnOfPass = 0.5;
-// Error, relative to the extent, at which the iteration may stall.
+// An iteration that no longer converges has succeeded if its error is below this, relative to the extent.
 inline constexpr double kNoiseOfClosure = 1e-13;
-// Follower step, relative to the longest, below which an iteration at the end of a boundary stays there.
+// An iteration that rests at the end of a boundary finds no contact if the follower's step is below this,
+// relative to the longest.
 inline constexpr double kNoStepAtEnd = 1e-9;
 inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to within this [rad]
 
@@ -194,19 +212,19 @@ inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to 
 // Difference of q [rad, or relative to the size] up to which two contacts are the same ...
 inline constexpr double kSameFound = 1e-7;
 inline constexpr double kSameFoundPoint = 1e-5;  // ... if their points are as close as this
-// A gap at a joint of spans up to this is rounding, relative to the length that stands for a radian.
+// Gaps between spans at a joint up to this are rounding, relative to the length that stands for a radian.
 inline constexpr double kSmoothJoint = 1e-12;
 // Rounding error of points of a boundary, relative to its size plus their distance from the pivot, and of
 // normals [rad].
 inline constexpr double kErrorOfPoints = 8 * kEps;
 
 // Enumeration, relative to the size of the larger boundary.
-inline constexpr double kFinestStretch = 1e-8;    // shortest stretch that is halved further, ...
-inline constexpr double kCoarsestStretch = 1e-3;  // ... its upper limit where many pairs have been left open
-// Largest and smallest distance within which a contact is shown to be the only one.
+inline constexpr double kFinestStretch = 1e-8;  // stretches of boundaries are halved down to this length, ...
+inline constexpr double kCoarsestStretch = 1e-3;  // ... or only to this where many pairs remain undecided
+// Largest and smallest distance around a contact within which it is tried to prove that there is no other.
 inline constexpr double kFarthestAround = 0.25;
 inline constexpr double kNearestAround = 1e-8;
-// Contacts, or undecided ranges, closer than this are reported as one [also rad].
+// Undecided pairs of stretches closer than this are reported as one [also rad].
 inline constexpr double kOneOpen = 1e-6;
 
 // Places where boundaries are close to each other.
@@ -214,8 +232,8 @@ inline constexpr double kSameNearPlace = 1e-7;      // relative to the sizes of 
 inline constexpr double kSameNormalOfPlace = 1e-3;  // [rad]
 inline constexpr double kAtFoot = 1e-15;            // relative to the size: a foot is reached
 
-// How far out on open conics and faces contacts are searched for, relative to the distances of points from
-// joints. Points much farther out have fewer digits than Newton's method needs.
+// How far out on open conics and faces contacts are searched for, relative to the sizes of the curves and
+// their distances from the joints. Points much farther out have fewer digits than Newton's method needs.
 inline constexpr double kSupportReach = 100;
 
 // Maps.
@@ -223,48 +241,51 @@ inline constexpr double kSupportReach = 100;
 // Default overlap, relative to the bodies' size, up to which a contact counts as free.
 inline constexpr double kDefaultOverlap = 1e-9;
 inline constexpr double kCutResolution = 1e-10;  // critical positions closer than this are one cut
-// Rounding splits a crossing into two folds as far apart as this.
+// Critical positions up to this far apart may be one: rounding splits a crossing into two folds (limits).
 inline constexpr double kCrossingResolution = 1e-7;
 inline constexpr double kSameEventNormal = 1e-6;
-// A contact followed back agrees with its start to within this.
+// A contact that has been followed to the middle of another interval is that contact listed there with which
+// it agrees to within this.
 inline constexpr double kSameMapContact = 1e-6;
 inline constexpr double kNearMapCrossing = 1e-4;  // points closer to a crossing are interpolated
 inline constexpr double kMapEndMargin = 1e-9;     // distance of a sample from the end of a branch
-// Where a branch ends at a cut, its contact is compared with the events there from these distances, ever
-// closer until one event is clearly the nearest. A difference in q and n below kAtEnd is certain, one below
-// kSameEnd is accepted at the last distance.
+// A branch that ends at a critical position is followed to these distances from it, one after another, until
+// its contact is clearly nearest to one of the events there: it differs in q and n by less than kAtEnd. At
+// the last distance kSameEnd is enough.
 inline constexpr std::array kNearEnd{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 inline constexpr double kAtEnd = 0.02;
 inline constexpr double kSameEnd = 0.3;
-// Speed of the follower, in its units per unit of the driver, below which it is at rest but for rounding.
+// Below this speed, in its units per unit of the driver, the follower is at rest.
 inline constexpr double kSlowestMotion = 1e-12;
 inline constexpr double kSlowestOnBoundaries = 1e-11;  // the same for boundaries, whose rates come from spans
-// Where intervals and cells are divided, as a fraction: off the middle, which symmetry may make special.
+// Intervals and cells are divided at this fraction, not in the middle, where symmetric curves often have
+// special positions.
 inline constexpr double kOffMiddle = 0.4713;
 inline constexpr double kOffMiddleOfFace = 0.37;  // the same for the nodes of a part of a face
 // Relative precision of the coordinate at which a contact ceases to be free.
 inline constexpr double kBisectedCoordinate = 1e-13;
 
 // Maps of boundaries.
-// An event this little below the start of the range belongs to its beginning [rad].
+// An event less than this below the start of the range belongs to the start [rad].
 inline constexpr double kAtRangeStart = 1e-7;
 inline constexpr double kShortestRest = 1e-4;  // shorter dwells are ignored; in units of the driver
-// How far rounding may let u fall along a branch [rad, or relative to the size].
+// u increases along a branch; rounding may let it decrease by up to this [rad, or relative to the size].
 inline constexpr double kBackwards = 1e-8;
-// Least κ1 + κ2 that may be 0 but for rounding, relative to 1 / size.
+// Opposed curves with κ1 + κ2 below minus this, relative to 1 / size, overlap beside their contact.
 inline constexpr double kNotConcave = 1e-9;
 
-// The surface of all tangencies (TangencySheet).
+// The surface F = 0 of all tangencies of two boundaries (TangencySheet), on a grid of cells.
 
 // Sine of the angle between two slides that count as parallel.
 inline constexpr double kParallelSlides = 1e-12;
-// Offset of F on the grid, relative to the size: above the rounding of F, too small to change its zeros.
+// Added to F at the nodes of the grid, relative to the size, so that no node is exactly on the surface: above
+// the rounding of F, too small to change its zeros.
 inline constexpr double kGridLifted = 1e-12;
-// Largest distance, as a fraction of a part, between the zeros of F with and without that offset for the
-// latter to be used.
+// A zero of F itself, found from that of F with the offset, is used if it is no farther away than this
+// fraction of a part of the grid.
 inline constexpr double kGridBeside = 1e-8;
-// Ratio of the speeds at both ends of a part beyond which it is halved. Without that, the last part of a line
-// or open conic with an even division would take up nearly all of its length.
+// A part is halved if the speeds (arc length per parameter) at its ends differ by more than this factor. With
+// parts of equal parameter the last part of a line or open conic would be nearly all of its length.
 inline constexpr double kEvenSpeed = 4;
 // Least cosine of the angle between a curve and its chord.
 inline constexpr double kStraightSheetCurve = 0.85;
@@ -272,16 +293,19 @@ inline constexpr double kStraightSheetCurve = 0.85;
 inline constexpr double kNoChord = 1e-7;
 inline constexpr double kMostSheetTurn = 0.3;  // largest turn of a body along a step [rad]
 
-// Rolling: singular values of the Jacobian below this fraction of the largest are 0, as for discs about their
-// centres.
+// Rolling.
+
+// Singular values of the Jacobian below this fraction of the largest are 0: those of discs that turn about
+// their centres, whose contact stays where it is.
 inline constexpr double kRollingRank = 1e-9;
 // Determinant of the normal equations, relative to their trace squared, above which they have full rank.
 inline constexpr double kRollingFullRank = 1e-4;
-// Units in the last place of the angles by which a Newton step may be off.
+// Rounding error of a Newton step, in units in the last place of the angles.
 inline constexpr double kRollingUlps = 8;
-// Newton steps below this leave only rounding when squared ...
+// The iteration ends with a step below this, after which only rounding is left, as the next one is of the
+// order of its square ...
 inline constexpr double kRollingSettled = 1e-8;
-// ... provided that they shrink at least by this factor, as quadratic steps do.
+// ... provided that the last step shrank by at least this factor, as in quadratic convergence.
 inline constexpr double kRollingQuadratic = 1e-2;
 inline constexpr double kRollingLeast = 1e-15;  // steps up to this count as zero
 

@@ -41,17 +41,16 @@ inline constexpr GroupTraits kOf<RrpDyad>{.two_modes = true,
                                           .can_cross = true,
                                           .sine_noise = kDyadNoise,
                                           .limit =
-                                              "the link stands at right angles to its slide here: beyond "
-                                              "this position of the driver it cannot reach "
-                                              "it"};
+                                              "the link is perpendicular to its slide here: beyond this "
+                                              "position of the driver it cannot reach it"};
 template <>
 inline constexpr GroupTraits kOf<RprDyad>{.two_modes = true,
                                           .can_cross = true,
                                           .sine_noise = kDyadNoise,
                                           .limit =
-                                              "the two pins are as near as the offset of the slide here: "
-                                              "beyond this position of the driver it cannot "
-                                              "lead past both"};
+                                              "the pins are only as far apart as the slide's offset "
+                                              "here: beyond this position of the driver the slide "
+                                              "line cannot pass through both"};
 template <>
 inline constexpr GroupTraits kOf<SlideDyad>{
     .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};
