@@ -512,6 +512,16 @@ TEST(SensitivityOfResults, ThatGrowWithTheOtherSignHaveNoSlopes) {
   EXPECT_THAT(slope(report, 0, "loads.push.torque").remark, HasSubstr("without bounds"));
 }
 
+// The largest sample is the first one, beside another limit position than that towards which it is unbounded.
+TEST(SensitivityOfResults, ThatGrowElsewhereHaveNoSlopes) {
+  const SensitivityReport report =
+      report_of(shipped_model("lock_up", {"driver.start=294.168", "driver.end=430"}),
+                wanted({"follower_pivot.acceleration:max"}, {"bodies.cam.curves.disc.radius"}));
+  EXPECT_THAT(report.results[0].remark, HasSubstr("it still grows at 425."));
+  EXPECT_EQ(slope(report, 0, "bodies.cam.curves.disc.radius").kind, SlopeKind::kNone);
+  EXPECT_THAT(slope(report, 0, "bodies.cam.curves.disc.radius").remark, HasSubstr("without bounds"));
+}
+
 TEST(SensitivityOfResults, DefaultsAreWhatAMechanismIsFor) {
   std::vector<std::string> names;
   for (const NamedMeasure& result : default_results(shipped_model("eccentric_disc_oscillating_roller", {}))) {
