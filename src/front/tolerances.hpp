@@ -198,6 +198,9 @@ inline constexpr double kNoiseRounding = 1e-13;
 inline constexpr double kNoiseSettled = 1e-6;
 /// Relative to the largest effect of any variable, each scaled: a smaller effect is none.
 inline constexpr double kNoFitChange = 1e-12;
+/// Relative to the largest value of a column: if a number that changes by its own size changes the column by
+/// less, that is rounding.
+inline constexpr double kNoFitEffect = 1e-11;
 /// Relative to the largest value of a column: a smaller spread counts as zero; also the least robust
 /// deviation.
 inline constexpr double kNoSpread = 1e-12;
