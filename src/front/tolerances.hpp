@@ -122,10 +122,12 @@ inline constexpr double kDifferenceStep = 2e-4;
 /// rounding.
 inline constexpr double kNoNumberChange = 1e-14;
 /// Change of a result when a number changes by its whole scale, relative to the result or its rival: smaller
-/// changes are rounding. For a column that is constant along the path, kNoSlopeOfRounding times its rounding
-/// is the bound as well.
+/// changes are rounding. For a result that is rounding itself, kNoSlopeOfRounding times the rounding of its
+/// column is the bound as well; for a column that is constant along the path, kNoSlopeOfConstant times it:
+/// to each side the largest rounding of all its places counts.
 inline constexpr double kNoSlope = 1e-10;
 inline constexpr double kNoSlopeOfRounding = 100;
+inline constexpr double kNoSlopeOfConstant = 1e4;
 /// Slopes at several equal extremes of a column whose difference is smaller are equal; relative to the larger
 /// one.
 inline constexpr double kSameSlope = 1e-7;

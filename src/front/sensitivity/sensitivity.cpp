@@ -128,8 +128,10 @@ private:
 
   // Sets slopes that are rounding to 0.
   void snap(Slope& slope, std::size_t number, std::size_t m) const {
-    const bool rounding = results_[m].constant || largest(m) <= results_[m].rounding;
-    const double noise = rounding ? kNoSlopeOfRounding * results_[m].rounding : 0;
+    const double factor = results_[m].constant                 ? kNoSlopeOfConstant
+                          : largest(m) <= results_[m].rounding ? kNoSlopeOfRounding
+                                                               : 0;
+    const double noise = factor * results_[m].rounding;
     const double least = std::max(kNoSlope * largest(m), noise) / models_[number]->scale();
     if (std::abs(slope.up) <= least && std::abs(slope.down) <= least) {
       slope.up = slope.down = 0;
