@@ -36,16 +36,6 @@ bool is_lost(const Run& run) {
   });
 }
 
-// A stretch of the path on which everything is smooth, as far as is known.
-struct Stretch {
-  double from = 0;
-  double to = 0;
-  std::optional<double> singular_from;  // the place of something singular before it
-  std::optional<double> singular_to;    // and beyond it
-  std::vector<double> at;
-  std::vector<std::vector<double>> values;  // of every quantity, at those positions
-};
-
 // A run that moves along the path.
 class Mover {
 public:
@@ -65,6 +55,17 @@ private:
   Run run_;
   double at_;
   std::vector<DriverMotion> drivers_;
+};
+
+// A stretch of the path on which everything is smooth, as far as is known.
+struct Stretch {
+  double from = 0;
+  double to = 0;
+  std::optional<double> singular_from;  // the place of something singular before it
+  std::optional<double> singular_to;    // and beyond it
+  std::optional<Mover> first;           // at the first position, if there is something singular before it
+  std::vector<double> at;
+  std::vector<std::vector<double>> values;  // of every quantity, at those positions
 };
 
 // All quantities on the way from a stretch's outermost sample to the singular position beyond it. The first
@@ -143,7 +144,7 @@ private:
   }
 
   void begin(double from) {
-    stretches_.push_back({from, from, {}, {}, {}, std::vector<std::vector<double>>(count_)});
+    stretches_.push_back({from, from, {}, {}, {}, {}, std::vector<std::vector<double>>(count_)});
   }
   void end(double to) { stretches_.back().to = to; }
 
@@ -166,6 +167,7 @@ private:
       return;
     }
     stretches_.back().at.push_back(at);
+    if (stretches_.back().singular_from && !stretches_.back().first) stretches_.back().first = mover;
     std::size_t first = 0;
     for (const PathQuantities& block : blocks_) {
       const std::vector<double> values = values_of(block, run, at);
@@ -198,16 +200,16 @@ private:
   void approach() {
     for (const Stretch& stretch : stretches_) {
       if (stretch.at.empty() || is_stopped(start_)) continue;
-      if (stretch.singular_from) approach(stretch.at.front(), *stretch.singular_from);
-      if (stretch.singular_to) approach(stretch.at.back(), *stretch.singular_to);
+      if (stretch.singular_from) approach(stretch, stretch.at.front(), *stretch.singular_from);
+      if (stretch.singular_to) approach(stretch, stretch.at.back(), *stretch.singular_to);
     }
   }
 
-  void approach(double at, double singular) {
-    // The mark is on the same side of the singular position, if there is one.
-    const auto after = mark_after(std::max(at, singular));
-    const bool forward = after != marks_.begin() && (singular > at || after == marks_.end());
-    Mover mover = forward ? after[-1] : *after;
+  void approach(const Stretch& stretch, double at, double singular) {
+    // From the last state before it that is known, on the same stretch.
+    const auto after = mark_after(at);
+    const bool marked = after != marks_.begin() && !(stretch.first && after[-1].at() < stretch.first->at());
+    Mover mover = marked ? after[-1] : stretch.first.value_or(marks_.front());
     Approach& found = approaches_.emplace_back();
     found.at = at;
     for (std::size_t i = 0; i < kApproaches; ++i) {
