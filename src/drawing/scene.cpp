@@ -5,6 +5,7 @@
 #include "higherpair/numeric/contains.hpp"
 #include "outline.hpp"
 #include "sketch.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -50,6 +51,19 @@ Extent bare_extent(const Sketch& sketch) {
     }
   }
   return extent;
+}
+
+// The diagonal of an extent; 1 if that is nothing but the rounding of coordinates, in ground or in a body.
+double diagonal_of(const Extent& bare, const Mechanism& mechanism) {
+  double largest = std::max(bare.min().norm(), bare.max().norm());
+  for (const Body& body : mechanism.bodies) {
+    for (const NamedPoint& point : body.points) largest = std::max(largest, point.p_B.norm());
+    for (const NamedCurve& named : body.curves) {
+      if (const auto middle = middle_of(named.curve)) largest = std::max(largest, middle->norm());
+    }
+  }
+  const double diagonal = bare.sizes().norm();
+  return diagonal > kNoExtent * largest ? diagonal : 1;
 }
 
 void add_shape(Extent& extent, const Shape& shape, const Pose<double>& X_WB) {
@@ -216,8 +230,7 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   }
   assert(!sketch.rows.empty());
   const Extent bare = bare_extent(sketch);
-  const double diagonal = bare.sizes().norm();
-  sketch.unit = (diagonal > 0 ? diagonal : 1) / kUnitsAcross;
+  sketch.unit = diagonal_of(bare, mechanism) / kUnitsAcross;
   add_bodies(sketch);
   add_joints(sketch);
   for (const Spring& spring : mechanism.springs) {

@@ -18,6 +18,11 @@ inline constexpr double kOnTick = 1e-6;
 /// As a fraction of a step: ticks this close to 0 are the tick at 0.
 inline constexpr double kTickAtZero = 1e-9;
 
+// Scenes.
+
+/// Relative to the largest coordinate: a mechanism of smaller extent is a single point, but for rounding.
+inline constexpr double kNoExtent = 1e-9;
+
 // Polygons and arrows.
 
 /// Relative to the longest arrow: shorter ones are rounding.

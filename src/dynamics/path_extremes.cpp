@@ -6,6 +6,7 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace higherpair {
@@ -17,6 +18,7 @@ constexpr double kMarks = 24;           // positions of the run that are kept to
 // Between samples a motion should not be lost. To take it up again costs thousands of steps: after so many
 // times the best value found so far is the extreme.
 constexpr int kMostLost = 10;
+constexpr std::size_t kApproaches = 5;  // positions at which growth towards a singular one is judged
 
 // Whether quantities may jump at an event.
 bool is_break(const RunEvent& event) {
@@ -33,16 +35,6 @@ bool is_lost(const Run& run) {
     return event.type == EventType::kLimitPosition;
   });
 }
-
-// A stretch of the path on which everything is smooth, as far as is known.
-struct Stretch {
-  double from = 0;
-  double to = 0;
-  bool singular_from = false;  // whether there is something singular before it
-  bool singular_to = false;    // and beyond it
-  std::vector<double> at;
-  std::vector<std::vector<double>> values;  // of every quantity, at those positions
-};
 
 // A run that moves along the path.
 class Mover {
@@ -65,6 +57,24 @@ private:
   std::vector<DriverMotion> drivers_;
 };
 
+// A stretch of the path on which everything is smooth, as far as is known.
+struct Stretch {
+  double from = 0;
+  double to = 0;
+  std::optional<double> singular_from;  // the place of something singular before it
+  std::optional<double> singular_to;    // and beyond it
+  std::optional<Mover> first;           // at the first position, if there is something singular before it
+  std::vector<double> at;
+  std::vector<std::vector<double>> values;  // of every quantity, at those positions
+};
+
+// All quantities on the way from a stretch's outermost sample to the singular position beyond it. The first
+// are those of the sample; the distance that is left is halved from each to the next.
+struct Approach {
+  double at = 0;  // of the sample
+  std::array<std::vector<double>, kApproaches> values;
+};
+
 class Search {
 public:
   Search(const Run& start, const DriverPath& path, const std::vector<PathQuantities>& blocks,
@@ -73,6 +83,7 @@ public:
 
   std::vector<std::vector<PathRange>> run() {
     sample();
+    approach();
     std::vector<std::vector<PathRange>> ranges;
     std::size_t first = 0;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -133,7 +144,7 @@ private:
   }
 
   void begin(double from) {
-    stretches_.push_back({from, from, false, false, {}, std::vector<std::vector<double>>(count_)});
+    stretches_.push_back({from, from, {}, {}, {}, {}, std::vector<std::vector<double>>(count_)});
   }
   void end(double to) { stretches_.back().to = to; }
 
@@ -156,6 +167,7 @@ private:
       return;
     }
     stretches_.back().at.push_back(at);
+    if (stretches_.back().singular_from && !stretches_.back().first) stretches_.back().first = mover;
     std::size_t first = 0;
     for (const PathQuantities& block : blocks_) {
       const std::vector<double> values = values_of(block, run, at);
@@ -179,10 +191,41 @@ private:
         values.pop_back();
       }
     }
-    before.singular_to = true;
+    before.singular_to = place;
     end(before.at.empty() ? before.from : before.at.back());
     begin(at);
-    stretches_.back().singular_from = true;
+    stretches_.back().singular_from = place;
+  }
+
+  void approach() {
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.at.empty() || is_stopped(start_)) continue;
+      if (stretch.singular_from) approach(stretch, stretch.at.front(), *stretch.singular_from);
+      if (stretch.singular_to) approach(stretch, stretch.at.back(), *stretch.singular_to);
+    }
+  }
+
+  void approach(const Stretch& stretch, double at, double singular) {
+    // From the last state before it that is known, on the same stretch.
+    const auto after = mark_after(at);
+    const bool marked = after != marks_.begin() && !(stretch.first && after[-1].at() < stretch.first->at());
+    Mover mover = marked ? after[-1] : stretch.first.value_or(marks_.front());
+    Approach& found = approaches_.emplace_back();
+    found.at = at;
+    for (std::size_t i = 0; i < kApproaches; ++i) {
+      const double place = singular + std::ldexp(at - singular, -static_cast<int>(i));
+      const Run& run = mover.move(place);
+      for (const PathQuantities& block : blocks_) {
+        const std::vector<double> values = values_of(block, run, place);
+        found.values[i].insert(found.values[i].end(), values.begin(), values.end());
+      }
+    }
+  }
+
+  // The first mark beyond a place.
+  [[nodiscard]] std::vector<Mover>::const_iterator mark_after(double at) const {
+    return std::upper_bound(marks_.begin(), marks_.end(), at,
+                            [](double place, const Mover& mark) { return place < mark.at(); });
   }
 
   static std::vector<double> values_of(const PathQuantities& block, const Run& run, double at) {
@@ -218,9 +261,7 @@ private:
       // Start from the last mark before the first position that is asked for, then move back and forth:
       // between neighbouring samples the branch is not lost.
       if (!mover || !mover->run().at.on_branch || std::abs(at - mover->at()) > near_) {
-        const auto after =
-            std::upper_bound(marks_.begin(), marks_.end(), at,
-                             [](double place, const Mover& mark) { return place < mark.at(); });
+        const auto after = mark_after(at);
         mover.emplace(after == marks_.begin() ? marks_.front() : after[-1]);
       }
       const Run& run = mover->move(at);
@@ -236,8 +277,36 @@ private:
     }
     const bool nothing = largest <= blocks_[b].sought[k].noise;
     const double at = settled(peak->at);
-    return PathExtreme{nothing ? 0 : sign * peak->value, at, path_.at(at).front().position,
-                       !nothing && grows_at(at, index, sign, limits.noise)};
+    PathExtreme extreme{nothing ? 0 : sign * peak->value, at, path_.at(at).front().position,
+                        !nothing && grows_at(at, index, sign, limits.noise), std::nullopt};
+    if (!nothing) {
+      extreme.growth = growth(index, sign, peak->value, std::max(limits.noise, kLeastGrowth * largest));
+    }
+    return extreme;
+  }
+
+  // Where sign times a quantity goes on beyond a level, towards something singular. What it rises by while
+  // the distance is halved stays the same for a logarithm and becomes less for anything bounded.
+  [[nodiscard]] std::optional<PathGrowth> growth(std::size_t index, double sign, double level,
+                                                 double least) const {
+    std::optional<PathGrowth> farthest;
+    for (const Approach& approach : approaches_) {
+      const auto rise = [&](std::size_t i) {
+        return sign * (approach.values[i][index] - approach.values[i - 1][index]);
+      };
+      constexpr std::size_t last = kApproaches - 1;
+      if (!(rise(last) > least)) {
+        continue;
+      }
+      const bool unbounded =
+          rise(last) > rise(last - 1) && rise(last - 1) > rise(last - 2) && rise(last - 2) > 0;
+      const double limit =
+          unbounded ? kInf : sign * approach.values[last][index] + rise(last) / (std::sqrt(2.0) - 1);
+      if (limit > level + least && (!farthest || limit > sign * farthest->limit)) {
+        farthest = PathGrowth{approach.at, path_.at(approach.at).front().position, sign * limit};
+      }
+    }
+    return farthest;
   }
 
   // Whether a place is the sample next to something singular, and the quantity has risen up to there.
@@ -275,6 +344,7 @@ private:
   const PathLook& look_;
   std::size_t count_ = 0;  // number of quantities
   std::vector<Stretch> stretches_;
+  std::vector<Approach> approaches_;
   std::vector<Mover> marks_;
   double mark_every_ = 0;
   double since_mark_ = 0;

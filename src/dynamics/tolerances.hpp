@@ -68,6 +68,9 @@ inline constexpr double kLongestSampleSlide = 1.0 / 360;
 inline constexpr double kInsideStretch = 1e-6;
 /// Samples nearer to a singular position than this fraction of the spacing are left out.
 inline constexpr double kApartFromSingular = 0.25;
+/// A quantity that rises by less than this fraction of its largest value where the distance from a singular
+/// position is halved does not grow towards it: there rates lose several digits.
+inline constexpr double kLeastGrowth = 1e-6;
 /// Accuracy to which a jump is located, as a fraction of the path.
 inline constexpr double kJumpPlace = 1e-12;
 /// Rounding of a quantity, as a fraction of its largest value.

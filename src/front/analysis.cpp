@@ -207,6 +207,23 @@ Result<DriverSchedule> first_schedule(const Model::Data& model) {
   return DriverSchedule::analyze(model.profile).map_error(input_error);
 }
 
+double farthest_slide(const Model::Data& model) {
+  const Mechanism& mechanism = model.profile.mechanism;
+  const auto slides = [&](std::size_t driver) { return !has_angle(driven_joint(mechanism, driver).type); };
+  double farthest = 0;
+  std::optional<DriverSchedule> schedule;
+  for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+    if (!slides(i)) continue;
+    if (!schedule) {
+      auto made = first_schedule(model);
+      if (!made) return 0;
+      schedule = *std::move(made);
+    }
+    farthest = std::max(farthest, travel_of(*schedule, i));
+  }
+  return farthest;
+}
+
 std::optional<Error> refuse_to_start(const Model::Data& model) {
   auto refusal = refuse_without_driver(model);
   if (!refusal && !model.plan) {

@@ -55,6 +55,10 @@ inline constexpr std::string_view kNoKeys =
 /// driver.
 [[nodiscard]] Result<DriverSchedule> first_schedule(const Model::Data& model);
 
+/// The farthest that a sliding driver goes from its first position in the rows of `analyze` [m]; 0 if there
+/// is none.
+[[nodiscard]] double farthest_slide(const Model::Data& model);
+
 /// The first error in a mechanism that was built by a program, as "joints.guide.first.point = 3: …"; empty if
 /// there is none.
 [[nodiscard]] std::string fault_of(const Mechanism& mechanism);

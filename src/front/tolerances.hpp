@@ -132,10 +132,12 @@ inline constexpr double kDifferenceStep = 2e-4;
 /// relative to the largest of them.
 inline constexpr double kNoNumberChange = 1e-14;
 /// Slopes are 0 if the result would change by less than this when a number changes by its whole scale,
-/// relative to the result or its rival. For a column that is constant along the path, changes up to
-/// kNoSlopeOfRounding times its rounding are 0 as well.
+/// relative to the result or its rival. A result that is rounding itself may change by kNoSlopeOfRounding
+/// times the rounding of its column as well, one that is constant along the path by kNoSlopeOfConstant times
+/// the largest rounding of its places.
 inline constexpr double kNoSlope = 1e-10;
 inline constexpr double kNoSlopeOfRounding = 100;
+inline constexpr double kNoSlopeOfConstant = 1e4;
 /// Where a column has several equal extremes: their slopes are equal if they differ by less than this,
 /// relative to the larger one.
 inline constexpr double kSameSlope = 1e-7;
@@ -224,6 +226,9 @@ inline constexpr double kNoiseRounding = 1e-13;
 inline constexpr double kNoiseSettled = 1e-6;
 /// A variable has no effect if it is below this fraction of the largest effect of any, each over its scale.
 inline constexpr double kNoFitChange = 1e-12;
+/// Relative to the largest value of a column: if a number that changes by its own size changes the column by
+/// less, that is rounding.
+inline constexpr double kNoFitEffect = 1e-11;
 /// Relative to the largest value of a column: a smaller spread counts as zero. It is also the lower bound of
 /// a column's robust deviation.
 inline constexpr double kNoSpread = 1e-12;

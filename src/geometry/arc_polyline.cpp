@@ -163,8 +163,14 @@ void extend_by_arc(Eigen::AlignedBox2d& box, Vector2d p, Vector2d q, double bulg
 
 }  // namespace
 
+double finest_tolerance(const Boundary& boundary) {
+  const double largest = boundary.middle_B().norm() + boundary.size();
+  return std::max({kFinestTolerance * boundary.size(), kFinestPlace * largest, kFinestLength});
+}
+
 ArcPolyline arc_polyline(const Boundary& boundary, double tolerance) {
-  assert(tolerance >= kFinestTolerance * boundary.size());
+  assert(tolerance >= finest_tolerance(boundary));
+  assert(finest_tolerance(boundary) <= kCoarsestShape * boundary.size());
   ArcPolyline line;
   line.closed = boundary.is_closed();
   Fitter fitter(tolerance, boundary.size(), line.vertices);

@@ -38,7 +38,7 @@ double largest_distance(const std::vector<Vector2d>& points) {
 
 }  // namespace
 
-double size_of(const Mechanism& mechanism) {
+double size_of(const Mechanism& mechanism, double slide) {
   std::vector<Vector2d> points;
   double largest = 0;  // largest coordinate, to which rounding is relative
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
@@ -60,10 +60,11 @@ double size_of(const Mechanism& mechanism) {
     }
   }
   const double size = largest_distance(points);
-  if (size > kCoincident * largest && size > kLeastSize) {
+  const double least = std::max(kLeastSize, kLeastOfSlide * slide);
+  if (size > kCoincident * largest && size > least) {
     return size;
   }
-  return largest > kLeastSize ? largest : 1;
+  return largest > least ? largest : 1;
 }
 
 }  // namespace higherpair

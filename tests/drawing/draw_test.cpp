@@ -477,6 +477,23 @@ driver = {{ joint = "a", samples = 13 }}
   EXPECT_NEAR(scale_at(1000), scale_at(0), 1e-3);
 }
 
+// The point of the body is at the pin but for the rounding of its pose.
+TEST(Drawing, OfASinglePointDoesNotScaleItsRounding) {
+  const auto unit_with = [](const std::string& pin, const std::string& point) {
+    const Model model =
+        Model::from_text(
+            fmt::format("bodies.ground.points.P = {}\nbodies.bar.points.P = {}\n"
+                        "joints.j = {{ type = \"revolute\", between = [\"bar.P\", \"ground.P\"] }}\n"
+                        "driver.joint = \"j\"\n",
+                        pin, point),
+            "pin.toml")
+            .value();
+    SceneMaker maker(model.mechanism(), rows_of(model));
+    return maker.scene().unit;
+  };
+  EXPECT_EQ(unit_with("[-0.8, -0.9]", "[-1.8, -0.37]"), unit_with("[0, 0]", "[0, 0]"));
+}
+
 TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   const Model model = shipped("involute_pair");
   const std::vector<MotionRow> rows = rows_of(model);

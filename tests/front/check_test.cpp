@@ -489,6 +489,28 @@ TEST(Check, SaysWhatGrowsWithTheOtherSignThanItsLargestValue) {
                                    HasSubstr("deg, towards a limit position or dead point")));
 }
 
+// Beginning next to the one limit position, where the acceleration is large already, it is not yet as large
+// when the samples end beside the other one, towards which it has no bound.
+TEST(Check, DoesNotDecideWhatGrowsFarFromItsLargestValue) {
+  const CheckReport report =
+      checked(shipped_model("lock_up", {"driver.start=294.168", "driver.end=430",
+                                        "limits.joints.follower_pivot.max_angular_acceleration=1e11"}));
+  const CheckFigure acceleration = figure(report, "joints.follower_pivot", "acceleration");
+  EXPECT_NEAR(acceleration.at.value(), 294.168, 1e-9);
+  EXPECT_EQ(acceleration.verdict, Verdict::kUndecided);
+  EXPECT_THAT(acceleration.remark, AllOf(HasSubstr("it still grows at 425."),
+                                         HasSubstr("deg, towards a limit position or dead point")));
+  EXPECT_THAT(figure(report, "contacts.touch", "pressure_angle").remark, HasSubstr("it still grows at 425."));
+}
+
+// A parallelogram passes its change points smoothly.
+TEST(Check, DecidesWhatIsSmoothThroughADeadPoint) {
+  const CheckReport report =
+      checked(shipped_model("parallelogram", {"limits.joints.right_pivot.max_angular_acceleration=1"}));
+  EXPECT_EQ(figure(report, "joints.right_pivot", "acceleration").verdict, Verdict::kKept);
+  for (const CheckFigure& one : report.figures) EXPECT_EQ(one.remark, "") << one.item << one.quantity;
+}
+
 // h = 80 mm: out within 0.3 s by a modified sine, back within 0.2 s by the 3-4-5 polynomial, whose
 // acceleration 10/√3 h/T² and jerk 60 h/T³ at its ends are the largest.
 TEST(Check, HoldsADrivenJointToItsLimits) {

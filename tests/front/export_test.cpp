@@ -292,6 +292,24 @@ TEST_F(Export, SaysWhatIsWrong) {
   EXPECT_FALSE(curves_dxf(cam, taken(cam, of("cam.disc")), {1e-12, {}}, cam.units()));
 }
 
+// A disc of 1e-160 mm at 12 mm is a point but for rounding; one of 1e-9 mm keeps its shape to within that.
+TEST_F(Export, ACurveThatIsTooSmallForItsCoordinatesIsRefused) {
+  const auto dxf_with = [](const std::string& radius) {
+    const Model cam = shipped("flat_faced_oscillating", {"bodies.cam.curves.disc.radius=" + radius});
+    return curves_dxf(cam, taken(cam, of("cam.disc")), {}, cam.units());
+  };
+  const auto none = dxf_with("1e-160");
+  ASSERT_FALSE(none);
+  EXPECT_THAT(to_string(none.error()), HasSubstr("cam.disc is too small to be drawn at 8 mm from"));
+  EXPECT_THAT(to_string(none.error()),
+              HasSubstr("make it at least 1.21e-11 mm large, or move the origin near it"));
+  for (const char* radius : {"1e-10", "1e-9", "1e-6", "1e-3"}) {
+    const auto text = dxf_with(radius);
+    ASSERT_TRUE(text) << radius;
+    EXPECT_LT(text->size(), 10000U) << radius;
+  }
+}
+
 TEST_F(Export, SaysHowLargeACutterMayBe) {
   // A hole slightly larger than 20.
   const Model ring = testing::model_of(std::string(testing::kCam) +

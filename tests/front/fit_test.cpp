@@ -442,6 +442,22 @@ rocker  = { path = "bodies.link4.points.F.0" }
   EXPECT_NEAR(report.variables[1].after / report.variables[0].after, 15.0 / 21, 1e-8);
 }
 
+// The lift of the follower's pivot is 0: what moves the cam on its own pin changes rounding alone.
+TEST(Fit, ANumberThatChangesNothingButRoundingIsRefused) {
+  std::ifstream file(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/hyperbola_cam.toml");
+  std::stringstream text;
+  text << file.rdbuf() << "\n[design.variables]\nq = { path = \"bodies.cam.points.O.0\" }\n";
+  std::string measured = "driver[deg],follower.y[mm],follower.O.x[mm]\n";
+  for (int k = -40; k <= 40; k += 10) measured += fmt::format("{},20,70\n", k);
+  const auto with = [&](const std::string& value) {
+    std::string profile = text.str();
+    const std::size_t at = profile.find("points.O    = [0, 0]");
+    return profile.replace(at, 20, "points.O    = [" + value + ", 0]");
+  };
+  EXPECT_THAT(message_of(with("0.3"), measured),
+              HasSubstr("design.variables.q: changes none of the measured columns"));
+}
+
 TEST(Fit, NumbersOfWhichOnlySumOrDifferenceIsKnownAreNamed) {
   // The position of the face on the follower and the radius of the disc lift the follower in the same way.
   const std::string profile = std::string(kCam) + R"(

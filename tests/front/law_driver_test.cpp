@@ -274,6 +274,23 @@ TEST(LawDriver, APositionByItselfHasTheRatesOfTheLaw) {
   EXPECT_THAT(to_string(beyond.error()), HasSubstr("driver.law laws.turn does not come to 91"));
 }
 
+// Rounding of the slide's point does not become the size of the mechanism: its rows are those without it.
+TEST(LawDriver, ASlideHasTheSizeOfItsMotion) {
+  const auto rows_with = [](const std::string& x) {
+    const Model model = testing::shipped_model("law_driven_slider", {"bodies.slide.points.S.0=" + x});
+    EXPECT_TRUE(model.start()) << x << to_string(model.start().error());
+    return motion_of(model, in_time());
+  };
+  const Motion exact = rows_with("0");
+  for (const char* x : {"-1e-6", "-1e-5", "1e-4"}) {
+    const Motion rounded = rows_with(x);
+    EXPECT_TRUE(rounded.good());
+    EXPECT_THAT(rounded.column("slide.vx").values,
+                ::testing::ElementsAreArray(exact.column("slide.vx").values))
+        << x;
+  }
+}
+
 TEST(LawDriver, OtherUnitsThanTheProfilesAreThoseOfTheTable) {
   const Model model = model_of(kLawCrank +
                                "samples = 3\n[laws.turn]\nsegments = [{ over = 2, law = \"parabolic\", rise "

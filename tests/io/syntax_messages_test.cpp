@@ -32,6 +32,8 @@ INSTANTIATE_TEST_SUITE_P(
              "1:19: the closing quotation mark \" of this text is missing on its line"},
         Slip{"between = [\"a.b, \"c.d\"]\n",
              "1:19: a quotation mark \" is missing in this line, before or after `c`"},
+        Slip{"points.O = [0, 0]\"\n",
+             "1:18: there is a quotation mark \" too many here, or one is missing before"},
         Slip{"title = \"\"\"cam\n\n", "1:9: this text in \"\"\" is not closed"},
         Slip{"title = “cam”\n",
              "1:9: “ is a typographic quotation mark, not the one of the keyboard; write the plain \""},

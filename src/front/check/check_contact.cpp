@@ -210,7 +210,7 @@ private:
         if (extreme) {
           mark_growing(figures.add(quantity, dimension::kAngle, extreme->value, extreme->driver,
                                    limited ? limit : nullptr, Bound::kMost),
-                       *extreme);
+                       *extreme, figures);
         }
       };
       add(name, ranges[out].greatest, most);
@@ -237,13 +237,13 @@ private:
       mark_growing(
           figures.add("convex_radius", dimension::kLength, 1 / range.greatest->value, range.greatest->driver,
                       figures.of_contact(index_, LimitKey::kMinConvexRadius), Bound::kLeast),
-          *range.greatest, Bound::kLeast);
+          *range.greatest, figures, Bound::kLeast);
     }
     if (range.least && range.least->value < -straight) {
       mark_growing(
           figures.add("concave_radius", dimension::kLength, -1 / range.least->value, range.least->driver,
                       figures.of_contact(index_, LimitKey::kMinConcaveRadius), Bound::kLeast),
-          *range.least, Bound::kLeast);
+          *range.least, figures, Bound::kLeast);
     }
   }
 
@@ -255,7 +255,7 @@ private:
                                       range.greatest->value - range.least->value, range.greatest->driver,
                                       figures.of_contact(index_, LimitKey::kMaxFaceWidth), Bound::kMost);
     mark_growing_elsewhere(figure, *range.least, figures, "it");
-    mark_growing(figure, *range.greatest);
+    mark_growing(figure, *range.greatest, figures);
   }
 
   void read_speeds(const PathRanges& ranges, CheckFigures& figures) const {
@@ -280,7 +280,7 @@ private:
     CheckFigure& figure = figures.add(
         "least_entrainment_speed", dimension::kVelocity, none ? 0 : slowest->value, slowest->driver,
         figures.of_contact(index_, LimitKey::kMinEntrainmentSpeed), Bound::kLeast);
-    if (!none) mark_growing(figure, *slowest, Bound::kLeast);
+    if (!none) mark_growing(figure, *slowest, figures, Bound::kLeast);
   }
 
   std::size_t index_;

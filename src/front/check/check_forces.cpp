@@ -118,7 +118,7 @@ private:
     } else if (pressure) {
       mark_growing(figures.add("contact_pressure", kPressureUnit, pressure->value, pressure->driver, most,
                                Bound::kMost),
-                   *pressure);
+                   *pressure, figures);
     } else {
       return;
     }

@@ -86,18 +86,19 @@ inline constexpr Sought kBoth = {true, true, 0};
 /// the path.
 [[nodiscard]] std::optional<PathExtreme> peak_of(const PathRange& range);
 
-/// Remarks on a figure that its extreme still grows towards a singular position, and takes back that it keeps
-/// its limit. \param bound  kLeast: a figure that falls where its extreme grows
-void mark_growing(CheckFigure& figure, const PathExtreme& extreme,
+/// Remarks on a figure that its extreme still grows towards a singular position, or that the quantity goes on
+/// beyond it towards another one, and takes back that it keeps its limit.
+/// \param bound  kLeast: a figure that falls where its extreme grows
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
                   CheckFigures::Bound bound = CheckFigures::Bound::kMost);
 
 /// The same for a figure that is the peak_of() a range, and may grow with the other sign as well.
 void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigures& figures);
 
 /// The same for a figure that is not at the place of the extreme. \param how  it grows: "with the other sign
-/// it"
+/// it" \param least  what goes on beyond the extreme, but not beyond this size, does not count
 void mark_growing_elsewhere(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
-                            std::string_view how);
+                            std::string_view how, double least = 0);
 
 /// \name Parts of a check: what each follows along the path, and how it makes figures of the ranges found
 /// @{

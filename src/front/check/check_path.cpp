@@ -31,29 +31,37 @@ void remark_growing(CheckFigure& figure, std::string what) {
 
 }  // namespace
 
-void mark_growing(CheckFigure& figure, const PathExtreme& extreme, CheckFigures::Bound bound) {
+void mark_growing(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
+                  CheckFigures::Bound bound) {
+  const char* const how = bound == CheckFigures::Bound::kMost ? "grows" : "falls";
   if (extreme.grows) {
-    remark_growing(figure,
-                   fmt::format("it still {} there", bound == CheckFigures::Bound::kMost ? "grows" : "falls"));
+    remark_growing(figure, fmt::format("it still {} there", how));
+  } else if (extreme.growth) {
+    remark_growing(figure, fmt::format("it still {} at {}", how, figures.place(extreme.growth->driver)));
   }
 }
 
 void mark_growing_elsewhere(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,
-                            std::string_view how) {
-  if (extreme.grows) {
-    remark_growing(figure, fmt::format("{} still grows at {}", how, figures.place(extreme.driver)));
+                            std::string_view how, double least) {
+  const bool goes_on = extreme.growth && std::abs(extreme.growth->limit) > least;
+  if (extreme.grows || goes_on) {
+    const double driver = extreme.grows ? extreme.driver : extreme.growth->driver;
+    remark_growing(figure, fmt::format("{} still grows at {}", how, figures.place(driver)));
   }
 }
 
 void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigures& figures) {
   const auto peak = peak_of(range);
   for (const auto& extreme : {range.least, range.greatest}) {
-    if (peak && extreme && extreme->value * peak->value < 0) {
-      mark_growing_elsewhere(figure, *extreme, figures, "with the other sign it");
+    if (!peak || !extreme) continue;
+    const bool changes_sign =
+        extreme->growth && extreme->growth->limit * peak->value < -peak->value * peak->value;
+    if (extreme->value * peak->value < 0 || changes_sign) {
+      mark_growing_elsewhere(figure, *extreme, figures, "with the other sign it", std::abs(peak->value));
     }
   }
   if (peak) {
-    mark_growing(figure, *peak);
+    mark_growing(figure, *peak, figures);
   }
 }
 

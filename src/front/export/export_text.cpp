@@ -17,13 +17,21 @@ namespace higherpair {
 namespace {
 
 Result<double> tolerance_of(const Model& model, const ExportedCurve& curve, const ExportAccuracy& accuracy) {
-  const double least = kFinestTolerance * curve.boundary.size();
-  const double tolerance = accuracy.tolerance.value_or(kDefaultExportTolerance * curve.boundary.size());
+  const double size = curve.boundary.size();
+  const double least = finest_tolerance(curve.boundary);
+  const double tolerance = accuracy.tolerance.value_or(std::max(kDefaultExportTolerance * size, least));
+  const auto text = [&](double metres) {
+    return fmt::format("{:.3g} {}", from_si(dimension::kLength, model.units()).apply(metres),
+                       name_of(model.units().length));
+  };
+  if (least > kCoarsestShape * size) {
+    return wrong(
+        model,
+        fmt::format("{} is too small to be drawn at {} from the origin of its body's frame: make it "
+                    "at least {} large, or move the origin near it",
+                    curve.name, text(curve.boundary.middle_B().norm()), text(1.01 * least / kCoarsestShape)));
+  }
   if (!(tolerance >= least)) {
-    const auto text = [&](double metres) {
-      return fmt::format("{:.3g} {}", from_si(dimension::kLength, model.units()).apply(metres),
-                         name_of(model.units().length));
-    };
     return wrong(model, fmt::format("a tolerance of {} is finer than {} can be drawn: take at least {}",
                                     text(tolerance), curve.name, text(1.01 * least)));
   }

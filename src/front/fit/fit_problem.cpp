@@ -87,7 +87,23 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
       J(place(i), place(p)) = there && std::isfinite(slope) ? -slope : 0;
     }
   }
+  clear_rounding(J);
   return J;
+}
+
+// Sets to 0 what a number of the profile changes in a column, if it is nothing but rounding in all rows.
+void FitProblem::clear_rounding(Eigen::MatrixXd& J) const {
+  for (std::size_t p = 0; p < data_.variables->variables.size(); ++p) {
+    std::vector<double> effects(data_.columns.size(), 0);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      double& effect = effects[values_[i].column];
+      effect = std::max(effect, std::abs(J(place(i), place(p))) * motion_.scale(p));
+    }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const std::size_t column = values_[i].column;
+      if (effects[column] <= kNoFitEffect * largest(column)) J(place(i), place(p)) = 0;
+    }
+  }
 }
 
 std::vector<double> FitProblem::unwrapped(std::size_t column, const Eigen::VectorXd& x) const {

@@ -39,7 +39,8 @@ public:
   /// None where the candidate cannot be started. \param missing  set to the number of these values
   [[nodiscard]] std::optional<Eigen::VectorXd> residuals(const Eigen::VectorXd& x,
                                                          int* missing = nullptr) const;
-  /// Derivatives of the residuals by x.
+  /// Derivatives of the residuals by x; those of a column by a number that changes it by nothing but rounding
+  /// are 0.
   [[nodiscard]] std::optional<Eigen::MatrixXd> jacobian(const Eigen::VectorXd& x) const;
 
   /// Largest deviation of the measured values of a column from their mean; > 0.
@@ -54,6 +55,7 @@ public:
 
 private:
   [[nodiscard]] Eigen::VectorXd residuals_of(const FitTable& fitted, int* missing) const;
+  void clear_rounding(Eigen::MatrixXd& J) const;
 
   const FitData& data_;
   const FitMotion& motion_;

@@ -175,7 +175,6 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
                                          const std::vector<std::string>& names,
                                          std::vector<bool>& determined) {
   const Eigen::VectorXd lengths = J.colwise().norm();
-  const double longest = lengths.maxCoeff();
   std::vector<std::string> sentences;
   Eigen::MatrixXd scaled = J;
   for (Eigen::Index i = 0; i < J.cols(); ++i) {
@@ -185,7 +184,7 @@ std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::
   Eigen::Index rank = 0;
   while (rank < svd.values.size() && svd.values(rank) > kFitRank * svd.values(0)) ++rank;
   const Eigen::Index idle = J.cols() - rank;
-  if (idle == 0 || !(longest > 0)) return sentences;
+  if (idle == 0) return sentences;
   const Eigen::MatrixXd basis = sparse_basis(svd.V.rightCols(idle).transpose());
   for (Eigen::Index k = 0; k < idle; ++k) {
     std::vector<double> z, values;

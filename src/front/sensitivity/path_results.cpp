@@ -53,6 +53,8 @@ struct PathResults::Extreme {
   std::optional<PathPlace> rival_where;
   bool jumps = false;
   bool grows = false;
+  std::optional<PathPlace> grows_at;  // elsewhere, beyond `value`
+  double limit = -kInf;               // what sign times the column tends to there
 };
 
 // All columns at equally spaced places of the path, to find where else they are large.
@@ -318,6 +320,7 @@ PathResult PathResults::extreme_result(const Measure& measure, std::size_t colum
     result.parts.push_back(extreme.places);
     result.jumps = result.jumps || extreme.jumps;
     result.grows = result.grows || extreme.grows;
+    if (extreme.grows_at) result.grows_at = extreme.grows_at;
   };
   std::optional<Extreme> high, low;
   if (measure.of != MeasureKind::kMin) high = extreme(column, 1, range.greatest, sampled);
@@ -330,7 +333,7 @@ PathResult PathResults::extreme_result(const Measure& measure, std::size_t colum
   }
   if (high && low) {  // the larger absolute value; the other sign is a rival
     if (low->value > high->value) std::swap(high, low);
-    result.grows_elsewhere = low->grows && low->value > 0;
+    result.grows_with_other_sign = (low->grows && low->value > 0) || low->limit > high->value;
     const double same = kSameResult * (high->value + std::abs(low->value));
     if (low->value >= high->value - same) {
       high->places.insert(high->places.end(), low->places.begin(), low->places.end());
@@ -361,6 +364,10 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
   extreme.where = columns_.place(found->at);
   extreme.places = {{extreme.where, sign}};
   extreme.grows = found->grows;
+  if (found->growth) {
+    extreme.grows_at = columns_.place(found->growth->at);
+    extreme.limit = sign * found->growth->limit;
+  }
   const double spread = high_[column] - low_[column];
   if (sampled == nullptr) {
     return extreme;

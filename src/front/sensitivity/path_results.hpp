@@ -34,9 +34,10 @@ struct PathResult {
   double factor = 1;
   bool jumps = false;  ///< the column has a jump or a kink at one of the places, which move with the numbers
   bool grows = false;  ///< unbounded, towards a singular position
-  bool grows_elsewhere = false;  ///< the same, but with the other sign than the value
-  bool constant = false;         ///< an extreme of a column that is constant along the path
-  double rounding = 0;           ///< of a value of the column [its unit]; 0 if it depends on forces
+  bool grows_with_other_sign = false;  ///< the same, but with the other sign than the value
+  std::optional<PathPlace> grows_at;   ///< the same at a place that is not that of the extreme
+  bool constant = false;               ///< an extreme of a column that is constant along the path
+  double rounding = 0;                 ///< of a value of the column [its unit]; 0 if it depends on forces
 };
 
 /// Rounding of a column [its unit]; 0 where forces or masses are in it.

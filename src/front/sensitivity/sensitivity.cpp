@@ -85,11 +85,20 @@ private:
       if (from.rival_where) to.rival_where = where(*from.rival_where);
       if (std::isnan(from.value)) to.remark = "it has no value on this run";
       if (from.constant) to.remark = "it is the same everywhere on the path";
-      if (from.grows || from.grows_elsewhere) {
-        to.remark = fmt::format("{}, towards a limit position or dead point",
-                                from.grows ? "it still grows there" : "with the other sign it still grows");
+      if (is_unbounded(from)) {
+        to.remark = growth_text(from, report.where_unit) + ", towards a limit position or dead point";
       }
     }
+  }
+
+  [[nodiscard]] static bool is_unbounded(const PathResult& result) {
+    return result.grows || result.grows_with_other_sign || result.grows_at;
+  }
+
+  [[nodiscard]] std::string growth_text(const PathResult& result, const std::string& unit) const {
+    if (result.grows) return "it still grows there";
+    if (result.grows_at) return fmt::format("it still grows at {:.6g} {}", where(*result.grows_at), unit);
+    return "with the other sign it still grows";
   }
 
   [[nodiscard]] std::optional<Error> make_models() {
@@ -119,8 +128,10 @@ private:
 
   // Sets slopes that are rounding to 0.
   void snap(Slope& slope, std::size_t number, std::size_t m) const {
-    const bool rounding = results_[m].constant || largest(m) <= results_[m].rounding;
-    const double noise = rounding ? kNoSlopeOfRounding * results_[m].rounding : 0;
+    const double factor = results_[m].constant                 ? kNoSlopeOfConstant
+                          : largest(m) <= results_[m].rounding ? kNoSlopeOfRounding
+                                                               : 0;
+    const double noise = factor * results_[m].rounding;
     const double least = std::max(kNoSlope * largest(m), noise) / models_[number]->scale();
     if (std::abs(slope.up) <= least && std::abs(slope.down) <= least) {
       slope.up = slope.down = 0;
@@ -151,7 +162,7 @@ private:
       Slope& slope = report.results[m].slopes[i];
       if (state == NumberSlopes::State::kNoInfluence || std::isnan(results_[m].value)) continue;
       if (!slope.remark.empty()) continue;
-      const bool unbounded = results_[m].grows || results_[m].grows_elsewhere;
+      const bool unbounded = is_unbounded(results_[m]);
       if (unbounded || state == NumberSlopes::State::kRows) {
         slope = {};
         slope.remark = unbounded ? "the result is without bounds" : "with another value there are other rows";

@@ -101,11 +101,15 @@ Finding missing_quote(const SyntaxScan& scan) {
     return std::nullopt;
   }
   const std::string_view line = scan.line_from(scan.text.substr(0, scan.stop).rfind('\n') + 1);
-  return std::count(line.begin(), line.end(), '"') % 2 != 0
-             ? Finding({scan.stop,
-                        fmt::format("a quotation mark \" is missing in this line, before or after `{}`",
-                                    shown(word_of(scan.line_from(scan.stop))))})
-             : std::nullopt;
+  if (std::count(line.begin(), line.end(), '"') % 2 == 0) {
+    return std::nullopt;
+  }
+  const std::string_view word = word_of(scan.line_from(scan.stop));
+  return Found{scan.stop, word.empty()
+                              ? "there is a quotation mark \" too many here, or one is missing before"
+                              : fmt::format("a quotation mark \" is missing in this line, before "
+                                            "or after `{}`",
+                                            shown(word))};
 }
 
 // The parser's message without its beginning, on one line: "Error while parsing decimal integer: expected

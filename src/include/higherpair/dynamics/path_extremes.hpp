@@ -25,11 +25,21 @@ struct PathQuantities {
   std::function<void(const Run& run, double at, std::span<double> values)> values;
 };
 
+/// A place next to a singular position, towards which a quantity goes on beyond its extreme elsewhere.
+struct PathGrowth {
+  double at = 0;      ///< parameter of the path, of the sample beside the singular position
+  double driver = 0;  ///< coordinate of the first driven joint [rad or m]
+  /// What it tends to there: infinite (-infinite for the least) if it grows faster than the logarithm of the
+  /// distance, else as if it went on with the root of the distance.
+  double limit = 0;
+};
+
 struct PathExtreme {
   double value = 0;
   double at = 0;       ///< parameter of the path
   double driver = 0;   ///< coordinate of the first driven joint [rad or m]
   bool grows = false;  ///< it is still growing towards a singular position, next to which nothing is known
+  std::optional<PathGrowth> growth;  ///< where it goes on beyond `value`, the farthest; none if nowhere
 };
 
 /// Extremes of one quantity; none where it is nowhere defined, or was not sought.
@@ -48,9 +58,9 @@ struct PathLook {
 /// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
 /// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
 /// first one on the path is taken. Extremes that lie entirely between two samples may be missed. The stretch
-/// between a limit position or dead point and the samples next to it is not examined, since rates there are
-/// rounding or unbounded. Ends early where is_stopped(start).
-/// \param start  the mechanism at the path's first positions, as start_run returns it
+/// between a limit position or dead point and the samples next to it is not searched, since rates there are
+/// rounding or unbounded; from a few positions on it growth beyond the extreme is told. Ends early where
+/// is_stopped(start). \param start  the mechanism at the path's first positions, as start_run returns it
 /// \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,

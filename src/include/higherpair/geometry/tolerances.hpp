@@ -130,6 +130,12 @@ inline constexpr double kLeastOffsetRadius = 1e-6;
 
 /// Finest tolerance that may be asked for, relative to the boundary's size.
 inline constexpr double kFinestTolerance = 1e-9;
+/// The same relative to its largest coordinate, 64 roundings of it: vertices are not placed better than that.
+inline constexpr double kFinestPlace = 1.5e-14;
+/// The same [m]: squares of smaller lengths are no normal numbers.
+inline constexpr double kFinestLength = 1e-140;
+/// Coarsest tolerance at which a boundary keeps its shape, relative to its size.
+inline constexpr double kCoarsestShape = 1e-2;
 // Relative to the size: a span this close to an arc is replaced by that arc, ...
 inline constexpr double kSameSpanArc = 1e-12;
 inline constexpr double kSameTangent = 1e-9;    // ... if their tangents at the end agree [rad]
