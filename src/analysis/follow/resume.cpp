@@ -194,9 +194,14 @@ void round_to_grid(const Run& run, State& state) {
 // kLostBranchProbe. They do not depend on the rows, so neither does what is found at them.
 class Probes {
 public:
-  explicit Probes(const LineAhead& line)
-      : limit_(on_search_grid(line.x_of(line.begin()), line.scale())),
-        step_(line.sense() * kLostBranchProbe * line.scale()) {}
+  /// \param rounded  from a position beyond the limit on the grid of the search
+  Probes(const LineAhead& line, bool rounded) : step_(line.sense() * kLostBranchProbe * line.scale()) {
+    limit_ = line.x_of(line.begin());
+    if (rounded) {
+      const double grid = line.sense() * kSearchGrid * line.scale();
+      limit_ = std::ceil(limit_ / grid) * grid;
+    }
+  }
 
   [[nodiscard]] double at(double k) const {
     return k > kFirstProbes ? limit_ + (k - kFirstProbes) * step_
@@ -224,7 +229,7 @@ public:
       : run_(run),
         line_(line),
         drivers_(drivers),
-        probes_(line),
+        probes_(line, run.plan().couples),
         couples_(run.plan().couples),
         to_(line.x_of(drivers)),
         searched_to_(line.x_of(line.begin())) {}
