@@ -177,78 +177,47 @@ TEST(Design, AnInfeasibleTaskGivesTheLeastViolatedDesign) {
   EXPECT_NEAR(report.constraints[0].margin, -45, 1e-5);
 }
 
-// Two arms of 7 on pivots 10 apart, joined by a coupler of 1: the left arm gets no farther than where the
-// other arm and the coupler are in line.
-const std::string kDoubleRocker = R"(
-[bodies.ground]
-points.O1 = [0, 0]
-points.O2 = [10, 0]
-[bodies.left]
-pose = { angle = 44 }
-points.O = [0, 0]
-points.A = [7, 0]
-[bodies.coupler]
-pose = { x = 5, y = 4.9, angle = 0 }
-points.A = [0, 0]
-points.B = [1, 0]
-points.T = [0.5, 0.5]
-[bodies.right]
-pose = { x = 10, angle = 130 }
-points.O = [0, 0]
-points.B = [7, 0]
-[joints]
-o1 = { type = "revolute", between = ["ground.O1", "left.O"] }
-a = { type = "revolute", between = ["left.A", "coupler.A"] }
-b = { type = "revolute", between = ["coupler.B", "right.B"] }
-o2 = { type = "revolute", between = ["ground.O2", "right.O"] }
-[design.variables]
-x = { path = "bodies.coupler.points.T.1", min = 0.49, max = 0.51 }
-[[design.objectives]]
-path = { point = "coupler.T", timed = true, through = [[5, 5], [5.01, 4.99], [5.02, 4.98]] }
-)";
-
-// The disc pair of lock_up.toml, which can be assembled up to 65.8344 degrees.
-const std::string kLockUp = R"(
-[bodies.ground]
-points.O1 = [0, 0]
-points.O2 = [80, 0]
-[bodies.cam]
-points.O = [0, 0]
-curves.disc = { type = "circle", center = [50, 0], radius = 20 }
-[bodies.follower]
-pose = { x = 80, angle = -58 }
-points.O = [0, 0]
-points.Q = [-20, 0]
-curves.disc = { type = "circle", center = [-40, 0], radius = 15 }
-[joints]
-o1 = { type = "revolute", between = ["ground.O1", "cam.O"] }
-o2 = { type = "revolute", between = ["ground.O2", "follower.O"] }
-[contacts]
-touch = { between = ["cam.disc", "follower.disc"] }
-[design.variables]
-x = { path = "bodies.follower.curves.disc.center.0", min = -40.001, max = -39.999 }
-[[design.objectives]]
-path = { point = "follower.Q", timed = true, through = [[69.4, 17], [69.41, 16.99], [69.42, 16.98]] }
-)";
-
 // A driver that goes beyond a limit and back between two rows: every row can be assembled, the path cannot.
 TEST(Design, ALimitBetweenTwoRowsWhereTheDriverTurnsBackCounts) {
-  const auto there_and_back = [](const std::string& joint, double start, double rise) {
-    return fmt::format(
-        "[driver]\njoint = \"{}\"\nlaw = \"l\"\nsamples = 3\n[laws.l]\nstart = {}\nsegments = [\n"
-        "{{ over = 0.2, law = \"cycloidal\", rise = {} }}, {{ over = 0.2, law = \"cycloidal\", rise = {} "
-        "}},\n"
-        "{{ over = 0.6, law = \"cycloidal\", rise = -1 }} ]\n",
-        joint, start, rise, -rise);
+  struct Task {
+    const char* profile;
+    const char* joint;
+    double start, beyond, short_of;  // of the driver, and rises from there [deg]
+    const char* design;
+    std::vector<std::string> overrides = {};
   };
-  const auto report_of = [](const std::string& text) { return designed(model_of(text), few(1)); };
-  for (const auto& [mechanism, start, beyond, short_of] :
-       {std::tuple(kDoubleRocker, 44.0, 30.0, 8.0), std::tuple(kLockUp, 0.0, 70.0, 60.0)}) {
-    const DesignReport lost = report_of(mechanism + there_and_back("o1", start, beyond));
+  // The arms of double_rocker.toml come in line with its coupler at 52.6 degrees, the discs lock up at 65.8.
+  const Task tasks[] = {
+      {"double_rocker", "left_pivot", 44, 30, 8,
+       "x = { path = \"bodies.coupler.points.T.1\", min = 0.49, max = 0.51 }\n[[design.objectives]]\n"
+       "path = { point = \"coupler.T\", timed = true, through = [[5, 5], [5.01, 4.99], [5.02, 4.98]] }\n"},
+      {"lock_up",
+       "cam_pivot",
+       0,
+       70,
+       60,
+       "x = { path = \"bodies.follower.curves.disc.center.0\", min = -40.001, max = -39.999 }\n"
+       "[[design.objectives]]\npath = { point = \"follower.Q\", timed = true, "
+       "through = [[69.4, 17], [69.41, 16.99], [69.42, 16.98]] }\n",
+       {"bodies.follower.points.Q=[-20, 0]"}}};
+  for (const Task& task : tasks) {
+    SCOPED_TRACE(task.profile);
+    const std::string text = text_of_profile(task.profile);
+    const auto report_of = [&](double rise) {
+      const std::string driver = fmt::format(
+          "[driver]\njoint = \"{}\"\nlaw = \"l\"\nsamples = 3\n[laws.l]\nstart = {}\nsegments = [\n"
+          "{{ over = 0.2, law = \"cycloidal\", rise = {} }}, {{ over = 0.2, law = \"cycloidal\", rise = {} "
+          "}},\n"
+          "{{ over = 0.6, law = \"cycloidal\", rise = -1 }} ]\n[design.variables]\n",
+          task.joint, task.start, rise, -rise);
+      const std::string whole = text.substr(0, text.find("[driver]")) + driver + task.design;
+      return designed(model_of(whole, task.overrides), few(1));
+    };
+    const DesignReport lost = report_of(task.beyond);
     EXPECT_FALSE(lost.starts_good);
     EXPECT_FALSE(lost.path_good);
     EXPECT_FALSE(lost.holds);
-    const DesignReport kept = report_of(mechanism + there_and_back("o1", start, short_of));
+    const DesignReport kept = report_of(task.short_of);
     EXPECT_TRUE(kept.starts_good);
     EXPECT_TRUE(kept.path_good);
   }

@@ -84,8 +84,7 @@ std::vector<std::string> event_lines(const std::vector<Event>& events, const Mod
 }
 
 // What the library calls the setting `columns`, or an override, is an option here: "setting columns driver"
-// is
-// `--columns driver`, "override driver.end=3" is `--set driver.end=3`.
+// is `--columns driver`, "override driver.end=3" is `--set driver.end=3`.
 std::string in_options(const std::string& source) {
   constexpr std::string_view kSetting = "setting ";
   constexpr std::string_view kOverride = "override ";

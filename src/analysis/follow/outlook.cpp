@@ -80,10 +80,11 @@ std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlo
 // The drivers on a line, to within the grid where bodies are coupled.
 std::vector<double> drivers_near(const Run& run, const LineAhead& line, double x) {
   std::vector<double> drivers = line.at(x);
-  for (std::size_t i = 0; run.plan().couples && i < drivers.size(); ++i) {
-    if (i != line.leading()) {
-      drivers[i] = on_search_grid(drivers[i], driver_scale(run, i));
-    }
+  if (!run.plan().couples) {
+    return drivers;
+  }
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    drivers[i] = i == line.leading() ? x : on_search_grid(drivers[i], driver_scale(run, i));
   }
   return drivers;
 }

@@ -110,8 +110,7 @@ bool follow_part(Run& run, const Path& path, double first_step = kInf) {
   return follow(run, path, first_step);
 }
 
-// Continues the motion from where it was lost, after the drivers have reversed away from the
-// limit.
+// Continues the motion from where it was lost, after the drivers have reversed away from the limit.
 bool come_back(Run& run, const std::vector<double>& drivers) {
   const Path path = part_of_path(run, run.at.lost.from, drivers);
   hold_again(run);
@@ -476,8 +475,8 @@ void look_from_limit(Run& run) {
     if (limit && std::abs(limit->ahead - path.length) <= kSameLimit * unit_of(run, path)) {
       reduction.place_limit(*limit);
       round_to_grid(run, run.work.trial);
-      run.at.lost.nearest = Nearest{run.work.trial, {}};
-      run.at.lost.nearest->continuations.resize(groups.size());
+      run.at.lost.nearest =
+          Nearest{run.work.trial, std::vector<std::optional<LeastViolation>>(groups.size())};
       return;
     }
   }

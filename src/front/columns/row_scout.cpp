@@ -53,10 +53,7 @@ void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     motions_.push_back(schedule.state(to, i).si);
   }
-  for_each_part(schedule, to, motions_,
-                [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
-                  move_to(place_.run, drivers);
-                });
+  move_to_row(place_.run, schedule, to, motions_);
   row_ = to;
 }
 

@@ -27,10 +27,7 @@ void SlopeRun::go_to(std::size_t row) {
   for (; next_ <= row; ++next_) {
     const auto k = static_cast<std::int64_t>(next_);
     motions_ = drivers_in(*schedule_, k);
-    for_each_part(*schedule_, k, motions_,
-                  [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
-                    move_to(run_, drivers);
-                  });
+    move_to_row(run_, *schedule_, k, motions_);
   }
 }
 

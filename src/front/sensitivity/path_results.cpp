@@ -17,11 +17,10 @@ constexpr int kSamples = 720;   // of a path, among which other extremes are sou
 constexpr int kMarkEvery = 24;  // samples between states that are kept to continue from
 constexpr std::size_t kMostTies = 6;
 constexpr std::size_t kMostRefined = 12;
-constexpr std::size_t kMostFlat = 48;  // places on a stretch on which a column is constant
-constexpr int kEdgeHalvings = 40;      // between two samples, to find where such a stretch ends
-constexpr double kEdgeFalls = 8;       // factor between what the column has fallen by at three places beyond
-constexpr double kLeastEdgeBend =
-    0.2;  // if it falls with a higher power of the distance, the end is left there
+constexpr std::size_t kMostFlat = 48;   // places on a stretch on which a column is constant
+constexpr int kEdgeHalvings = 40;       // between two samples, to find where such a stretch ends
+constexpr double kEdgeFalls = 8;        // factor between what the column has fallen by at three places beyond
+constexpr double kLeastEdgeBend = 0.2;  // the end stays there if it falls with a higher power of the distance
 
 }  // namespace
 

@@ -95,6 +95,14 @@ std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t ro
   return positions;
 }
 
+void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
+                 const std::vector<DriverMotion>& at_row) {
+  for_each_part(schedule, row, at_row,
+                [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
+                  move_to(run, drivers);
+                });
+}
+
 RowPath path_of(const DriverSchedule& schedule) {
   if (schedule.is_timed()) {
     return path_in_time(schedule);

@@ -38,6 +38,10 @@ void for_each_part(const DriverSchedule& schedule, std::int64_t row, const std::
   go(at_row, from, 1.0);
 }
 
+/// Moves a run from the row before to a row, part by part. \param at_row  drivers_in(schedule, row)
+void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
+                 const std::vector<DriverMotion>& at_row);
+
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
 }  // namespace higherpair
