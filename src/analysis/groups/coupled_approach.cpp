@@ -165,12 +165,17 @@ bool is_all_but_zero(const Eigen::VectorXd& F) {
   return F.norm() <= kCoupledApproach;
 }
 
-// The minimum of |F|² near a change by Newton's method, no farther than `farthest` from zero change. Where no
-// solution is near, the remaining violation contributes as much to the curvature of |F|² as JᵀJ does, which
-// the method of Levenberg and Marquardt would have to discover step by step. None where the iteration leads
-// elsewhere.
-std::optional<Eigen::VectorXd> least_nearby(const Violation& violation, Eigen::VectorXd change,
-                                            double farthest) {
+// A change at which |F|² is stationary.
+struct Stationary {
+  Eigen::VectorXd change;
+  bool is_minimum = false;
+};
+
+// That near a change by Newton's method, no farther than `farthest` from zero change. Where no solution is
+// near, the remaining violation contributes as much to the curvature of |F|² as JᵀJ does, which the method of
+// Levenberg and Marquardt would have to discover step by step. None where the iteration leads elsewhere.
+std::optional<Stationary> stationary_near(const Violation& violation, Eigen::VectorXd change,
+                                          double farthest) {
   Eigen::VectorXd F, slope, before, behind;
   Eigen::MatrixXd J;
   for (int i = 0; i < kApproachSteps; ++i) {
@@ -185,19 +190,22 @@ std::optional<Eigen::VectorXd> least_nearby(const Violation& violation, Eigen::V
       if (!violation.gradient(nudged, F, behind)) return std::nullopt;
       H.col(k) += (behind - before) / (2 * kApproachDifference);
     }
-    const Eigen::LLT<Eigen::MatrixXd> factor((H + H.transpose()) / 2);
-    if (factor.info() != Eigen::Success) return std::nullopt;
-    const Eigen::VectorXd step = -factor.solve(slope);
+    const Eigen::MatrixXd symmetric = (H + H.transpose()) / 2;
+    const Eigen::VectorXd step = LuSolver(symmetric).solve(-slope).col(0);
     change += step;
     if (!violation.lead(change) || !(violation.farthest() <= farthest)) return std::nullopt;
-    if (step.cwiseAbs().maxCoeff() <= kApproachSettled) return change;
+    if (step.cwiseAbs().maxCoeff() <= kApproachSettled) {
+      return Stationary{change, Eigen::LLT<Eigen::MatrixXd>(symmetric).info() == Eigen::Success};
+    }
   }
   return std::nullopt;
 }
 
-// A solution, or a minimum of |F|², by the method of Levenberg and Marquardt. Where that ends in a flat
-// valley is a matter of rounding: a place with F ≠ 0 counts only if it is a minimum.
-std::optional<Eigen::VectorXd> least_far(const Violation& violation, const Eigen::VectorXd& start) {
+// A solution, or a minimum of |F|², by the method of Levenberg and Marquardt, no farther than `farthest` from
+// zero change. Where that method ends in a flat valley is a matter of rounding: a place with F ≠ 0 counts
+// only if it is a minimum.
+std::optional<Eigen::VectorXd> least_from(const Violation& violation, const Eigen::VectorXd& start,
+                                          double farthest) {
   Eigen::VectorXd F;
   LeastSquaresProblem problem;
   problem.residuals = [&](const Eigen::VectorXd& x, Eigen::VectorXd& r) { return violation.values(x, r); };
@@ -205,24 +213,37 @@ std::optional<Eigen::VectorXd> least_far(const Violation& violation, const Eigen
   LeastSquaresOptions options;
   options.iterations = kMostApproachSteps;
   options.rounding = kCoupledClosure;
-  // Where two solutions begin, the place between them is a saddle, from which no step would lead away.
-  const Eigen::Index n = start.size();
-  const Eigen::VectorXd beside = start + Eigen::VectorXd::LinSpaced(n, 1, 2) * kApproachDifference;
-  const LeastSquaresFit fit = least_squares(problem, beside, options);
-  if (!violation.lead(fit.x) || !(violation.farthest() <= kFarthestApproach)) {
+  const LeastSquaresFit fit = least_squares(problem, start, options);
+  if (!violation.lead(fit.x) || !(violation.farthest() <= farthest)) {
     return std::nullopt;
   }
-  return is_all_but_zero(fit.r) ? fit.x : least_nearby(violation, fit.x, kFarthestApproach);
+  if (is_all_but_zero(fit.r)) {
+    return fit.x;
+  }
+  const auto at = stationary_near(violation, fit.x, farthest);
+  return at && at->is_minimum ? std::optional(at->change) : std::nullopt;
+}
+
+// The change with the least violation near zero change. Between two solutions or minima that have just parted
+// there is a saddle: they may be far from it, and a nudge is needed to leave it. Where the minimum has
+// vanished instead, what a long search would find is a matter of rounding.
+std::optional<Eigen::VectorXd> least_violation(const Violation& violation, const Eigen::VectorXd& start) {
+  const auto at = stationary_near(violation, start, kLargestCoupledStep);
+  if (!at) {
+    return least_from(violation, start, kLargestCoupledStep);
+  }
+  const Eigen::Index n = start.size();
+  return at->is_minimum
+             ? at->change
+             : least_from(violation, at->change + Eigen::VectorXd::LinSpaced(n, 1, 2) * kApproachDifference,
+                          kFarthestApproach);
 }
 
 // Moves `to` to the minimum of |F|² near zero change; true where that is all but 0. If it is far away, `to`
 // is left where it was.
 bool approach(const Violation& violation) {
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(violation.unknowns());
-  auto least = least_nearby(violation, start, kLargestCoupledStep);
-  if (!least) {
-    least = least_far(violation, start);
-  }
+  const auto least = least_violation(violation, start);
   Eigen::VectorXd F;
   if (!least || !violation.values(*least, F)) {
     (void)violation.lead(start);
