@@ -16,7 +16,7 @@ using testing::shipped;
 
 class DirectMotions : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(DirectMotions, StandWhereTheRunStands) {
+TEST_P(DirectMotions, HaveThePositionsOfTheRun) {
   const Profile profile = shipped(GetParam());
   const DriverSchedule schedule = DriverSchedule::analyze(profile, 40).value();
   const Mechanism& mechanism = profile.mechanism;

@@ -28,7 +28,7 @@ struct Pair {
   }
 };
 
-TEST(MappedContacts, StandWhereTheMechanismStands) {
+TEST(MappedContacts, HaveThePositionsOfTheMechanism) {
   const Pair pair;
   const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_TRUE(mapped);

@@ -44,7 +44,7 @@ protected:
   PinLinkage linkage_ = PinLinkage::of(mechanism_, plan_).value();
 };
 
-TEST_P(PinLinkages, StandWhereTheOrdinarySolutionHasThem) {
+TEST_P(PinLinkages, HaveThePositionsOfTheOrdinarySolution) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     const std::vector<double> numbers = shaken(numbers_of(mechanism_), seed, plan_.size);
     const Mechanism mechanism = with_numbers(mechanism_, numbers);

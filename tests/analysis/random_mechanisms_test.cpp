@@ -79,7 +79,7 @@ std::string seed_name(unsigned seed) {
   return fmt::format("seed {}", seed);
 }
 
-TEST(RandomMechanisms, StandInTheirPosesAndCloseToRoundingOnTheirWay) {
+TEST(RandomMechanisms, StartInTheirPosesAndCloseToWithinRounding) {
   Worst pose, closure;
   std::size_t rows = 0;
   for (unsigned seed = 0; seed < kSeeds; ++seed) {
@@ -303,7 +303,7 @@ TEST(RandomMechanisms, HaveMirroredMovedAndScaledCopiesWithTheImageOfTheirMotion
   RecordProperty("worst", fmt::format("{}", worst.value()));
 }
 
-TEST(RandomMechanisms, StandWhereTheyStandHoweverManyRowsLeadThere) {
+TEST(RandomMechanisms, MoveAlikeHoweverManyRowsLeadThere) {
   Worst worst;
   for (unsigned seed = 0; seed < kSeeds; ++seed) {
     const auto [mechanism, start] = random_mechanism(seed);

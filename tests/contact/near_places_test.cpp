@@ -134,7 +134,7 @@ TEST(NearPlaces, AreFollowedWhileTheBodiesMove) {
   }
 }
 
-TEST(NearPlaces, AnEndOfAFaceStandsOverTheOtherBody) {
+TEST(NearPlaces, AnEndOfAFaceIsOverTheOtherBody) {
   const Boundary face =
       *Boundary::make({face_span(Vector2d(0.013, 0.029), Vector2d(0.002, 0.029))}, false, 0);
   const Boundary disc = boundary_of(*make_circle(Vector2d::Zero(), 0.031), 1);

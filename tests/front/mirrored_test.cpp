@@ -143,6 +143,26 @@ INSTANTIATE_TEST_SUITE_P(OfProfiles, Copies,
                                            Copied{"law_cam_flat"}),
                          [](const auto& given) { return std::string(given.param.profile); });
 
+// Coupled bodies beyond their first limit: whether they are taken up again, and where, was once decided by
+// rounding errors, and differed in copies.
+TEST(BeyondALimit, CopiesGoOnAsTheOriginalDoes) {
+  for (const char* name : {"closed20402", "coupled20355"}) {
+    const auto opened = [&](const char* length) {
+      const std::string file = fmt::format("{}/follow/{}.toml", HIGHERPAIR_TEST_DATA, name);
+      return Model::open(file, std::vector{fmt::format("units.length=\"{}\"", length)}).value();
+    };
+    const Model model = opened("m");
+    const Motion original = motion_of(model, 121);
+    for (const Model& copy : {mirrored(model), opened("mm")}) {
+      const Motion motion = motion_of(copy, 121);
+      ASSERT_EQ(motion.size(), original.size()) << name;
+      for (std::size_t k = 0; k < motion.size(); ++k) {
+        EXPECT_EQ(motion.statuses()[k], original.statuses()[k]) << name << " row " << k;
+      }
+    }
+  }
+}
+
 // Compared by item, curve and quantity: mirrored cams have the same figures, except for the sense of
 // rotation.
 TEST(MirroredCams, HaveTheSameFigures) {

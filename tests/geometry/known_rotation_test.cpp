@@ -15,7 +15,7 @@ double error_of(const Rotation<double>& R, double angle) {
   return static_cast<double>(std::max(std::abs(R.cos - std::cos(exact)), std::abs(R.sin - std::sin(exact))));
 }
 
-TEST(KnownRotation, GivesRotationsNearItToRounding) {
+TEST(KnownRotation, GivesRotationsNearItToWithinRounding) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> anywhere(-20, 20);
   std::uniform_real_distribution<double> near(-0.0316, 0.0316);
@@ -30,7 +30,7 @@ TEST(KnownRotation, GivesRotationsNearItToRounding) {
   EXPECT_LE(worst, 2e-16);
 }
 
-TEST(KnownRotation, GivesAnglesNearItToRounding) {
+TEST(KnownRotation, GivesAnglesNearItToWithinRounding) {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> near(-0.0316, 0.0316);
   double worst = 0;

@@ -59,7 +59,7 @@ bool is_source_of_rooms(const std::string& path) {
          (path.ends_with(".hpp") || path.ends_with(".cpp"));
 }
 
-TEST(Tolerances, StandInTheHeaderOfTheirRoom) {
+TEST(Tolerances, AreInTheHeaderOfTheirRoom) {
   // Public ones, and those that are not tolerances.
   const std::set<std::string> others = {"kConstraintTolerance", "kDefaultExportTolerance", "kUnlikely",
                                         "kQuarterPiRest", "kPrecisePi"};

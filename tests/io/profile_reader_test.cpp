@@ -281,7 +281,7 @@ b = { joint = "slide", damping = 1 }
   EXPECT_EQ(mechanism.springs[1].stiffness, 0);
 }
 
-TEST(ProfileReader, ADriverStartsWhereThePosesStand) {
+TEST(ProfileReader, ADriverStartsWhereThePosesAre) {
   EXPECT_EQ(read(crank_profile("[bodies.crank.pose]\nangle = 37.7\n")).programs[0].start, 37.7);
   EXPECT_EQ(read(crank_profile("[bodies.crank.pose]\nangle = -400\n")).programs[0].start, -400);
   EXPECT_EQ(read(slider_profile()).programs[0].start, 14.5);  // 140 + 1.5 - 127

@@ -52,7 +52,7 @@ Mechanism shipped(const std::string& name, const Settings& settings = {}) {
 }
 
 // Wheels on an arm that turns on ground; the first one is driven relative to the arm.
-TEST(Plan, TurnsAWheelByItsGearsOnceArmAndOtherWheelStand) {
+TEST(Plan, TurnsAWheelByItsGearsOnceArmAndOtherWheelArePlaced) {
   const auto profile = read_profile_text(R"([bodies.ground]
 points.O = [0, 0]
 [bodies.arm]

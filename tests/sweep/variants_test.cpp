@@ -66,7 +66,7 @@ TEST(Variants, OfAGridAreAllPairsTheLastVariableFastest) {
   EXPECT_THAT(at(grid, 5), ElementsAre(3, 2));
 }
 
-TEST(Variants, OfAGridStandOnRoundNumbers) {
+TEST(Variants, OfAGridAreRoundNumbers) {
   const Variants grid(plan_of(SweepMethod::kGrid, {between(18, 22, 41)}));
   for (int k = 0; k <= 40; ++k) {
     EXPECT_EQ(at(grid, k)[0], (180 + k) / 10.0) << k;
@@ -170,7 +170,7 @@ TEST(Variants, ChangeWithTheSeed) {
 }
 
 // A variable keeps its values when others are added after it.
-TEST(Variants, OfAVariableDoNotHangOnThoseBehindIt) {
+TEST(Variants, OfAVariableDoNotDependOnThoseAfterIt) {
   for (const SweepMethod method : {SweepMethod::kRandom, SweepMethod::kSobol}) {
     const Variants one(plan_of(method, {between(0, 1)}, 100));
     const Variants two(plan_of(method, {between(0, 1), between(0, 1)}, 100));
