@@ -163,6 +163,25 @@ TEST(BeyondALimit, CopiesGoOnAsTheOriginalDoes) {
   }
 }
 
+// Two pairs of teeth touch at the start: rounding must not decide which of them is followed.
+TEST(GearTeeth, ThatTouchAtTheStartAreTheSameInAnyUnit) {
+  for (const double start : {0.0, 1.5, 5.5, 16.5}) {
+    const auto contact_in = [&](const char* unit) {
+      const Model model = shipped_model(
+          "gear_teeth", {fmt::format("units.length=\"{}\"", unit), fmt::format("driver.start={}", start),
+                         "driver.end=20", fmt::format("bodies.wheel.pose.angle={}", 184.5 - start / 2)});
+      const Motion motion = motion_of(model, 2);
+      return std::array{motion.column("mesh.x").values[0], motion.column("mesh.y").values[0]};
+    };
+    const auto in_mm = contact_in("mm");
+    for (const char* unit : {"um", "cm", "in", "m", "km"}) {
+      const auto other = contact_in(unit);
+      EXPECT_NEAR(other[0], in_mm[0], 1e-9) << unit << ' ' << start;
+      EXPECT_NEAR(other[1], in_mm[1], 1e-9) << unit << ' ' << start;
+    }
+  }
+}
+
 // Compared by item, curve and quantity: mirrored cams have the same figures, except for the sense of
 // rotation.
 TEST(MirroredCams, HaveTheSameFigures) {

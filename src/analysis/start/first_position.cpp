@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,9 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
 }
 
 // Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`;
-// none once the run has been stopped.
+// none once the run has been stopped. Of several that are made at the same time, as by the teeth of gears,
+// those that stop the follower in that sense come first, then the first along curve 1: rounding must not
+// decide.
 std::optional<BoundaryContact> first_boundary_contact(const Run& run, const BoundaryPair& pair,
                                                       const Contact& contact, double u, double q,
                                                       double sign) {
@@ -48,17 +51,28 @@ std::optional<BoundaryContact> first_boundary_contact(const Run& run, const Boun
   const auto distance = [&](const BoundaryContact& found) {
     return sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
   };
-  std::stable_sort(contacts.begin(), contacts.end(), [&](const BoundaryContact& a, const BoundaryContact& b) {
-    return distance(a) < distance(b);
-  });
-  const auto first = std::find_if(contacts.begin(), contacts.end(), [&](const BoundaryContact& found) {
-    return is_stopped(run) ||
-           (distance(found) >= 0 && found.gap_q != 0 &&
-            (contact.both_sides ||
-             !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
-                             pose_at(pair.motion2, found.q), kOverlapDepth * run.plan().size)));
-  });
-  return first == contacts.end() || is_stopped(run) ? std::nullopt : std::optional(*first);
+  std::sort(contacts.begin(), contacts.end(),
+            [&](const BoundaryContact& a, const BoundaryContact& b) { return distance(a) < distance(b); });
+  const auto rank = [&](const BoundaryContact& found) {
+    return std::tuple(sense * found.gap_q > 0, found.place1.span, found.place1.t);
+  };
+  const double size = run.plan().size;
+  const double same = kTouchAtOnce * (pair.motion2.turns ? 1 : size);
+  std::optional<BoundaryContact> first;
+  for (const BoundaryContact& found : contacts) {
+    if (is_stopped(run)) {
+      return std::nullopt;
+    }
+    if (first && !(distance(found) - distance(*first) <= same)) {
+      break;
+    }
+    if ((!first || rank(found) < rank(*first)) && distance(found) >= 0 && found.gap_q != 0 &&
+        (contact.both_sides || !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
+                                               pose_at(pair.motion2, found.q), kOverlapDepth * size))) {
+      first = found;
+    }
+  }
+  return first;
 }
 
 bool starts_rolling(const Mechanism& mechanism, const Group& group) {
