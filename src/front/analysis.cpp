@@ -350,7 +350,21 @@ const std::vector<Event>& Analysis::events() const {
 }
 
 Diagnostics Analysis::notes() const {
-  return impl_->notes;
+  Diagnostics notes = impl_->notes;
+  if (impl_->next == impl_->schedule.size()) {
+    const auto touched = [&](std::size_t contact) {
+      return std::any_of(impl_->events.begin(), impl_->events.end(), [&](const Event& event) {
+        return event.contact == static_cast<int>(contact) &&
+               (event.type == EventType::kEngage || event.type == EventType::kOverlap);
+      });
+    };
+    std::vector<std::size_t> untouched = impl_->open;
+    std::erase_if(untouched, touched);
+    for (Diagnostic& note : untouched_notes(impl_->model->profile, untouched)) {
+      notes.push_back(std::move(note));
+    }
+  }
+  return notes;
 }
 
 std::vector<SmallestForce> Analysis::smallest_forces() const {
@@ -407,6 +421,12 @@ Result<Analysis> Model::start(const RunSettings& settings) const {
   auto impl =
       make_impl(data_, units, *std::move(schedule), *std::move(run), *std::move(columns), settings.forces);
   impl->notes = std::move(notes);
+  const auto& contacts = data_->profile.mechanism.contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].keep == Keep::kGap && !impl->run.at.state.contacts[i].touches) {
+      impl->open.push_back(i);
+    }
+  }
   if (impl->schedule.size() > kBlockRows) {
     impl->scout.emplace(impl->run);
   }

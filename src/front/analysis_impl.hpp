@@ -59,7 +59,8 @@ struct Analysis::Impl {
   std::vector<DriverMotion> motions = {};        ///< in the current row
   std::vector<Event> events = {};
   bool good = true;
-  Diagnostics notes = {};
+  Diagnostics notes = {};                ///< from the start
+  std::vector<std::size_t> open = {};    ///< contacts that may part and are open in the first row
   ContactForceReport contacts = {};      ///< only with forces, after the last row
   const Reactions* reactions = nullptr;  ///< in the current row; only with forces
 

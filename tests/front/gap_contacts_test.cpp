@@ -156,6 +156,49 @@ TEST(GenevaWheel, WhoseSlotsThePinMissesStaysWhereItIs) {
   }
 }
 
+// A crank of the wrong length: its pin does not come to the end of a slot, where it would turn the wheel, but
+// crosses the middle line of one farther in, where √2·60 sin(φ - 45°) = 80, and of the next on its way out.
+TEST(GenevaWheel, IsStruckByAPinThatComesThroughTheWallOfASlot) {
+  const double inwards = 225 - std::asin(80 / (60 * std::sqrt(2))) / testing::kDegree;
+  for (const int samples : {2, 5, 37, 361}) {
+    for (const double sense : {1.0, -1.0}) {
+      const Model model =
+          model_of(geneva_profile(4, fmt::format("start = 0\nend = {}\nsamples = {}\nvelocity = {}",
+                                                 360 * sense, samples, sense)),
+                   {"bodies.crank.curves.pin.at=[60, 0]"});
+      auto analysis = model.start({});
+      ASSERT_TRUE(analysis);
+      Row row;
+      while (analysis->next(row)) {
+      }
+      EXPECT_FALSE(analysis->good());
+      const auto& events = analysis->events();
+      ASSERT_EQ(events.size(), 2U) << samples;
+      for (const Event& event : events) {
+        EXPECT_EQ(event.type, EventType::kOverlap);
+        EXPECT_THAT(event.cause, HasSubstr("through a wall beside the curve"));
+      }
+      EXPECT_NEAR(events[0].driver, sense * inwards, 1e-9) << samples;
+      EXPECT_NEAR(events[1].driver, sense * (360 - inwards), 1e-9) << samples;
+      EXPECT_TRUE(analysis->notes().empty());
+    }
+  }
+}
+
+TEST(GenevaWheel, ThatThePinNeverReachesHasANote) {
+  const Model model = model_of(geneva_profile(4, "start = 0\nend = 360\nsamples = 5"),
+                               {"bodies.crank.curves.pin.at=[50, 0]"});
+  auto analysis = model.start({});
+  ASSERT_TRUE(analysis);
+  Row row;
+  while (analysis->next(row)) {
+    EXPECT_EQ(analysis->notes().empty(), row.number < 4);
+  }
+  ASSERT_EQ(analysis->notes().size(), 1U);
+  EXPECT_THAT(analysis->notes()[0].message,
+              HasSubstr("contacts.drive: the two bodies touch nowhere on the path"));
+}
+
 TEST(GenevaWheel, NeedsNoForceWhileItIsHeldAndBalancesItsInertiaWhileItIsDriven) {
   RunSettings settings;
   settings.forces = true;

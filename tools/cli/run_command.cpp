@@ -295,8 +295,12 @@ int run_command(const RunOptions& options) {
   if (!analysis) {
     return exit_failed(analysis.error());
   }
-  print_notes(analysis->notes(), options.quiet);
-  return write_rows(options, *model, *analysis);
+  const Diagnostics at_start = analysis->notes();
+  print_notes(at_start, options.quiet);
+  const int code = write_rows(options, *model, *analysis);
+  const Diagnostics all = analysis->notes();
+  print_notes({all.begin() + static_cast<std::ptrdiff_t>(at_start.size()), all.end()}, options.quiet);
+  return code;
 }
 
 }  // namespace higherpair::cli

@@ -106,7 +106,8 @@ public:
   /// The events up to the last row taken. What would keep an opened contact closed depends on all rows, and
   /// is in the event's `cause` after the last one.
   [[nodiscard]] const std::vector<Event>& events() const;
-  /// Notes on what is far from its pose once the mechanism is assembled, probably a slip in the profile.
+  /// Notes on what is probably a slip in the profile: what is far from its pose once the mechanism is
+  /// assembled; after the last row also contacts that may part and never touched. In this order.
   [[nodiscard]] Diagnostics notes() const;
   /// With RunSettings::forces, after the last row: the smallest force of each contact on the whole path,
   /// between its rows too; only contacts whose force is defined somewhere.

@@ -145,11 +145,12 @@ const std::string& follower_name(const Run& run, const TouchingBody& touching) {
 void report_strike(Run& run, const Path& path, double s, const TouchingBody& touching) {
   const auto contact = static_cast<std::size_t>(touching.contact);
   run.at.watches[contact].overlaps = true;
-  report_contact(
-      run, EventType::kOverlap, path, s, contact,
-      fmt::format("the bodies strike each other at the end of a curve, beside the edge there or where it has "
-                  "none: the contact cannot hold {}",
-                  follower_name(run, touching)));
+  const char* how =
+      contact_of(run, touching).both_sides
+          ? "come together through a wall beside the curve, not at its end"
+          : "strike each other at the end of a curve, beside the edge there or where it has none";
+  report_contact(run, EventType::kOverlap, path, s, contact,
+                 fmt::format("the bodies {}: the contact cannot hold {}", how, follower_name(run, touching)));
 }
 
 // The coordinate at which a follower stays when its contact opens in run.at.state. At the end of its joint
@@ -202,11 +203,13 @@ std::optional<Engagement> engagement_within(Run& run, const Path& path, double s
       }
     }
     const auto index = static_cast<std::size_t>(touching_of(run, g).contact);
-    if (!contact.both_sides && !run.at.watches[index].overlaps) {
+    if (!run.at.watches[index].overlaps) {
       const auto closing = meeting_within(run, path, index, s, h).first;
       if (closing) {
-        take(Engagement{
-            g, closing->x, {closing->place.place1, closing->place.place2}, closing->place.end != 0});
+        take(Engagement{g,
+                        closing->x,
+                        {closing->place.place1, closing->place.place2},
+                        contact.both_sides || closing->place.end != 0});
       }
     }
   }

@@ -10,7 +10,7 @@
 // Contacts that may part (Keep::kGap). While such a contact is open, its body stays where it is on its joint.
 // It parts where it reaches the end of a curve or slips off the edge there, or where its body reaches the end
 // of its guide. It closes where the bodies would overlap, or where the other curve passes an end of an open
-// curve, as a pin enters a slot.
+// curve, as a pin enters a slot. A pin that comes to the middle line of a slot elsewhere strikes its wall.
 
 namespace higherpair {
 
@@ -22,7 +22,8 @@ struct Engagement {
   std::size_t group = 0;
   double x = 0;                        ///< distance beyond run.at.state on the path
   std::array<BoundaryPlace, 2> place;  ///< on the contact's first and second curve
-  bool strikes = false;  ///< at the end of a curve that has no edge there, so that the contact cannot hold
+  /// At the end of a curve that has no edge there, or through a wall of both_sides: the contact cannot hold.
+  bool strikes = false;
 };
 
 /// The first contact that closes between run.at.state, which is at s, and run.work.trial, h beyond it. Leaves

@@ -189,6 +189,14 @@ private:
     const auto met = [&](std::optional<double> x, double at) {
       return x ? Verdict{true, Meeting{index_, *x, at, near_at(*x, b.place)}} : Verdict{false, std::nullopt};
     };
+    if (contact_.both_sides) {  // a middle line is met from either side
+      const bool arrives = std::abs(b.gap) <= depth_;
+      if (std::abs(a.gap) <= depth_ || (!arrives && a.gap * b.gap > 0)) {
+        return {};
+      }
+      const auto x = arrives ? std::optional(to.x) : root(gap, from, a.gap, to.x, b.gap, b);
+      return met(x, x.value_or(0));
+    }
     if (a.gap < -depth_) {
       return {};
     }
@@ -234,11 +242,18 @@ private:
   [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
     std::vector<Seen> found;
     for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
-      if (!is_own(at, place) && !leaves_corners(place)) {
+      const bool counts = !contact_.both_sides || place.end == 0;  // the end of a middle line is no wall
+      if (counts && !is_own(at, place) && !leaves_corners(place)) {
         found.push_back(seen(at, place));
       }
     }
     return found;
+  }
+
+  // Whether a gap would fall to 0 within h at its present rate.
+  [[nodiscard]] bool may_close(const Seen& place, double h) const {
+    const double change = place.rate * h;
+    return contact_.both_sides ? std::abs(place.gap) < std::abs(change) : place.gap < -change;
   }
 
   [[nodiscard]] std::vector<NearPlace> touching(const std::vector<Seen>& places) const {
@@ -271,17 +286,17 @@ private:
     for (const Seen& place : at_b) {
       if (const auto before = followed(b, place, a)) {
         take(touch(a, *before, b, place));
-      } else if (place.gap < -depth_) {
+      } else if (place.gap < -depth_ && !contact_.both_sides) {
         inside = place;
       } else {
-        lost = lost || place.gap < place.rate * h;
+        lost = lost || may_close(place, -h);
       }
     }
     for (const Seen& place : at_a) {
       if (const auto after = followed(a, place, b)) {
         take(touch(a, place, b, *after));
       } else {
-        lost = lost || (std::abs(place.gap) > depth_ && place.gap < -place.rate * h);
+        lost = lost || (std::abs(place.gap) > depth_ && may_close(place, h));
       }
     }
     const auto found = first || !inside ? first : Meeting{index_, b.x, b.x, inside->place};

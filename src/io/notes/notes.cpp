@@ -134,6 +134,17 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
   return notes;
 }
 
+Diagnostics untouched_notes(const Profile& profile, const std::vector<std::size_t>& contacts) {
+  Diagnostics notes;
+  for (const std::size_t i : contacts) {
+    notes.push_back(about(
+        profile.source, fmt::format("contacts.{}: the two bodies touch nowhere on the path, so that it moves "
+                                    "nothing; check their dimensions and poses, and the driver's range",
+                                    profile.mechanism.contacts[i].name)));
+  }
+  return notes;
+}
+
 Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedule) {
   const Mechanism& mechanism = profile.mechanism;
   Diagnostics notes;

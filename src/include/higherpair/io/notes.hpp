@@ -5,6 +5,7 @@
 #include "higherpair/io/profile.hpp"
 
 #include <atomic>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ namespace higherpair {
 /// motion in the other direction.
 /// \param schedule  of the profile's rows; none have a note if they are in time or listed
 [[nodiscard]] Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedule);
+
+/// Notes on contacts that may part and did not touch anywhere on the path of a run.
+/// \param contacts  indices into Mechanism::contacts
+[[nodiscard]] Diagnostics untouched_notes(const Profile& profile, const std::vector<std::size_t>& contacts);
 
 /// Where the (first) driver could start instead, for the end of a message that the mechanism cannot be
 /// assembled with its drivers at these positions: "; it can be with driver.start from -65.8 to 65.8 deg". Of
