@@ -56,13 +56,11 @@ std::shared_ptr<const Model::Data> planned(std::string name, std::optional<Profi
   data->name = std::move(name);
   data->document = std::move(document);
   data->profile = std::move(profile);
+  set_travels(data->profile);
   use_boundaries(data->profile.mechanism);
   const Mechanism& mechanism = data->profile.mechanism;
   const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
   data->plan = known ? plan_like(*like->plan, mechanism) : make_plan(mechanism);
-  if (const double slide = data->plan ? farthest_slide(*data) : 0; slide > 0) {
-    data->plan->size = size_of(mechanism, slide);
-  }
   return data;
 }
 

@@ -191,7 +191,7 @@ struct Plan {
   std::vector<bool> coincidences;  ///< of pins and round curves, on which the order and phase_bodies depend
   int surplus = 0;                 ///< number of conditions in excess of the coordinates
   bool couples = false;            ///< some of the groups are CoupledBodies
-  double size = 1;                 ///< size_of the mechanism, of a model with its drivers' slide [m]
+  double size = 1;                 ///< size_of the mechanism [m]
 };
 
 /// Those bodies of a group whose rotation is not determined.
@@ -205,10 +205,9 @@ struct Plan {
 
 /// Largest distance between joint points and curve centres or vertices, in the poses [m]. Where all of them
 /// coincide to within 1e-7 of their coordinates, the largest of these, in a body or in ground; 1 m where they
-/// are below 1e-12 m.
-/// \param slide  the farthest that a sliding driver is known to go [m]: below 1e-4 of it, distances and
-/// coordinates are taken for rounding, such as that of a drawing, as if they were 0
-[[nodiscard]] double size_of(const Mechanism& mechanism, double slide = 0);
+/// are below 1e-12 m. Below 1e-4 of the largest Driver::travel, distances and coordinates are taken for
+/// rounding, such as that of a drawing, as if they were 0.
+[[nodiscard]] double size_of(const Mechanism& mechanism);
 
 /// The plan of a mechanism: its conditions are matched with its coordinates and split into the smallest sets
 /// of bodies that can be solved one after the other (strongly connected components); each is recognised as a
