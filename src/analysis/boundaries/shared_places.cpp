@@ -124,8 +124,7 @@ std::optional<double> touching_passing(Run& run, const Path& path, double s, dou
     return there && std::abs(there->beside) <= kOverlapDepth * run.plan().size;
   };
   if (const auto x = passing_within(run, path, s, h, passing, near)) {
-    const StateAside aside(run.work.trial);
-    return solve_at(run, path, s, *x) && touches(run.work.trial) ? x : std::nullopt;
+    return with_trial<bool>(run, path, s, *x, touches).value_or(false) ? x : std::nullopt;
   }
   if (is_in(run.at.state)) {
     return touches(run.at.state) ? std::optional(0.0) : std::nullopt;
