@@ -23,10 +23,6 @@ namespace {
 
 constexpr int kMostNudges = 24;
 
-const TouchingBody& touching_of(const Run& run, std::size_t g) {
-  return std::get<TouchingBody>(run.plan().groups[g].kind);
-}
-
 const Contact& contact_of(const Run& run, const TouchingBody& touching) {
   return run.mechanism().contacts[touching.contact];
 }

@@ -257,7 +257,7 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
     report_overlap(run, i, path, there);
     return;
   }
-  const CarriedBody& follower = std::get<TouchingBody>(run.plan().groups[*g].kind).follower;
+  const CarriedBody& follower = touching_of(run, *g).follower;
   if (jump_size(run, path, follower, *change) <= kSameRates) {
     report_change_of_place(run, path, s, i);
   } else {

@@ -70,7 +70,7 @@ void keep_those_that_push(const Run& run, std::size_t i, const State& state, std
   if (!g || !state.contacts[i].touches) {
     return;
   }
-  const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
+  const TouchingBody& touching = touching_of(run, *g);
   const double own = touching_sine(model_of(run), touching, state);
   std::erase_if(places, [&](const NearPlace& place) {
     return own * gap_per_q(model_of(run), touching, state, place.at) < 0;

@@ -142,7 +142,7 @@ bool take_statics(const Mechanism& mechanism, const Plan& plan, std::span<const 
   statics.supports.assign(groups.size(), {});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const TakeSupports take(mechanism, plan.groups[g], statics.supports[g]);
-    if (!(groups[g].discs ? take(*groups[g].discs) : std::visit(take, groups[g].kind))) {
+    if (!(groups[g].discs ? take(groups[g].discs->touch) : std::visit(take, groups[g].kind))) {
       return false;
     }
   }

@@ -1,6 +1,7 @@
 #include "ground_jerks.hpp"
 
 #include "higherpair/contact/jerk.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "series_motion.hpp"
 
@@ -36,14 +37,12 @@ public:
       const double rate = higher_.empty() ? 0.0 : higher_[driver][0];
       return set(driven->carried, driven->carried.sign * rate);
     }
-    if (const auto* pair = std::get_if<TrackedPair>(&group.kind)) {
-      return add_touching(pair->contact, pair->follower);
+    const auto placing = placing_contact(group);
+    if (!placing) {
+      return false;
     }
-    if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
-      const bool touches = run_.row.contacts[touching->contact].touches;
-      return touches ? add_touching(touching->contact, touching->follower) : set(touching->follower, 0);
-    }
-    return false;
+    const auto& [contact, follower] = *placing;
+    return run_.row.contacts[contact].touches ? add_touching(contact, *follower) : set(*follower, 0);
   }
 
   [[nodiscard]] Jerks take() { return std::move(jerks_); }
