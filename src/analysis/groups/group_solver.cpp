@@ -3,6 +3,7 @@
 #include "analysis/follow/joint_ends.hpp"
 #include "coupled_bodies.hpp"
 #include "group_kinds.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -61,8 +62,8 @@ double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMoti
 
 FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
-  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
-  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
+  const CurveRef& known = end_off(contact, touching.follower.body);
+  const CurveRef& own = end_on(contact, touching.follower.body);
   const BodyMotion& body1 = state.bodies[known.body];
   const BodyMotion& carrier = state.bodies[touching.follower.carrier];
   FrozenPair placed;
@@ -81,10 +82,9 @@ FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const
 
 BoundaryPair frozen_boundaries(const Planned& model, const TouchingBody& touching, const FrozenPair& frozen) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
-  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
-  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
-  return {&boundary_of(model.mechanism, known), frozen.pair.motion1, &boundary_of(model.mechanism, own),
-          frozen.pair.motion2};
+  const int own = touching.follower.body;
+  return {&boundary_of(model.mechanism, end_off(contact, own)), frozen.pair.motion1,
+          &boundary_of(model.mechanism, end_on(contact, own)), frozen.pair.motion2};
 }
 
 namespace {

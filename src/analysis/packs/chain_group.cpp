@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 namespace higherpair {
 namespace {
@@ -66,10 +67,9 @@ std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const Pla
     return std::nullopt;
   }
   const CarriedBody& follower = *placing.follower;
-  const bool second = contact.second.body == follower.body;
-  const CurveRef& known = second ? contact.first : contact.second;
+  const CurveRef& known = end_off(contact, follower.body);
   const auto on_known = oval_of(curve_of(mechanism, known));
-  const auto on_body = oval_of(curve_of(mechanism, second ? contact.second : contact.first));
+  const auto on_body = oval_of(curve_of(mechanism, end_on(contact, follower.body)));
   if (!on_known || !on_body) {
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 #include "higherpair/contact/jerk.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "series_motion.hpp"
 
 #include <cmath>
@@ -62,8 +63,7 @@ private:
   bool add_touching(int index, const CarriedBody& follower) {
     const Mechanism& mechanism = run_.mechanism();
     const Contact& contact = mechanism.contacts[index];
-    const bool second = contact.second.body == follower.body;
-    const int other = second ? contact.first.body : contact.second.body;
+    const int other = end_off(contact, follower.body).body;
     const auto& known = jerks_[other];
     if (contact.rolling || follower.carrier != 0 || !known) {
       return false;
@@ -84,7 +84,7 @@ private:
     if (rounding_shows(std::abs(per_q) / by_q.norm(), 3)) {
       return false;
     }
-    return set(follower, (apart + (second ? wanted : -wanted)) / per_q);
+    return set(follower, (apart + (other == contact.first.body ? wanted : -wanted)) / per_q);
   }
 
   const Run& run_;
