@@ -17,5 +17,6 @@
 #include "higherpair/front/pictures.hpp"         // IWYU pragma: export
 #include "higherpair/front/sensitivity.hpp"      // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"            // IWYU pragma: export
+#include "higherpair/front/sweep_summary.hpp"    // IWYU pragma: export
 #include "higherpair/io/diagnostic.hpp"          // IWYU pragma: export
 #include "higherpair/mechanism/description.hpp"  // IWYU pragma: export

@@ -266,12 +266,7 @@ void Statics::factorise_all() {
   for (const Block& block : blocks_) {
     columns += 3 * static_cast<Eigen::Index>(block.bodies.size());
   }
-  jacobian_.setZero(static_cast<Eigen::Index>(rows_.size()), columns);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    add_coefficients(
-        rows_[i], size_, [&](std::size_t k) { return 3 * (rows_[i].body[k] - 1); },
-        jacobian_.row(static_cast<Eigen::Index>(i)));
-  }
+  jacobian_ = jacobian_of(rows_, size_, columns, [](int body) { return 3 * (body - 1); });
   pseudoinverse_ = LeastNormSolver(jacobian_, kRepeatedConditions).pseudoinverse();
   // J J⁺ projects onto the multipliers that balance some load; what it removes from a unit multiplier is
   // undetermined.

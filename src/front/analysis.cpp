@@ -207,21 +207,21 @@ Result<DriverSchedule> first_schedule(const Model::Data& model) {
   return DriverSchedule::analyze(model.profile).map_error(input_error);
 }
 
-double farthest_slide(const Model::Data& model) {
-  const Mechanism& mechanism = model.profile.mechanism;
-  const auto slides = [&](std::size_t driver) { return !has_angle(driven_joint(mechanism, driver).type); };
-  double farthest = 0;
+void set_travels(Profile& profile) {
+  Mechanism& mechanism = profile.mechanism;
+  const auto turns = [&](std::size_t i) { return has_angle(driven_joint(mechanism, i).type); };
   std::optional<DriverSchedule> schedule;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    if (!slides(i)) continue;
+    double& travel = mechanism.drivers[i].travel;
+    travel = 0;
+    if (turns(i)) continue;
     if (!schedule) {
-      auto made = first_schedule(model);
-      if (!made) return 0;
+      auto made = DriverSchedule::analyze(profile);
+      if (!made) continue;
       schedule = *std::move(made);
     }
-    farthest = std::max(farthest, travel_of(*schedule, i));
+    travel = travel_of(*schedule, i);
   }
-  return farthest;
 }
 
 std::optional<Error> refuse_to_start(const Model::Data& model) {

@@ -56,13 +56,11 @@ std::shared_ptr<const Model::Data> planned(std::string name, std::optional<Profi
   data->name = std::move(name);
   data->document = std::move(document);
   data->profile = std::move(profile);
+  set_travels(data->profile);
   use_boundaries(data->profile.mechanism);
   const Mechanism& mechanism = data->profile.mechanism;
   const bool known = like != nullptr && like->plan && same_structure(like->profile.mechanism, mechanism);
   data->plan = known ? plan_like(*like->plan, mechanism) : make_plan(mechanism);
-  if (const double slide = data->plan ? farthest_slide(*data) : 0; slide > 0) {
-    data->plan->size = size_of(mechanism, slide);
-  }
   return data;
 }
 
@@ -81,6 +79,11 @@ Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
   }
   std::string name = profile->source;
   return planned(std::move(name), *std::move(changed), *std::move(profile), like);
+}
+
+Result<std::shared_ptr<const Model::Data>> read(const tl::expected<ProfileDocument, Diagnostics>& document,
+                                                std::span<const std::string> overrides) {
+  return document ? read(*document, overrides, nullptr) : wrong(document.error());
 }
 
 }  // namespace
@@ -114,20 +117,14 @@ Setting::Setting(std::string path_of_key, double number)
     : path(std::move(path_of_key)), value(fmt::format("{}", number)) {}
 
 Result<Model> Model::open(const std::string& path, std::span<const std::string> overrides) {
-  const auto document = ProfileDocument::open(path);
-  if (!document) {
-    return wrong(document.error());
-  }
-  return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
+  return read(ProfileDocument::open(path), overrides).map([](auto data) { return Model(std::move(data)); });
 }
 
 Result<Model> Model::from_text(std::string_view text, const std::string& name,
                                std::span<const std::string> overrides) {
-  const auto document = ProfileDocument::parse(text, name);
-  if (!document) {
-    return wrong(document.error());
-  }
-  return read(*document, overrides, nullptr).map([](auto data) { return Model(std::move(data)); });
+  return read(ProfileDocument::parse(text, name), overrides).map([](auto data) {
+    return Model(std::move(data));
+  });
 }
 
 Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs) {

@@ -55,9 +55,8 @@ inline constexpr std::string_view kNoKeys =
 /// driver.
 [[nodiscard]] Result<DriverSchedule> first_schedule(const Model::Data& model);
 
-/// The farthest that a sliding driver goes from its first position in the rows of `analyze` [m]; 0 if there
-/// is none.
-[[nodiscard]] double farthest_slide(const Model::Data& model);
+/// Sets Driver::travel of every driver that slides, from the rows of `analyze`.
+void set_travels(Profile& profile);
 
 /// The first error in a mechanism that was built by a program, as "joints.guide.first.point = 3: …"; empty if
 /// there is none.

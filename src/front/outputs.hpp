@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -14,8 +15,7 @@ namespace higherpair {
   std::vector<const Joint*> joints;
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
     const Joint& joint = mechanism.joints[i];
-    const bool on_ground = joint.first.body == kGround || joint.second.body == kGround;
-    if (on_ground && can_be_driven(joint.type) && !is_driven(mechanism, static_cast<int>(i))) {
+    if (is_grounded(joint) && !is_driven(mechanism, static_cast<int>(i))) {
       joints.push_back(&joint);
     }
   }

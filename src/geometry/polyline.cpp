@@ -104,34 +104,34 @@ void for_meeting_parts(const Polyline& one, const Polyline& two, const Pose<doub
   });
 }
 
-// Where two short segments cross, or nearly do, as fractions of both.
-std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
-                                           const Vector2d& db) {
-  const double det = cross(da, db);
-  if (det == 0) {
-    return std::nullopt;
-  }
-  const Vector2d d = b - a;
-  const Vector2d shares(cross(d, db) / det, cross(d, da) / det);
-  const bool near = (shares.array() >= -kSlackOfPart).all() && (shares.array() <= 1 + kSlackOfPart).all();
-  return near ? std::optional(Vector2d(shares.cwiseMax(0).cwiseMin(1))) : std::nullopt;
-}
-
 std::optional<PolylineCrossing> crossing_of(const Polyline& one, const Polyline& two,
                                             const Pose<double>& X_12,
                                             const std::array<std::size_t, 2>& parts) {
   const auto [i, k] = parts;
   const Vector2d a = one.from(i).at;
   const Vector2d b = X_12 * two.from(k).at;
-  const auto shares = shares_of_crossing(a, one.to(i).at - a, b, X_12 * two.to(k).at - b);
-  if (!shares) {
+  const auto found = shares_of_crossing(a, one.to(i).at - a, b, X_12 * two.to(k).at - b, kSlackOfPart);
+  if (!found) {
     return std::nullopt;
   }
+  const Vector2d shares = found->cwiseMax(0).cwiseMin(1);
   return PolylineCrossing{
-      parts, {between(one.from(i), one.to(i), shares->x()), between(two.from(k), two.to(k), shares->y())}};
+      parts, {between(one.from(i), one.to(i), shares.x()), between(two.from(k), two.to(k), shares.y())}};
 }
 
 }  // namespace
+
+std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da, const Vector2d& b,
+                                           const Vector2d& db, double slack) {
+  const double det = cross(da, db);
+  if (det == 0) {
+    return std::nullopt;
+  }
+  const Vector2d d = b - a;
+  const Vector2d shares(cross(d, db) / det, cross(d, da) / det);
+  const bool on_both = (shares.array() >= -slack).all() && (shares.array() <= 1 + slack).all();
+  return on_both ? std::optional(shares) : std::nullopt;
+}
 
 std::vector<PolylineCrossing> polyline_crossings(const Polyline& one, const Polyline& two,
                                                  const Pose<double>& X_12, std::optional<std::size_t> most) {

@@ -1,5 +1,6 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/contour.hpp"
+#include "higherpair/geometry/polyline.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "higherpair/numeric/tolerances.hpp"
 
@@ -46,17 +47,7 @@ std::vector<Chord> chords_of(const Boundary& boundary) {
 // The fractions of both chords at which they meet, if that is on both; their ends count as well, with a
 // margin for rounding.
 std::optional<Vector2d> common_point(const Chord& a, const Chord& b) {
-  const Vector2d u = a.to - a.from;
-  const Vector2d v = b.to - b.from;
-  const double sine = cross(u, v);
-  if (sine == 0) {
-    return std::nullopt;
-  }
-  const Vector2d between = b.from - a.from;
-  const Vector2d parts(cross(between, v) / sine, cross(between, u) / sine);
-  const bool on_both =
-      (parts.array() >= -kChordEndRounding).all() && (parts.array() <= 1 + kChordEndRounding).all();
-  return on_both ? std::optional(parts) : std::nullopt;
+  return shares_of_crossing(a.from, a.to - a.from, b.from, b.to - b.from, kChordEndRounding);
 }
 
 // The next span beyond the end of a span, skipping corners; none at the end of an open boundary, unless the

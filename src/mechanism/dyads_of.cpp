@@ -9,7 +9,7 @@ void add_loop(const Mechanism& mechanism, RrrDyad& dyad) {
     return;
   }
   for (const Joint& joint : mechanism.joints) {
-    if (joint.type != JointType::kRevolute || !touches(joint, dyad.A.body) || !touches(joint, dyad.B.body)) {
+    if (joint.type != JointType::kRevolute || !joins(joint, dyad.A.body, dyad.B.body)) {
       continue;
     }
     const Vector2d on_A = point_of(mechanism, end_on(joint, dyad.A.body));
@@ -53,7 +53,7 @@ RrpDyad link_to_line(const Mechanism& mechanism, const Joint& pin, int link, con
   RrpDyad dyad;
   dyad.A = known_end(mechanism, pin, link);
   dyad.link = link;
-  dyad.pA = point_of(mechanism, end_on(pin, link));
+  dyad.pA = point_on(mechanism, pin, link);
   dyad.pC = pC;
   dyad.length = (pC - dyad.pA).norm();
   if (dyad.length > 0) {
@@ -68,7 +68,7 @@ RprDyad link_with_line(const Mechanism& mechanism, const Joint& pin, int link, c
   dyad.A = known_end(mechanism, pin, link);
   dyad.B = B;
   dyad.link = link;
-  dyad.pA = point_of(mechanism, end_on(pin, link));
+  dyad.pA = point_on(mechanism, pin, link);
   dyad.line = line;
   return dyad;
 }
@@ -101,10 +101,10 @@ std::optional<GroupKind> rrr_dyad_of(const Mechanism& mechanism, const OuterJoin
   dyad.link_a = a;
   dyad.link_b = b;
   dyad.pin_C = joints.inner;
-  dyad.a_pA = point_of(mechanism, end_on(on_a, a));
-  dyad.a_pC = point_of(mechanism, end_on(inner, a));
-  dyad.b_pB = point_of(mechanism, end_on(on_b, b));
-  dyad.b_pC = point_of(mechanism, end_on(inner, b));
+  dyad.a_pA = point_on(mechanism, on_a, a);
+  dyad.a_pC = point_on(mechanism, inner, a);
+  dyad.b_pB = point_on(mechanism, on_b, b);
+  dyad.b_pC = point_on(mechanism, inner, b);
   dyad.length_a = (dyad.a_pC - dyad.a_pA).norm();
   dyad.length_b = (dyad.b_pC - dyad.b_pB).norm();
   if (dyad.length_a == 0 || dyad.length_b == 0) {
@@ -129,7 +129,7 @@ std::optional<GroupKind> pin_and_slot(const Mechanism& mechanism, const Joint& p
 }
 
 GroupKind slide_and_slot(const Mechanism& mechanism, const Joint& slide, const Joint& slot, int body) {
-  const Guide guide = guide_of(mechanism, slide, body, point_of(mechanism, end_on(slot, body)));
+  const Guide guide = guide_of(mechanism, slide, body, point_on(mechanism, slot, body));
   SlideDyad dyad;
   dyad.first = guide.line;
   dyad.riders = {guide.rider};
@@ -145,10 +145,8 @@ GroupKind slide_and_slot(const Mechanism& mechanism, const Joint& slide, const J
 
 std::optional<GroupKind> rrp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
   const Joint& inner = mechanism.joints[joints.inner];
-  RrpDyad dyad =
-      link_to_line(mechanism, mechanism.joints[joints.on_a], a, point_of(mechanism, end_on(inner, a)));
-  const Guide guide =
-      guide_of(mechanism, mechanism.joints[joints.on_b], b, point_of(mechanism, end_on(inner, b)));
+  RrpDyad dyad = link_to_line(mechanism, mechanism.joints[joints.on_a], a, point_on(mechanism, inner, a));
+  const Guide guide = guide_of(mechanism, mechanism.joints[joints.on_b], b, point_on(mechanism, inner, b));
   dyad.line = guide.line;
   dyad.slider = guide.rider;
   return dyad.length > 0 ? std::optional<GroupKind>(dyad) : std::nullopt;
@@ -156,8 +154,7 @@ std::optional<GroupKind> rrp_dyad_of(const Mechanism& mechanism, const OuterJoin
 
 GroupKind rpr_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
   const Joint& on_b = mechanism.joints[joints.on_b];
-  const Guide guide =
-      guide_of(mechanism, mechanism.joints[joints.inner], b, point_of(mechanism, end_on(on_b, b)));
+  const Guide guide = guide_of(mechanism, mechanism.joints[joints.inner], b, point_on(mechanism, on_b, b));
   RprDyad dyad =
       link_with_line(mechanism, mechanism.joints[joints.on_a], a, known_end(mechanism, on_b, b), guide.line);
   dyad.slider = guide.rider;
@@ -166,10 +163,8 @@ GroupKind rpr_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int
 
 GroupKind prp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
   const Joint& inner = mechanism.joints[joints.inner];
-  const Guide on_a =
-      guide_of(mechanism, mechanism.joints[joints.on_a], a, point_of(mechanism, end_on(inner, a)));
-  const Guide on_b =
-      guide_of(mechanism, mechanism.joints[joints.on_b], b, point_of(mechanism, end_on(inner, b)));
+  const Guide on_a = guide_of(mechanism, mechanism.joints[joints.on_a], a, point_on(mechanism, inner, a));
+  const Guide on_b = guide_of(mechanism, mechanism.joints[joints.on_b], b, point_on(mechanism, inner, b));
   SlideDyad dyad;
   dyad.first = on_a.line;
   dyad.second = on_b.line;
@@ -179,15 +174,14 @@ GroupKind prp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int
 
 GroupKind rpp_dyad_of(const Mechanism& mechanism, const OuterJoints& joints, int a, int b) {
   const Joint& on_a = mechanism.joints[joints.on_a];
-  const Guide inner =
-      guide_of(mechanism, mechanism.joints[joints.inner], a, point_of(mechanism, end_on(on_a, a)));
+  const Guide inner = guide_of(mechanism, mechanism.joints[joints.inner], a, point_on(mechanism, on_a, a));
   // C is the point of b on the line along which A moves relative to b.
   const Guide outer = guide_of(mechanism, mechanism.joints[joints.on_b], b, inner.line.p_B);
   SlideDyad dyad;
   dyad.first = outer.line;
   dyad.second = {outer.line.body, Vector2d::Zero(), outer.rider.relative * inner.line.u_B};
   dyad.pin = known_end(mechanism, on_a, a);
-  dyad.pinned = Rider{a, outer.line.body, point_of(mechanism, end_on(on_a, a)),
+  dyad.pinned = Rider{a, outer.line.body, point_on(mechanism, on_a, a),
                       outer.rider.relative_angle + inner.rider.relative_angle,
                       outer.rider.relative * inner.rider.relative};
   dyad.riders = {outer.rider};

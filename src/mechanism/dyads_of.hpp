@@ -1,6 +1,6 @@
 #pragma once
 
-#include "joint_sides.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <optional>
 #include <span>

@@ -3,11 +3,11 @@
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "idle_turning.hpp"
-#include "joint_sides.hpp"
 #include "recognise.hpp"
 #include "structural_conditions.hpp"
 #include "structure.hpp"
@@ -118,7 +118,7 @@ CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int bod
   OneFreedom& freedom = carried.freedom;
   freedom.turns = joint.type == JointType::kRevolute;
   freedom.p_WO = point_of(mechanism, end_off(joint, body));
-  freedom.p_BO = point_of(mechanism, end_on(joint, body));
+  freedom.p_BO = point_on(mechanism, joint, body);
   if (freedom.turns) {
     carried.sign = carrier_first ? 1 : -1;
     return carried;

@@ -1,6 +1,7 @@
 #include "higherpair/mechanism/plan_text.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <fmt/core.h>
 
@@ -56,9 +57,7 @@ private:
     return mechanism_.contacts[contact].name;
   }
   [[nodiscard]] const std::string& other_body(int index, int body) const {
-    const Contact& contact = mechanism_.contacts[index];
-    const int other = contact.first.body == body ? contact.second.body : contact.first.body;
-    return mechanism_.bodies[other].name;
+    return mechanism_.bodies[end_off(mechanism_.contacts[index], body).body].name;
   }
 
   const Mechanism& mechanism_;

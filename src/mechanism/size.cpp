@@ -38,7 +38,7 @@ double largest_distance(const std::vector<Vector2d>& points) {
 
 }  // namespace
 
-double size_of(const Mechanism& mechanism, double slide) {
+double size_of(const Mechanism& mechanism) {
   std::vector<Vector2d> points;
   double largest = 0;  // largest coordinate, to which rounding is relative
   const std::vector<BodyMotion> bodies = posed_bodies(mechanism);
@@ -60,7 +60,10 @@ double size_of(const Mechanism& mechanism, double slide) {
     }
   }
   const double size = largest_distance(points);
-  const double least = std::max(kLeastSize, kLeastOfSlide * slide);
+  double least = kLeastSize;
+  for (const Driver& driver : mechanism.drivers) {
+    least = std::max(least, kLeastOfTravel * driver.travel);
+  }
   if (size > kCoincident * largest && size > least) {
     return size;
   }

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "idle_turning.hpp"
@@ -180,17 +181,13 @@ std::vector<Condition> independent_conditions(const Mechanism& mechanism, const 
 }
 
 bool is_rolling(const Mechanism& mechanism, int body) {
-  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(), [&](const Contact& contact) {
-    return contact.rolling && (contact.first.body == body || contact.second.body == body);
-  });
+  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                     [&](const Contact& contact) { return contact.rolling && touches(contact, body); });
 }
 
 bool is_joined_to_ground(const Mechanism& mechanism, int body) {
-  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    const int first = joint.first.body;
-    const int second = joint.second.body;
-    return (first == 0 && second == body) || (first == body && second == 0);
-  });
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [&](const Joint& joint) { return joins(joint, kGround, body); });
 }
 
 // The bodies of rolling contacts. The later one is, the sooner it keeps the angle of its pose: after a body

@@ -2,6 +2,7 @@
 #include "contact/support_curves.hpp"
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
+#include "higherpair/mechanism/plan.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -453,6 +454,33 @@ TEST(Model, ThatWasBuiltIsRedimensionedByAnotherMechanism) {
   const auto refused = model.with_mechanism(longer);
   ASSERT_FALSE(refused);
   EXPECT_THAT(to_string(refused.error()), HasSubstr("0 drivers instead of 1"));
+}
+
+// The points are apart by the rounding of a drawing, beside the travel of the slide.
+TEST(Model, KnowsHowFarItsSlidesAreDriven) {
+  const Model model = model_of(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.slide]
+pose = { x = 1e-6, y = 0 }
+points.P = [0, 0]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "slide.P"]
+direction = [1, 0]
+[driver]
+joint = "guide"
+start = 10
+end = 90
+)");
+  EXPECT_NEAR(model.mechanism().drivers.front().travel, 0.08, 1e-15);
+  EXPECT_EQ(size_of(model.mechanism()), 1);
+  const Model still = model.with({{"driver.end", 10.000001}}).value();
+  EXPECT_NEAR(size_of(still.mechanism()), 1e-9, 1e-24);
+  Mechanism mechanism = model.mechanism();
+  mechanism.drivers.front().travel = 7;
+  EXPECT_NEAR(model.with_mechanism(mechanism).value().mechanism().drivers.front().travel, 0.08, 1e-15);
+  EXPECT_EQ(model_of(kCam).mechanism().drivers.front().travel, 0);
 }
 
 TEST(Model, NamesTheNumbersOfItsProfile) {

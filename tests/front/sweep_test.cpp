@@ -378,6 +378,61 @@ TEST(SweepTasksOfAProgram, NameTheirMistake) {
               HasSubstr("has no keys to set"));
 }
 
+SweepSummary summary_of(const Sweep& sweep) {
+  SweepSummary summary(sweep);
+  for (const auto pass : {&SweepSummary::add, &SweepSummary::place}) {
+    run_sweep(sweep, 0, 1, [&](const SweepBlock& block) {
+      (summary.*pass)(block);
+      return true;
+    });
+  }
+  return summary;
+}
+
+// The follower's top is at the sum of radius and eccentricity: 100 values from 37 to 47 mm.
+TEST(SweepSummaries, HaveTheDistributionOfEveryResult) {
+  const SweepSummary summary = summary_of(Sweep::of(cam_sweep({}, R"(
+[sweep]
+method = "grid"
+[sweep.variables]
+e = { path = "bodies.cam.curves.disc.center.0", min = 7, max = 17, count = 100 }
+[sweep.results]
+top = { column = "follower.y", of = "max" }
+)"))
+                                              .value());
+  EXPECT_EQ(summary.variants(), 100);
+  EXPECT_TRUE(summary.good());
+  EXPECT_TRUE(summary.causes().empty());
+  ASSERT_EQ(summary.results().size(), 1);
+  const ColumnStatistics& top = summary.results().front();
+  EXPECT_EQ(top.count(), 100);
+  EXPECT_NEAR(top.least(), 37, 1e-12);
+  EXPECT_NEAR(top.largest(), 47, 1e-12);
+  EXPECT_NEAR(top.mean(), 42, 1e-12);
+  EXPECT_NEAR(top.deviation(), 10 / 99.0 * std::sqrt(100 * 101 / 12.0), 1e-12);
+  EXPECT_NEAR(top.quantile(0.25), 39.5, 0.1);
+  EXPECT_THAT(top.histogram(2), ElementsAre(50, 50));
+  EXPECT_THAT(summary.text("A title"),
+              HasSubstr("A title\n\n100 variants: 100 ok\n\ntop [mm]\n  smallest 37 "));
+}
+
+TEST(SweepSummaries, CountCausesThatDifferInTheirNumbersAsOne) {
+  const SweepSummary summary = summary_of(Sweep::of(cam_sweep({}, R"(
+[sweep]
+method = "list"
+[sweep.variables]
+r = { path = "bodies.cam.curves.disc.radius", values = [-3, 31, -2, 30] }
+[sweep.results]
+top = { column = "follower.y", of = "max" }
+)"))
+                                              .value());
+  EXPECT_FALSE(summary.good());
+  ASSERT_EQ(summary.causes().size(), 1);
+  EXPECT_EQ(summary.causes()[0].count, 2);
+  EXPECT_THAT(summary.causes()[0].example, HasSubstr("radius = -3 mm: must be > 0"));
+  EXPECT_EQ(summary.results().front().count(), 2);
+}
+
 TEST(ModelVariants, AreTheModelsThatWithMakes) {
   const Model model = shipped_model("ellipse_cam_roller");
   const std::vector<std::string> paths = {"bodies.follower.curves.roller.radius", "driver.end"};

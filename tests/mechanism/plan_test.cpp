@@ -206,10 +206,14 @@ TEST(Plan, TakesDistancesForRoundingThatAreSmallAgainstASlide) {
   Builder b;
   const int slide = b.body("slide", {0, 0}, 0);
   b.drive(b.prismatic(0, slide, {0, 0}, {1, 0}, 1e-9));
+  double& travel = b.mechanism.drivers.front().travel;
   EXPECT_NEAR(size_of(b.mechanism), 1e-9, 1e-24);
-  EXPECT_NEAR(size_of(b.mechanism, 0.9e-5), 1e-9, 1e-24);
-  EXPECT_EQ(size_of(b.mechanism, 1.1e-5), 1);
-  EXPECT_EQ(size_of(b.mechanism, 0.08), 1);
+  travel = 0.9e-5;
+  EXPECT_NEAR(size_of(b.mechanism), 1e-9, 1e-24);
+  travel = 1.1e-5;
+  EXPECT_EQ(size_of(b.mechanism), 1);
+  travel = 0.08;
+  EXPECT_EQ(make_plan(b.mechanism)->size, 1);
 }
 
 // Without the driver the coordinates that enter would do to place what is joined twice to ground.

@@ -9,7 +9,6 @@
 #include "run_command.hpp"
 #include "sweep/block_bytes.hpp"
 #include "sweep/progress.hpp"
-#include "sweep/statistics.hpp"
 #include "sweep/table_file.hpp"
 
 #include <charconv>

@@ -153,6 +153,8 @@ struct Contact {
 struct Driver {
   std::string name;  ///< empty for the only driver of a mechanism
   int joint = 0;     ///< index into Mechanism::joints
+  /// How far it goes from its first position, if it slides and this is known [m]; a Model sets it.
+  double travel = 0;
 };
 
 /// A motion law that something in the mechanism follows: a function of the coordinate of a joint [rad or m],

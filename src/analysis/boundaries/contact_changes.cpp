@@ -92,19 +92,18 @@ bool close_open_contact(OnPath& at, double h) {
   if (!engagement) {
     return false;
   }
-  StateAside aside(run.work.trial);
-  if (const auto passage = joint_within(run, at.path, at.s, h);
-      passage && std::abs(passage->x) < std::abs(engagement->x)) {
-    return false;
-  }
-  const auto x = engage(run, at.path, at.s, *engagement);
-  if (!x) {
-    return false;
-  }
-  aside.commit();
-  at.s += *x;
-  at.open = has_open_contact(run.at.state);
-  return true;
+  return change_trial(run, [&] {
+    if (const auto passage = joint_within(run, at.path, at.s, h);
+        passage && std::abs(passage->x) < std::abs(engagement->x)) {
+      return false;
+    }
+    const auto x = engage(run, at.path, at.s, *engagement);
+    if (x) {
+      at.s += *x;
+      at.open = has_open_contact(run.at.state);
+    }
+    return x.has_value();
+  });
 }
 
 bool part_contact(OnPath& at, std::size_t g) {
@@ -134,11 +133,9 @@ bool meet_elsewhere(OnPath& at, double h) {
     return false;
   }
   if (meeting->x != 0) {
-    StateAside aside(run.work.trial);
-    if (!solve_at(run, at.path, at.s, meeting->x)) {
+    if (!change_trial(run, [&] { return solve_at(run, at.path, at.s, meeting->x); })) {
       return false;
     }
-    aside.commit();
     for (const SharedTouch& touch : meetings.sharing) {
       note_shared_places_until(run, at.path, touch, at.s, meeting->x);
     }

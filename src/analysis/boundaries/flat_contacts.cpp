@@ -66,7 +66,7 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
       run, EventType::kSecondContact, path, s, passage.contact,
       "two flat parts lie on each other and the motion goes on with the contact at the other end");
   if (const auto g = touching_group(run, static_cast<int>(passage.contact))) {
-    const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
+    const TouchingBody& touching = touching_of(run, *g);
     add_rate_jump(run, path, touching.follower,
                   {follower_rate(run.at.state, touching), follower_rate(over, touching)}, event);
   }

@@ -23,10 +23,6 @@ namespace {
 
 constexpr int kMostNudges = 24;
 
-const TouchingBody& touching_of(const Run& run, std::size_t g) {
-  return std::get<TouchingBody>(run.plan().groups[g].kind);
-}
-
 const Contact& contact_of(const Run& run, const TouchingBody& touching) {
   return run.mechanism().contacts[touching.contact];
 }
@@ -75,10 +71,8 @@ std::optional<Engagement> entry(Run& run, const Path& path, std::size_t g, doubl
   if (!x) {
     return std::nullopt;
   }
-  const auto there = [&] {
-    const StateAside aside(run.work.trial);
-    return solve_at(run, path, s, *x) ? passing_at(run, passing, run.work.trial, near) : std::nullopt;
-  }();
+  const auto there = with_trial<PassingAt>(
+      run, path, s, *x, [&](const State& state) { return passing_at(run, passing, state, near); });
   if (!there || !(std::abs(there->beside) <= kCapture * run.plan().size)) {
     return std::nullopt;
   }

@@ -37,7 +37,7 @@ std::optional<std::size_t> touching_group(const Run& run, int contact) {
 
 std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,
                                  const NearPlace& place) {
-  const auto& touching = std::get<TouchingBody>(run.plan().groups[g].kind);
+  const TouchingBody& touching = touching_of(run, g);
   const auto i = static_cast<std::size_t>(touching.contact);
   State over = run.at.state;
   ContactMotion& motion = over.contacts[i];

@@ -27,6 +27,11 @@ void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower
 /// The group whose body is placed by this contact by_boundary, if any.
 [[nodiscard]] std::optional<std::size_t> touching_group(const Run& run, int contact);
 
+/// \pre the group is a TouchingBody
+[[nodiscard]] inline const TouchingBody& touching_of(const Run& run, std::size_t g) {
+  return std::get<TouchingBody>(run.plan().groups[g].kind);
+}
+
 /// Continues run.at.state, which is at s, with the contact of group g at another place where the two bodies
 /// touch too. Returns none and changes nothing if the bodies are on different sides at the two places:
 /// neither contact could then be kept.

@@ -94,13 +94,12 @@ std::optional<std::size_t> tracked_group(const Run& run, int contact) {
 // The follower's rates with the first and the second contact where the second appears, x beyond run.at.state.
 RateJump rates_at(Run& run, const Path& path, std::size_t g, double s, double x, const ContactTrack& next) {
   const auto& tracked = std::get<TrackedPair>(run.plan().groups[g].kind);
-  const StateAside aside(run.work.trial);
-  RateJump rates{std::get<ContactTrack>(run.work.trial.tracks[g]).at.dq, next.at.dq};
-  if (solve_at(run, path, s, x)) {
-    const ContactPosition at = std::get<ContactTrack>(run.work.trial.tracks[g]).at;
+  const auto position = [&](const State& state) { return std::get<ContactTrack>(state.tracks[g]).at; };
+  RateJump rates{position(run.work.trial).dq, next.at.dq};
+  if (const auto at = with_trial<ContactPosition>(run, path, s, x, position)) {
     ContactTrack back = next;
-    rates.before = at.dq;
-    rates.after = walk_to(back, at.u) ? back.at.dq : next.at.dq;
+    rates.before = at->dq;
+    rates.after = walk_to(back, at->u) ? back.at.dq : next.at.dq;
   }
   path.motions(s, run.work.motions);
   const double u_dot = tracked.driver_sign * run.work.motions[tracked.driver].velocity;
@@ -121,12 +120,8 @@ std::optional<RateJump> jump(Run& run, const Path& path, std::size_t g, double s
   const RateJump change = rates_at(run, path, g, s, x, next);
   State over = run.work.trial;
   over.tracks[g] = next;
-  StateAside aside(run.work.trial);
-  if (!solve_from(run, over, path, s + h, 0)) {
-    return std::nullopt;
-  }
-  aside.commit();
-  return change;
+  const bool goes_on = change_trial(run, [&] { return solve_from(run, over, path, s + h, 0); });
+  return goes_on ? std::optional(change) : std::nullopt;
 }
 
 void report_overlap(Run& run, std::size_t contact, const Path& path, double s) {
@@ -262,7 +257,7 @@ void go_over_to(Run& run, const Path& path, double s, const Meeting& meeting, bo
     report_overlap(run, i, path, there);
     return;
   }
-  const CarriedBody& follower = std::get<TouchingBody>(run.plan().groups[*g].kind).follower;
+  const CarriedBody& follower = touching_of(run, *g).follower;
   if (jump_size(run, path, follower, *change) <= kSameRates) {
     report_change_of_place(run, path, s, i);
   } else {

@@ -70,7 +70,7 @@ void keep_those_that_push(const Run& run, std::size_t i, const State& state, std
   if (!g || !state.contacts[i].touches) {
     return;
   }
-  const auto& touching = std::get<TouchingBody>(run.plan().groups[*g].kind);
+  const TouchingBody& touching = touching_of(run, *g);
   const double own = touching_sine(model_of(run), touching, state);
   std::erase_if(places, [&](const NearPlace& place) {
     return own * gap_per_q(model_of(run), touching, state, place.at) < 0;
@@ -124,8 +124,7 @@ std::optional<double> touching_passing(Run& run, const Path& path, double s, dou
     return there && std::abs(there->beside) <= kOverlapDepth * run.plan().size;
   };
   if (const auto x = passing_within(run, path, s, h, passing, near)) {
-    const StateAside aside(run.work.trial);
-    return solve_at(run, path, s, *x) && touches(run.work.trial) ? x : std::nullopt;
+    return with_trial<bool>(run, path, s, *x, touches).value_or(false) ? x : std::nullopt;
   }
   if (is_in(run.at.state)) {
     return touches(run.at.state) ? std::optional(0.0) : std::nullopt;

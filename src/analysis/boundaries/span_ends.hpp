@@ -2,6 +2,7 @@
 
 #include "analysis/follow/straight_path.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <array>
 #include <optional>
@@ -9,12 +10,7 @@
 
 namespace higherpair {
 
-/// The curve of a contact on side 0 or 1.
-[[nodiscard]] inline const CurveRef& ref_of(const Contact& contact, std::size_t side) {
-  return side == 0 ? contact.first : contact.second;
-}
-
-/// Its boundary. \pre the contact is by_boundary
+/// The boundary of a contact on side 0 or 1. \pre the contact is by_boundary
 [[nodiscard]] inline const Boundary& boundary_at(const Run& run, std::size_t contact, std::size_t side) {
   return boundary_of(run.mechanism(), ref_of(run.mechanism().contacts[contact], side));
 }

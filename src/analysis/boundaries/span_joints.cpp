@@ -109,18 +109,17 @@ double length_without_return(Run& run, const Path& path, std::vector<Turn>& turn
   double length = h;
   for (Turn& turn : turned) {
     const SideOfContact at = turn.at;
-    StateAside aside(run.work.trial);
     const auto speed = [&](double x) {
       return solve_from_spans(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
     };
-    const auto x = root_between(speed, running_speed(run, at, run.at.state), length,
-                                running_speed(run, at, run.work.trial));
-    turn.x = x.value_or(0);
-    if (x && *x != 0 && std::abs(*x) < std::abs(length) && solve_from_spans(run, path, s, *x) &&
-        is_on_other_span(run, at)) {
-      length = *x;
-      aside.commit();
-    }
+    const bool returns = change_trial(run, [&] {
+      const auto x = root_between(speed, running_speed(run, at, run.at.state), length,
+                                  running_speed(run, at, run.work.trial));
+      turn.x = x.value_or(0);
+      return x && *x != 0 && std::abs(*x) < std::abs(length) && solve_from_spans(run, path, s, *x) &&
+             is_on_other_span(run, at);
+    });
+    length = returns ? turn.x : length;
   }
   return length;
 }

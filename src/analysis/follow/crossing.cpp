@@ -91,23 +91,24 @@ void interpolate(const Run& run, const State& a, double h, double t, State& b) {
 
 bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   const double reach = std::copysign(crossing_reach(run, path, run.at.state), path.length);
-  StateAside direct(run.work.trial);
-  // If run.at.state is already nearer than `reach`, the step goes backward and may lead across the crossing.
-  const double h = rest - reach;
-  bool crosses =
-      h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h);
-  if (crosses) {
+  const bool crosses = change_trial(run, [&] {
+    // If run.at.state is already nearer than `reach`, the step goes backward and may lead across the
+    // crossing.
+    const double h = rest - reach;
+    if (!(h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h))) {
+      return false;
+    }
     const StateAside start(run.at.state);
     const State before = run.work.trial;
     run.at.state = before;
-    crosses = try_step(run, path, path.length - reach, 2 * reach).kind == StepResult::kOk &&
-              modes_differ(before, run.work.trial);
-    if (crosses) {
-      interpolate(run, before, 2 * reach, 0.5, run.work.trial);
+    if (try_step(run, path, path.length - reach, 2 * reach).kind != StepResult::kOk ||
+        !modes_differ(before, run.work.trial)) {
+      return false;
     }
-  }
+    interpolate(run, before, 2 * reach, 0.5, run.work.trial);
+    return true;
+  });
   if (crosses) {
-    direct.commit();
     run.at.beside = run.work.trial;
     path.positions(s, run.at.drivers);
   }

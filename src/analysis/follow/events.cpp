@@ -59,8 +59,8 @@ private:
   }
 
   std::optional<JointMotion> motion_at(const OutputJoint& output, double x) {
-    const StateAside aside(run_.work.trial);
-    return solve_at(run_, path_, s_, x) ? std::optional(motion_in(output, run_.work.trial)) : std::nullopt;
+    return with_trial<JointMotion>(run_, path_, s_, x,
+                                   [&](const State& state) { return motion_in(output, state); });
   }
 
   double velocity_at(const OutputJoint& output, double x) {

@@ -14,21 +14,6 @@ public:
   ShortWay(const std::vector<Group>& groups, const State& lost, const State& begin)
       : groups_(groups), lost_(lost), begin_(begin), turns_(begin.bodies.size(), 0.0) {}
 
-  void add(const RrrDyad& dyad) {
-    add_own(dyad.link_a);
-    add_own(dyad.link_b);
-  }
-
-  void add(const RrpDyad& dyad) {
-    add_own(dyad.link);
-    add_rider(dyad.slider);
-  }
-
-  void add(const RprDyad& dyad) {
-    add_own(dyad.link);
-    add_rider(dyad.slider);
-  }
-
   void add(const SlideDyad& dyad) {
     for (const Rider& rider : dyad.riders) {
       add_rider(rider);
@@ -56,7 +41,16 @@ public:
 
   // A body that a driver turns follows the driver.
   template <class Kind>
-  void add(const Kind&) {}
+  void add(const Kind& kind) {
+    if constexpr (requires { kind.links(); }) {
+      for (const int link : kind.links()) {
+        add_own(link);
+      }
+    }
+    if constexpr (requires { kind.slider; }) {
+      add_rider(kind.slider);
+    }
+  }
 
   void take(State& state) const {
     for (std::size_t i = 0; i < turns_.size(); ++i) {

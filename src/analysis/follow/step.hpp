@@ -79,6 +79,25 @@ struct StepResult {
 /// modes of run.at.state and without comparing with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 
+/// f(run.work.trial), a T or an optional T, as solve_at() solves it `x` beyond run.at.state; none where it
+/// cannot. The state is restored.
+template <class T, class F>
+[[nodiscard]] std::optional<T> with_trial(Run& run, const Path& path, double s, double x, const F& f) {
+  const StateAside aside(run.work.trial);
+  return solve_at(run, path, s, x) ? std::optional<T>(f(run.work.trial)) : std::nullopt;
+}
+
+/// Returns change(), and restores run.work.trial unless it is true.
+template <class F>
+[[nodiscard]] bool change_trial(Run& run, const F& change) {
+  StateAside aside(run.work.trial);
+  const bool changed = change();
+  if (changed) {
+    aside.commit();
+  }
+  return changed;
+}
+
 /// The same, but with contacts searched from their places in run.at.state, as try_step does, so that those
 /// that have left their spans can be recognised.
 [[nodiscard]] bool solve_from_spans(Run& run, const Path& path, double s, double x);

@@ -3,17 +3,12 @@
 #include "analysis/follow/joint_ends.hpp"
 #include "coupled_bodies.hpp"
 #include "group_kinds.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 namespace higherpair {
 namespace {
-
-template <class... Fs>
-struct Overload : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overload(Fs...) -> Overload<Fs...>;
 
 void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, const State& from,
                   State& to) {
@@ -67,8 +62,8 @@ double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMoti
 
 FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
-  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
-  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
+  const CurveRef& known = end_off(contact, touching.follower.body);
+  const CurveRef& own = end_on(contact, touching.follower.body);
   const BodyMotion& body1 = state.bodies[known.body];
   const BodyMotion& carrier = state.bodies[touching.follower.carrier];
   FrozenPair placed;
@@ -87,10 +82,9 @@ FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const
 
 BoundaryPair frozen_boundaries(const Planned& model, const TouchingBody& touching, const FrozenPair& frozen) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
-  const CurveRef& known = touching.follower_is_second ? contact.first : contact.second;
-  const CurveRef& own = touching.follower_is_second ? contact.second : contact.first;
-  return {&boundary_of(model.mechanism, known), frozen.pair.motion1, &boundary_of(model.mechanism, own),
-          frozen.pair.motion2};
+  const int own = touching.follower.body;
+  return {&boundary_of(model.mechanism, end_off(contact, own)), frozen.pair.motion1,
+          &boundary_of(model.mechanism, end_on(contact, own)), frozen.pair.motion2};
 }
 
 namespace {
@@ -103,10 +97,7 @@ GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& fro
                  place_driven(driven, drivers, from, to);
                  return GroupStatus::kOk;
                },
-               [&](const RrrDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-               [&](const RrpDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
-               [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, model.plan.size, to); },
-               [&](const SlideDyad& dyad) { return place_dyad(dyad, g, from, h, to); },
+               [&](const auto& dyad) { return place_dyad(dyad, g, from, h, model.plan.size, to); },
                [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to); },
                [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
                [&](const IdleBody& idle) {
@@ -121,22 +112,22 @@ GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& fro
       group.kind);
 }
 
+GroupStatus within_ends(const Planned& model, std::size_t g, const State& placed, GroupStatus status) {
+  return status == GroupStatus::kOk && joint_beyond_end(model, g, placed) ? GroupStatus::kOutOfReach : status;
+}
+
 }  // namespace
 
 GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
                         const std::vector<double>& drivers, State& to) {
-  const GroupStatus status = place_anywhere(model, g, from, h, drivers, to);
-  return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
+  return within_ends(model, g, to, place_anywhere(model, g, from, h, drivers, to));
 }
 
 void set_group_rates(const Planned& model, std::size_t g, const std::vector<DriverMotion>& drivers,
                      State& state) {
   const Group& group = model.plan.groups[g];
   std::visit(Overload{[&](const DrivenBody& driven) { move_driven(driven, drivers, state); },
-                      [&](const RrrDyad& dyad) { move_dyad(dyad, g, state); },
-                      [&](const RrpDyad& dyad) { move_dyad(dyad, g, state); },
-                      [&](const RprDyad& dyad) { move_dyad(dyad, g, state); },
-                      [&](const SlideDyad& dyad) { move_dyad(dyad, g, state); },
+                      [&](const auto& dyad) { move_dyad(dyad, g, state); },
                       [&](const TrackedPair& tracked) { move_tracked(model, tracked, g, drivers, state); },
                       [&](const TouchingBody& touching) { move_touching(model, touching, g, state); },
                       [&](const IdleBody& idle) {
@@ -149,14 +140,13 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 
 GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
                              const std::vector<double>& drivers, State& to) {
-  const auto* tracked = std::get_if<TrackedPair>(&model.plan.groups[g].kind);
-  const auto* touching = std::get_if<TouchingBody>(&model.plan.groups[g].kind);
-  if (tracked == nullptr && touching == nullptr) {
-    return place_group(model, g, from, 0, drivers, to);
-  }
-  const GroupStatus status = tracked != nullptr ? place_tracked_anew(*tracked, g, from, drivers, to)
-                                                : place_touching_anew(model, *touching, g, from, to);
-  return status == GroupStatus::kOk && joint_beyond_end(model, g, to) ? GroupStatus::kOutOfReach : status;
+  const GroupStatus status = std::visit(
+      Overload{
+          [&](const TrackedPair& tracked) { return place_tracked_anew(tracked, g, from, drivers, to); },
+          [&](const TouchingBody& touching) { return place_touching_anew(model, touching, g, from, to); },
+          [&](const auto&) { return place_anywhere(model, g, from, 0, drivers, to); }},
+      model.plan.groups[g].kind);
+  return within_ends(model, g, to, status);
 }
 
 double reach_of(const Planned& model, std::size_t g, const State& state) {

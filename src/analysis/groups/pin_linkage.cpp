@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 
 #include <algorithm>
@@ -21,13 +22,6 @@ std::vector<std::size_t> first_point_numbers(const Mechanism& mechanism) {
     firsts.push_back(static_cast<std::size_t>(std::find(order.begin(), order.end(), x) - order.begin()));
   }
   return firsts;
-}
-
-// The end of a joint on a body, and its other end; none if the joint is not on the body.
-std::optional<std::pair<PointRef, PointRef>> ends_at(const Joint& joint, int body) {
-  if (joint.first.body == body) return std::pair{joint.first, joint.second};
-  if (joint.second.body == body) return std::pair{joint.second, joint.first};
-  return std::nullopt;
 }
 
 }  // namespace
@@ -61,14 +55,10 @@ bool PinLinkage::add(const Mechanism& mechanism, const Group& group) {
     return false;
   }
   const Joint& joint = driven_joint(mechanism, static_cast<std::size_t>(driven->driver));
-  const auto ends = ends_at(joint, driven->carried.body);
-  if (!ends) {
-    return false;
-  }
   steps_.push_back({false, driven_.size()});
-  driven_.push_back({driven->carried.body, driven->driver,
-                     joint.second.body == driven->carried.body ? 1. : -1., end_of(ends->second),
-                     end_of(ends->first)});
+  driven_.push_back(
+      {driven->carried.body, driven->driver, joint.second.body == driven->carried.body ? 1. : -1.,
+       end_of(end_off(joint, driven->carried.body)), end_of(end_on(joint, driven->carried.body))});
   return true;
 }
 
@@ -82,19 +72,20 @@ bool PinLinkage::add_dyad(const Mechanism& mechanism, const Group& group, const 
   added.pin_C = dyad.pin_C;
   int found = 0;
   for (const int index : group.joints) {
-    const auto at_a = ends_at(mechanism.joints[index], dyad.link_a);
-    const auto at_b = ends_at(mechanism.joints[index], dyad.link_b);
+    const Joint& joint = mechanism.joints[index];
+    const bool at_a = touches(joint, dyad.link_a);
+    const bool at_b = touches(joint, dyad.link_b);
     if (at_a && at_b) {
-      added.a_C = end_of(at_a->first);
-      added.b_C = end_of(at_b->first);
+      added.a_C = end_of(end_on(joint, dyad.link_a));
+      added.b_C = end_of(end_on(joint, dyad.link_b));
       found |= 1;
     } else if (at_a) {
-      added.a_A = end_of(at_a->first);
-      added.A = end_of(at_a->second);
+      added.a_A = end_of(end_on(joint, dyad.link_a));
+      added.A = end_of(end_off(joint, dyad.link_a));
       found |= 2;
     } else if (at_b) {
-      added.b_B = end_of(at_b->first);
-      added.B = end_of(at_b->second);
+      added.b_B = end_of(end_on(joint, dyad.link_b));
+      added.B = end_of(end_off(joint, dyad.link_b));
       found |= 4;
     }
   }

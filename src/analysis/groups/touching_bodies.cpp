@@ -2,6 +2,7 @@
 #include "contact_states.hpp"
 #include "higherpair/contact/extreme_gap.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -210,7 +211,7 @@ void move_touching(const Planned& model, const TouchingBody& touching, std::size
   const ContactMotion& motion = state.contacts[touching.contact];
   const double sense = touching.follower_is_second ? 1 : -1;
   const Vector2d n = sense * motion.at.n_W;
-  const int other = touching.follower_is_second ? contact.first.body : contact.second.body;
+  const int other = end_off(contact, touching.follower.body).body;
   const Vector2d p = motion.at.p_W();
   const PointMotion known = motion_at_place(state.bodies[other], p);
   BodyMotion& body = state.bodies[follower.body];

@@ -2,6 +2,7 @@
 
 #include "analysis/tolerances.hpp"
 #include "higherpair/mechanism/description.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -91,7 +92,7 @@ void ChainAssembly::try_modes(const ChainStart& start, std::size_t g, double cos
     modes_[g] = mode;
     solve_group<ChainRates::kNone>(group, mode, start.driver, bodies_.data(), watch);
     const bool dyad = group.two_modes;
-    const double limit = std::holds_alternative<RprDyad>(group.kind) ? 0 : 1;
+    const double limit = traits_of(start.plan.groups[g]).long_sine ? 0 : 1;
     if (!dyad || watch.margin < limit) {
       try_modes(start, g + 1, cost + cost_of(start, start.plan.groups[g]));
     }
@@ -147,7 +148,7 @@ bool ChainAssembly::take_modes(const ChainStart& start, const Run& run) {
 
 // Takes the mode in which the dyad puts the disc where the run has it.
 bool ChainAssembly::take_mode_of_disc(const ChainStart& start, const Run& run, std::size_t g) {
-  const auto disc = static_cast<std::size_t>(start.groups[g].discs->body);
+  const auto disc = static_cast<std::size_t>(start.groups[g].discs->touch.body);
   const Pose<double>& X_WB = run.at.state.bodies[disc].X_WB;
   for (const double mode : {1.0, -1.0}) {
     ChainWatch<double> watch;

@@ -1,10 +1,12 @@
 #include "chain_columns.hpp"
 
 #include "higherpair/mechanism/description.hpp"
+#include "higherpair/numeric/overload.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 namespace higherpair {
 
@@ -38,19 +40,21 @@ std::vector<char> placed_bodies(std::span<const ChainGroup> groups, std::span<co
       place(touch->link);
       place(touch->known);
       place(touch->carrier);
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-      place(rrr->A.body);
-      place(rrr->B.body);
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-      place(rrp->A.body);
-      place(rrp->line.body);
-      if (rrp->slider) {
-        place(rrp->link);
-      }
-    } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
-      place(rpr->A.body);
-      place(rpr->B.body);
+      continue;
     }
+    const auto place_known = [&](const auto& dyad) {
+      for (const int body : dyad.known()) {
+        place(body);
+      }
+    };
+    std::visit(Overload{[](const DrivenBody&) {}, [](const OvalContact&) {}, place_known,
+                        [&](const RrpDyad& dyad) {
+                          place_known(dyad);
+                          if (dyad.slider) {
+                            place(dyad.link);
+                          }
+                        }},
+               group.kind);
   }
   return placed;
 }
@@ -63,34 +67,32 @@ std::vector<ChainAngle> angles_of(std::span<const ChainGroup> groups, std::size_
     at(body) = {0, static_cast<int>(turnings.size()), 0};
     turnings.push_back({body});
   };
-  const auto rides = [&](const std::optional<Rider>& rider) {
-    if (rider) {
-      at(rider->body) = at(rider->carrier);
-      at(rider->body).offset += rider->relative_angle;
-    }
-  };
   for (const ChainGroup& group : groups) {
-    if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
-      const CarriedBody& carried = driven->carried;
-      at(carried.body) =
-          carried.freedom.turns ? ChainAngle{carried.sign, -1, 0} : ChainAngle{0, -1, carried.freedom.theta};
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-      turns(rrr->link_a);
-      turns(rrr->link_b);
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-      turns(rrp->link);
-      rides(rrp->slider);
-    } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
-      turns(rpr->link);
-      rides(rpr->slider);
-    } else if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
-      const OneFreedom& freedom = ovals->touch.freedom;
-      if (freedom.turns) {
-        turns(ovals->touch.body);
-      } else {
-        at(ovals->touch.body) = {0, -1, freedom.theta};
-      }
-    }
+    std::visit(
+        Overload{[&](const DrivenBody& driven) {
+                   const auto& [body, carrier, freedom, sign] = driven.carried;
+                   at(body) = freedom.turns ? ChainAngle{sign, -1, 0} : ChainAngle{0, -1, freedom.theta};
+                 },
+                 [&](const OvalContact& ovals) {
+                   const OneFreedom& freedom = ovals.touch.freedom;
+                   if (freedom.turns) {
+                     turns(ovals.touch.body);
+                   } else {
+                     at(ovals.touch.body) = {0, -1, freedom.theta};
+                   }
+                 },
+                 [&](const auto& dyad) {
+                   for (const int link : dyad.links()) {
+                     turns(link);
+                   }
+                   if constexpr (requires { dyad.slider; }) {
+                     if (dyad.slider) {
+                       at(dyad.slider->body) = at(dyad.slider->carrier);
+                       at(dyad.slider->body).offset += dyad.slider->relative_angle;
+                     }
+                   }
+                 }},
+        group.kind);
   }
   return angles;
 }

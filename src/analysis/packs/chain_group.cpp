@@ -5,6 +5,7 @@
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 namespace higherpair {
 namespace {
@@ -22,12 +23,12 @@ std::optional<Oval> oval_of(const Curve& curve) {
 }
 
 // The two centres keep a constant distance, the sum of the radii: a link between them.
-std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
+std::optional<ChainGroup> dyad_of_discs(OvalContact contact) {
   const double length = contact.on_known.along + contact.on_body.along;
   if (!(length > 0)) {
     return std::nullopt;
   }
-  ChainTouch touch = contact.touch;
+  ChainTouch& touch = contact.touch;
   touch.p_x = contact.on_known.along;
   const OneFreedom& freedom = touch.freedom;
   const Vector2d arm = contact.on_body.center_B - freedom.p_BO;
@@ -47,7 +48,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
     dyad.length_a = length;
     dyad.length_b = arm.norm();
     dyad.along_b = direction_of(arm);
-    return ChainGroup{dyad, true, touch};
+    return ChainGroup{dyad, true, contact};
   }
   RrpDyad dyad;
   dyad.A = A;
@@ -56,7 +57,7 @@ std::optional<ChainGroup> dyad_of_discs(const OvalContact& contact) {
   dyad.length = length;
   dyad.line = {touch.carrier, freedom.p_WO + freedom.R_WB * arm, direction_of(freedom.direction_W)};
   dyad.slider = Rider{touch.body, touch.carrier, contact.on_body.center_B, freedom.theta, freedom.R_WB};
-  return ChainGroup{dyad, true, touch};
+  return ChainGroup{dyad, true, contact};
 }
 
 std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const PlacingContact& placing,
@@ -66,10 +67,9 @@ std::optional<ChainGroup> group_of_contact(const Mechanism& mechanism, const Pla
     return std::nullopt;
   }
   const CarriedBody& follower = *placing.follower;
-  const bool second = contact.second.body == follower.body;
-  const CurveRef& known = second ? contact.first : contact.second;
+  const CurveRef& known = end_off(contact, follower.body);
   const auto on_known = oval_of(curve_of(mechanism, known));
-  const auto on_body = oval_of(curve_of(mechanism, second ? contact.second : contact.first));
+  const auto on_body = oval_of(curve_of(mechanism, end_on(contact, follower.body)));
   if (!on_known || !on_body) {
     return std::nullopt;
   }
@@ -89,20 +89,20 @@ std::optional<ChainGroup> chain_group(const Mechanism& mechanism, const Group& g
   if (!group.ended_joints.empty()) {
     return std::nullopt;
   }
-  if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
-    return driven->carried.carrier == kGround ? std::optional(ChainGroup{*driven, false, {}}) : std::nullopt;
+  if (const auto placing = placing_contact(group)) {
+    return group_of_contact(mechanism, *placing, link);
   }
-  if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-    return ChainGroup{*rrr, true, {}};
-  }
-  if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-    return ChainGroup{*rrp, true, {}};
-  }
-  if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
-    return ChainGroup{*rpr, true, {}};
-  }
-  const auto placing = placing_contact(group);
-  return placing ? group_of_contact(mechanism, *placing, link) : std::nullopt;
+  return std::visit(
+      [](const auto& kind) -> std::optional<ChainGroup> {
+        if constexpr (requires { kind.links(); }) {
+          return ChainGroup{kind, true, {}};
+        } else if constexpr (requires { kind.carried; }) {
+          return kind.carried.carrier == kGround ? std::optional(ChainGroup{kind, false, {}}) : std::nullopt;
+        } else {
+          return std::nullopt;
+        }
+      },
+      group.kind);
 }
 
 }  // namespace higherpair

@@ -40,13 +40,17 @@ struct OvalContact {
 struct ChainGroup {
   std::variant<DrivenBody, RrrDyad, RrpDyad, RprDyad, OvalContact> kind;
   bool two_modes = false;
-  std::optional<ChainTouch> discs;  ///< set if the dyad replaces the contact of two discs
+  std::optional<OvalContact> discs;  ///< set if the dyad replaces the contact of two discs
 };
 
 /// The contact of a group, if it has one.
-[[nodiscard]] inline const ChainTouch* touch_of(const ChainGroup& group) {
+[[nodiscard]] inline const OvalContact* contact_of(const ChainGroup& group) {
   const auto* ovals = std::get_if<OvalContact>(&group.kind);
-  return ovals != nullptr ? &ovals->touch : group.discs ? &*group.discs : nullptr;
+  return ovals == nullptr && group.discs ? &*group.discs : ovals;
+}
+[[nodiscard]] inline const ChainTouch* touch_of(const ChainGroup& group) {
+  const OvalContact* contact = contact_of(group);
+  return contact == nullptr ? nullptr : &contact->touch;
 }
 
 /// How a chain solves a group. None where it cannot: groups of other kinds, and contacts that roll, may part,

@@ -265,6 +265,7 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
 }
 
 /// Places the bodies of a group. \pre the group is not an OvalContact
+// std::visit would define functions that throw, in objects compiled for wide registers as well.
 template <ChainRates kRates, class T>
 inline void solve_group(const ChainGroup& group, double mode, const ChainDriver<T>& driver,
                         ChainBody<T>* bodies, ChainWatch<T>& watch) {

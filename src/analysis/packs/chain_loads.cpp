@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/description.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 namespace higherpair {
 namespace {
@@ -68,10 +69,8 @@ bool take_joint(const Mechanism& mechanism, const Group& group, int held, int ot
                 ChainSupport& support) {
   for (const int index : group.joints) {
     const Joint& joint = mechanism.joints[index];
-    const bool is_second = joint.second.body == held && joint.first.body == other;
-    const bool is_first = joint.first.body == held && joint.second.body == other;
-    if (joint.type == type && (is_first || is_second)) {
-      support = {index, is_second ? 1.0 : -1.0, body_point(mechanism, joint.second)};
+    if (joint.type == type && joins(joint, held, other)) {
+      support = {index, joint.second.body == held ? 1.0 : -1.0, body_point(mechanism, joint.second)};
       return true;
     }
   }
@@ -142,7 +141,7 @@ bool take_statics(const Mechanism& mechanism, const Plan& plan, std::span<const 
   statics.supports.assign(groups.size(), {});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const TakeSupports take(mechanism, plan.groups[g], statics.supports[g]);
-    if (!(groups[g].discs ? take(*groups[g].discs) : std::visit(take, groups[g].kind))) {
+    if (!(groups[g].discs ? take(groups[g].discs->touch) : std::visit(take, groups[g].kind))) {
       return false;
     }
   }

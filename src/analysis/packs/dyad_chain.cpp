@@ -7,7 +7,9 @@
 #include "chain_loads.hpp"
 #include "chain_rows.hpp"
 #include "higherpair/mechanism/description.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/redimension.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -80,30 +82,22 @@ double largest_coordinate(const Mechanism& mechanism, std::span<const ChainGroup
     }
   }
   for (const ChainGroup& group : groups) {
-    if (const auto* ovals = std::get_if<OvalContact>(&group.kind)) {
-      largest = std::max({largest, ovals->on_known.center_B.cwiseAbs().maxCoeff(), ovals->on_known.along,
-                          ovals->on_body.center_B.cwiseAbs().maxCoeff(), ovals->on_body.along});
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&group.kind); rrr != nullptr && group.discs) {
-      largest = std::max(
-          {largest, rrr->length_a, rrr->A.p_B.cwiseAbs().maxCoeff(), rrr->b_pC.cwiseAbs().maxCoeff()});
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind); rrp != nullptr && group.discs) {
-      largest = std::max(
-          {largest, rrp->length, rrp->A.p_B.cwiseAbs().maxCoeff(), rrp->slider->p_B.cwiseAbs().maxCoeff()});
+    if (const OvalContact* contact = contact_of(group)) {
+      largest = std::max({largest, contact->on_known.center_B.cwiseAbs().maxCoeff(),
+                          contact->on_body.center_B.cwiseAbs().maxCoeff(),
+                          contact->on_known.along + contact->on_body.along});
     }
   }
   return largest;
 }
 
 double shortest_link(std::span<const ChainGroup> groups, double size) {
+  const Overload length{[](const RrrDyad& dyad) { return std::min(dyad.length_a, dyad.length_b); },
+                        [](const RrpDyad& dyad) { return dyad.length; },
+                        [](const DrivenBody&) { return kInf; }, [&](const auto&) { return size; }};
   double shortest = kInf;
   for (const ChainGroup& group : groups) {
-    if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-      shortest = std::min({shortest, rrr->length_a, rrr->length_b});
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-      shortest = std::min(shortest, rrp->length);
-    } else if (!std::holds_alternative<DrivenBody>(group.kind)) {
-      shortest = std::min(shortest, size);
-    }
+    shortest = std::min(shortest, std::visit(length, group.kind));
   }
   return shortest;
 }
@@ -222,9 +216,8 @@ std::optional<DyadChain> DyadChain::of(const Mechanism& mechanism, const Plan& p
     return std::nullopt;
   }
   impl->needs_size = !mechanism.contacts.empty() || !mechanism.springs.empty() ||
-                     std::any_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
-                       return std::holds_alternative<RprDyad>(group.kind);
-                     });
+                     std::any_of(plan.groups.begin(), plan.groups.end(),
+                                 [](const Group& group) { return traits_of(group).long_sine; });
   impl->assembly = ChainAssembly(mechanism.bodies.size(), bodies, plan.groups.size());
   impl->watches.resize(plan.groups.size());
   impl->bounds.resize(bodies);

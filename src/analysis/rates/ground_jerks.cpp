@@ -1,7 +1,9 @@
 #include "ground_jerks.hpp"
 
 #include "higherpair/contact/jerk.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "series_motion.hpp"
 
 #include <cmath>
@@ -36,14 +38,12 @@ public:
       const double rate = higher_.empty() ? 0.0 : higher_[driver][0];
       return set(driven->carried, driven->carried.sign * rate);
     }
-    if (const auto* pair = std::get_if<TrackedPair>(&group.kind)) {
-      return add_touching(pair->contact, pair->follower);
+    const auto placing = placing_contact(group);
+    if (!placing) {
+      return false;
     }
-    if (const auto* touching = std::get_if<TouchingBody>(&group.kind)) {
-      const bool touches = run_.row.contacts[touching->contact].touches;
-      return touches ? add_touching(touching->contact, touching->follower) : set(touching->follower, 0);
-    }
-    return false;
+    const auto& [contact, follower] = *placing;
+    return run_.row.contacts[contact].touches ? add_touching(contact, *follower) : set(*follower, 0);
   }
 
   [[nodiscard]] Jerks take() { return std::move(jerks_); }
@@ -63,8 +63,7 @@ private:
   bool add_touching(int index, const CarriedBody& follower) {
     const Mechanism& mechanism = run_.mechanism();
     const Contact& contact = mechanism.contacts[index];
-    const bool second = contact.second.body == follower.body;
-    const int other = second ? contact.first.body : contact.second.body;
+    const int other = end_off(contact, follower.body).body;
     const auto& known = jerks_[other];
     if (contact.rolling || follower.carrier != 0 || !known) {
       return false;
@@ -85,7 +84,7 @@ private:
     if (rounding_shows(std::abs(per_q) / by_q.norm(), 3)) {
       return false;
     }
-    return set(follower, (apart + (second ? wanted : -wanted)) / per_q);
+    return set(follower, (apart + (other == contact.first.body ? wanted : -wanted)) / per_q);
   }
 
   const Run& run_;

@@ -3,6 +3,7 @@
 #include "analysis/groups/group_solver.hpp"
 #include "assembly.hpp"
 #include "higherpair/analysis/branch_run.hpp"
+#include "higherpair/numeric/overload.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,18 +43,21 @@ std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<dou
 }  // namespace
 
 std::optional<double> closure_gap(const Group& group, const std::vector<BodyMotion>& bodies) {
-  if (const auto* dyad = std::get_if<RrrDyad>(&group.kind)) {
-    const double apart = (in_ground(dyad->A, bodies) - in_ground(dyad->B, bodies)).norm();
-    return std::max(apart - (dyad->length_a + dyad->length_b),
-                    std::abs(dyad->length_a - dyad->length_b) - apart);
-  }
-  if (const auto* dyad = std::get_if<RrpDyad>(&group.kind)) {
-    return distance_from(dyad->line, bodies, in_ground(dyad->A, bodies)) - dyad->length;
-  }
-  if (const auto* dyad = std::get_if<RprDyad>(&group.kind)) {
-    return std::abs(slot_offset(*dyad)) - (in_ground(dyad->A, bodies) - in_ground(dyad->B, bodies)).norm();
-  }
-  return std::nullopt;
+  const auto apart = [&](const auto& dyad) {
+    return (in_ground(dyad.A, bodies) - in_ground(dyad.B, bodies)).norm();
+  };
+  using Gap = std::optional<double>;
+  return std::visit(
+      Overload{[&](const RrrDyad& dyad) -> Gap {
+                 return std::max(apart(dyad) - (dyad.length_a + dyad.length_b),
+                                 std::abs(dyad.length_a - dyad.length_b) - apart(dyad));
+               },
+               [&](const RrpDyad& dyad) -> Gap {
+                 return distance_from(dyad.line, bodies, in_ground(dyad.A, bodies)) - dyad.length;
+               },
+               [&](const RprDyad& dyad) -> Gap { return std::abs(slot_offset(dyad)) - apart(dyad); },
+               [](const auto&) -> Gap { return std::nullopt; }},
+      group.kind);
 }
 
 std::vector<std::optional<double>> closure_gaps(const Run& run, const std::vector<double>& drivers) {

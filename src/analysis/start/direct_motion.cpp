@@ -2,6 +2,7 @@
 
 #include "analysis/groups/group_solver.hpp"
 #include "assembly.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,11 +10,8 @@
 namespace higherpair {
 
 bool DirectMotion::is_possible(const Plan& plan) {
-  return std::all_of(plan.groups.begin(), plan.groups.end(), [](const Group& group) {
-    return std::holds_alternative<DrivenBody>(group.kind) || std::holds_alternative<RrrDyad>(group.kind) ||
-           std::holds_alternative<RrpDyad>(group.kind) || std::holds_alternative<RprDyad>(group.kind) ||
-           std::holds_alternative<SlideDyad>(group.kind) || std::holds_alternative<IdleBody>(group.kind);
-  });
+  return std::all_of(plan.groups.begin(), plan.groups.end(),
+                     [](const Group& group) { return traits_of(group).direct; });
 }
 
 DirectMotion::DirectMotion(const Mechanism& mechanism, Plan plan, int branch)

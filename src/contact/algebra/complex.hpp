@@ -55,26 +55,26 @@ using Vector3c = std::array<Complex<T>, 3>;
 template <class T>
 using Matrix3c = std::array<Vector3c<T>, 3>;
 
-template <class T>
-[[nodiscard]] Matrix3c<T> operator+(const Matrix3c<T>& a, const Matrix3c<T>& b) {
-  Matrix3c<T> sum;
+/// The matrix of the entries of(i, j).
+template <class T, class F>
+[[nodiscard]] Matrix3c<T> matrix_of(const F& of) {
+  Matrix3c<T> matrix;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      sum[i][j] = a[i][j] + b[i][j];
+      matrix[i][j] = of(i, j);
     }
   }
-  return sum;
+  return matrix;
+}
+
+template <class T>
+[[nodiscard]] Matrix3c<T> operator+(const Matrix3c<T>& a, const Matrix3c<T>& b) {
+  return matrix_of<T>([&](std::size_t i, std::size_t j) { return a[i][j] + b[i][j]; });
 }
 
 template <class T>
 [[nodiscard]] Matrix3c<T> operator*(const T& s, const Matrix3c<T>& a) {
-  Matrix3c<T> product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      product[i][j] = s * a[i][j];
-    }
-  }
-  return product;
+  return matrix_of<T>([&](std::size_t i, std::size_t j) { return s * a[i][j]; });
 }
 
 template <class T>
@@ -94,13 +94,7 @@ template <class T>
 /// a bᵀ
 template <class T>
 [[nodiscard]] Matrix3c<T> outer(const Vector3c<T>& a, const Vector3c<T>& b) {
-  Matrix3c<T> product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      product[i][j] = a[i] * b[j];
-    }
-  }
-  return product;
+  return matrix_of<T>([&](std::size_t i, std::size_t j) { return a[i] * b[j]; });
 }
 
 /// tr(a bᵀ); for two symmetric matrices the trace of their product.

@@ -115,10 +115,8 @@ struct LastStep {
   if (points.link.w != 0) {
     points.rho1 = radius_at(placed.first, points.rho1, points.w2_1, points.p1_W, extent);
     points.rho2 = radius_at(placed.second, points.rho2, points.w2_2, on_body2, extent);
-    points.link = link_of_curved(points.rho1, points.rho2);
-  } else {
-    points.link.z = points.rho1 + points.rho2;
   }
+  points.link = equivalent_link(is_line(pair.curve1), points.rho1, is_line(pair.curve2), points.rho2);
   return points;
 }
 

@@ -5,6 +5,7 @@
 #include "higherpair/contact/details.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/contains.hpp"
 
 #include <array>
@@ -69,7 +70,7 @@ public:
       freedom_ = grounded_freedom(run.mechanism(), *carrier);
     }
     for (const std::size_t side : {0U, 1U}) {
-      const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
+      const CurveRef& ref = ref_of(contact_, side);
       const Curve& own = named_curve(run.mechanism(), ref).curve;
       names_[side] = name_of_curve(run.mechanism(), ref);
       flat_[side] = is_line(own);
@@ -170,7 +171,7 @@ private:
     }
     for (const std::size_t side : {0U, 1U}) {
       const double rho = side == 0 ? motion.at.rho1 : motion.at.rho2;
-      const CurveRef& ref = side == 0 ? contact_.first : contact_.second;
+      const CurveRef& ref = ref_of(contact_, side);
       if (flat_[side]) {
         const BodyMotion& body = row.bodies[ref.body];
         const Vector2d along = perp(named_curve(run.mechanism(), ref).curve.axis_B);

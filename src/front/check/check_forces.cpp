@@ -6,6 +6,7 @@
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -140,7 +141,7 @@ private:
     pressure.given.push_back(figures.of_contact(i, LimitKey::kWidth));
     std::array<ElasticMaterial, 2> materials;
     for (const std::size_t side : {0U, 1U}) {
-      const CurveRef& ref = side == 0 ? contact.first : contact.second;
+      const CurveRef& ref = ref_of(contact, side);
       if (is_point(named_curve(mechanism_, ref).curve)) {
         return std::nullopt;
       }

@@ -5,6 +5,7 @@
 #include "higherpair/analysis/jerk.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,8 @@ public:
       const Joint& joint = mechanism.joints[i];
       if ((joint.first.body == 0) == (joint.second.body == 0) || !can_be_driven(joint.type)) continue;
       const int index = static_cast<int>(i);
-      joints_.push_back({index, joint.first.body == 0 ? joint.second.body : joint.first.body,
-                         joint.type == JointType::kRevolute, is_driven(mechanism, index), joint.name});
+      joints_.push_back({index, end_off(joint, kGround).body, joint.type == JointType::kRevolute,
+                         is_driven(mechanism, index), joint.name});
     }
   }
 

@@ -2,6 +2,7 @@
 #include "column_set.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "path_columns.hpp"
 
 #include <fmt/core.h>
@@ -28,7 +29,7 @@ double* put_known(const std::optional<Vector2d>& v, double* out) {
 std::vector<std::optional<int>> moved_joints(const Mechanism& mechanism, const Plan& plan) {
   std::vector<std::optional<int>> joints(mechanism.contacts.size());
   for (const Group& group : plan.groups) {
-    if (std::holds_alternative<TrackedPair>(group.kind) || std::holds_alternative<TouchingBody>(group.kind)) {
+    if (placing_contact(group)) {
       joints[group.contacts.front()] = group.joints.front();
     }
   }

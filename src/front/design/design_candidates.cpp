@@ -169,7 +169,6 @@ std::optional<DesignCandidate> DesignCandidates::candidate_of(std::span<const do
       std::make_unique<const Mechanism>(data ? data->profile.mechanism : setup.numbers.mechanism_of(x));
   auto plan = data ? data->plan : plan_like(*setup.numbers.model().data().plan, *mechanism);
   if (!plan) return std::nullopt;
-  if (!data && setup.slide > 0) plan->size = size_of(*mechanism, setup.slide);
   return DesignCandidate{data, std::move(mechanism), *std::move(plan), *std::move(schedule)};
 }
 

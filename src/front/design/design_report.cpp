@@ -120,7 +120,6 @@ private:
                      setup_.branches,
                      {},
                      setup_.size,
-                     setup_.slide,
                      setup_.scales,
                      setup_.cost_scale};
     const DesignScore found = score_of(setup_, x, searched(branch));

@@ -27,7 +27,6 @@ struct DesignSetup {
   int branches = 1;
   std::optional<int> start_branch;  ///< none where the start values cannot be assembled
   double size = 1;                  ///< of the mechanism with the start values [m]
-  double slide = 0;                 ///< farthest_slide of the start values [m]
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};
   double cost_scale = 1;  ///< order of magnitude of the cost, in the unit of tables

@@ -286,7 +286,6 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
                                                          1});
   setup->branches = branch_count(*model.data().plan);
   setup->size = model.data().plan->size;
-  setup->slide = farthest_slide(model.data());
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
   }

@@ -76,15 +76,9 @@ Result<std::string> verified_text(const FitProblem& problem, const FitSolution& 
   }
   RunSettings settings;
   settings.columns = {"status"};
-  const DesignSetup setup{problem.motion().numbers(),
-                          {},
-                          {},
-                          settings,
-                          *schedule,
-                          1,
-                          problem.motion().branch(),
-                          data.model.data().plan->size,
-                          farthest_slide(data.model.data())};
+  const DesignSetup setup{
+      problem.motion().numbers(),  {}, {}, settings, *schedule, 1, problem.motion().branch(),
+      data.model.data().plan->size};
   const std::vector<double> x(solution.x.data(), solution.x.data() + data.variables->variables.size());
   auto text = text_of_design(setup, x, problem.motion().branch());
   if (!text) {

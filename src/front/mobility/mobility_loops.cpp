@@ -6,6 +6,7 @@
 #include "higherpair/linkage/piston.hpp"
 #include "higherpair/linkage/quick_return.hpp"
 #include "higherpair/linkage/slider_crank_stroke.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/loops.hpp"
 
 #include <algorithm>
@@ -26,16 +27,13 @@ const char* inversion_of(const SliderCrankInMechanism& loop) {
 }
 
 bool are_joined(const Mechanism& mechanism, int a, int b) {
-  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return (joint.first.body == a && joint.second.body == b) ||
-           (joint.first.body == b && joint.second.body == a);
-  });
+  return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                     [&](const Joint& joint) { return joins(joint, a, b); });
 }
 
 bool slides_on_ground(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return joint.type == JointType::kPrismatic && (joint.first.body == 0 || joint.second.body == 0) &&
-           (joint.first.body == body || joint.second.body == body);
+    return joint.type == JointType::kPrismatic && joins(joint, kGround, body);
   });
 }
 

@@ -4,6 +4,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "io/document/document.hpp"
 
 #include <algorithm>
@@ -36,9 +37,7 @@ std::vector<std::string> cut_for(const Mechanism& mechanism, int cam, const Curv
   for (const int body : {cam, follower.body}) {
     paths.push_back(fmt::format("bodies.{}.pose", mechanism.bodies[body].name));
     for (const Joint& joint : mechanism.joints) {
-      const bool on_ground = joint.first.body == 0 ? joint.second.body == body
-                                                   : joint.second.body == 0 && joint.first.body == body;
-      if (on_ground) {
+      if (joins(joint, kGround, body)) {
         paths.insert(paths.end(), {point_path(mechanism, joint.first), point_path(mechanism, joint.second),
                                    "joints." + joint.name});
       }
@@ -93,7 +92,7 @@ std::vector<FlankNote> flank_notes(const Table& document, const Profile& profile
       const auto name = text_at(document, path + ".contact");
       for (const Contact& contact : mechanism.contacts) {
         if (contact.name != name) continue;
-        look_at(cam, body.curves[k], contact.first.body == cam ? contact.second : contact.first);
+        look_at(cam, body.curves[k], end_off(contact, cam));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/schedule/schedule_timing.hpp"
 #include "io/tolerances.hpp"
@@ -40,10 +41,8 @@ Moved farthest(const Body& body, const Pose<double>& X_WB) {
 }
 
 bool is_driven_body(const Mechanism& mechanism, int body) {
-  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
-    const Joint& joint = mechanism.joints[driver.joint];
-    return joint.first.body == body || joint.second.body == body;
-  });
+  return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
+                     [&](const Driver& driver) { return touches(mechanism.joints[driver.joint], body); });
 }
 
 // Whether all bodies are described in the frame of ground, with no pose of their own: such a description need
@@ -55,7 +54,7 @@ bool is_drawing(const Mechanism& mechanism) {
 
 bool slides(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return joint.type == JointType::kPrismatic && (joint.first.body == body || joint.second.body == body);
+    return joint.type == JointType::kPrismatic && touches(joint, body);
   });
 }
 

@@ -6,6 +6,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/tolerances.hpp"
 
@@ -136,12 +137,15 @@ private:
     }
   }
 
+  // Whether a joint or a contact is on the body.
+  [[nodiscard]] bool is_held(int body) const {
+    const auto concerns = [&](const auto& element) { return touches(element, body); };
+    return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns) ||
+           std::any_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns);
+  }
+
   void ground() {
-    const auto any = [&](auto concerns_ground) {
-      return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns_ground) ||
-             std::any_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns_ground);
-    };
-    if (!any([](const auto& element) { return element.first.body == 0 || element.second.body == 0; })) {
+    if (!is_held(kGround)) {
       add("joints",
           "nothing is joined to ground: the frame is the body `ground`, give it points and join bodies to "
           "them");
@@ -149,11 +153,7 @@ private:
   }
 
   void body(const Body& body, int index) {
-    const auto concerns = [&](const auto& element) {
-      return element.first.body == index || element.second.body == index;
-    };
-    if (std::none_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns) &&
-        std::none_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns)) {
+    if (!is_held(index)) {
       add("bodies." + body.name, "no joint and no contact holds this body");
     }
     angle_unit("bodies." + body.name + ".pose.angle");

@@ -32,6 +32,16 @@ void remove_torn_tables(const std::string& target) {
   for (const fs::path& path : torn) fs::remove(path, code);
 }
 
+// Ends a file; returns why it failed, "" if it is not to be kept.
+std::optional<std::string> closed(OutputFile& file, bool all) {
+  file.finish();
+  if (all) file.commit();
+  if (file.good()) {
+    return all ? std::nullopt : std::optional(std::string());
+  }
+  return file.reader_gone() ? "" : file.error();
+}
+
 // Formatting numbers takes most of the time: several blocks are formatted at once and written in order.
 std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep, std::size_t threads,
                                      const EachBlock& each) {
@@ -51,12 +61,7 @@ std::optional<std::string> write_csv(const std::string& path, const Sweep& sweep
     }));
   });
   while (!texts.empty()) write_first();
-  file.finish();
-  if (all) file.commit();
-  if (file.good()) {
-    return all ? std::nullopt : std::optional(std::string());
-  }
-  return file.reader_gone() ? "" : file.error();
+  return closed(file, all);
 }
 
 std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep, const SweepTitle& title,
@@ -72,12 +77,7 @@ std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep,
   const bool all = each([&](const SweepBlock& block) { data.append(table, block.values, {block.causes}); });
   data.close();
   if (!data.error().empty()) file.fail_because(data.error());
-  file.finish();
-  if (all) file.commit();
-  if (file.good()) {
-    return all ? std::nullopt : std::optional(std::string());
-  }
-  return file.error();
+  return closed(file, all);
 }
 
 }  // namespace

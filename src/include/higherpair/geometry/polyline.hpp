@@ -107,6 +107,11 @@ void for_each_pair_of_leaves(const Polyline& one, const Polyline& two, const May
   }
 }
 
+/// Where the segments from a to a + da and from b to b + db cross, as fractions of both, in [-slack, 1 +
+/// slack].
+[[nodiscard]] std::optional<Vector2d> shares_of_crossing(const Vector2d& a, const Vector2d& da,
+                                                         const Vector2d& b, const Vector2d& db, double slack);
+
 /// Where two polylines cross, or nearly do.
 struct PolylineCrossing {
   std::array<std::size_t, 2> parts;

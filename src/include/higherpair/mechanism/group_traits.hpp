@@ -17,6 +17,8 @@ struct GroupTraits {
   bool two_modes = false;   ///< its closed form has two assembly modes, σ = ±1
   bool can_cross = false;   ///< its branches are distinguished by the sign of a sine, and can cross
   bool one_branch = false;  ///< it has no other branch that a step could jump to
+  bool direct = false;      ///< placed in closed form by the groups before it, with no search or start
+  bool long_sine = false;   ///< its sine is a length [m]
   bool coupled = false;     ///< solved by Newton's method, which may converge to any branch
   double sine_noise = 0;    ///< rounding of an interpolated sine, relative to its lever
   /// Why it cannot go on beyond a limit position.
@@ -29,16 +31,18 @@ namespace group_traits {
 template <class Kind>
 inline constexpr GroupTraits kOf = Kind::has_no_traits;  // does not compile
 template <>
-inline constexpr GroupTraits kOf<DrivenBody>{.one_branch = true};
+inline constexpr GroupTraits kOf<DrivenBody>{.one_branch = true, .direct = true};
 template <>
 inline constexpr GroupTraits kOf<RrrDyad>{
     .two_modes = true,
     .can_cross = true,
+    .direct = true,
     .sine_noise = kDyadNoise,
     .limit = "the links are in line here: beyond this position of the driver they cannot reach each other"};
 template <>
 inline constexpr GroupTraits kOf<RrpDyad>{.two_modes = true,
                                           .can_cross = true,
+                                          .direct = true,
                                           .sine_noise = kDyadNoise,
                                           .limit =
                                               "the link is perpendicular to its slide here: beyond this "
@@ -46,6 +50,8 @@ inline constexpr GroupTraits kOf<RrpDyad>{.two_modes = true,
 template <>
 inline constexpr GroupTraits kOf<RprDyad>{.two_modes = true,
                                           .can_cross = true,
+                                          .direct = true,
+                                          .long_sine = true,
                                           .sine_noise = kDyadNoise,
                                           .limit =
                                               "the pins are only as far apart as the slide's offset "
@@ -53,13 +59,14 @@ inline constexpr GroupTraits kOf<RprDyad>{.two_modes = true,
                                               "line cannot pass through both"};
 template <>
 inline constexpr GroupTraits kOf<SlideDyad>{
+    .direct = true,
     .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};
 template <>
 inline constexpr GroupTraits kOf<TrackedPair>{.can_cross = true, .sine_noise = kTouchNoise};
 template <>
 inline constexpr GroupTraits kOf<TouchingBody>{.can_cross = true, .sine_noise = kTouchNoise};
 template <>
-inline constexpr GroupTraits kOf<IdleBody>{.one_branch = true};
+inline constexpr GroupTraits kOf<IdleBody>{.one_branch = true, .direct = true};
 template <>
 inline constexpr GroupTraits kOf<GearedBody>{.one_branch = true};
 template <>

@@ -4,6 +4,7 @@
 #include "higherpair/linkage/four_bar.hpp"
 #include "higherpair/mechanism/description.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -50,6 +51,9 @@ struct DrivenBody {
   CarriedBody carried;
 };
 
+// The dyads with pins at their ends answer alike which bodies are their links, and which known ones carry
+// them.
+
 /// Two links between known pins A and B that meet at C.
 struct RrrDyad {
   BodyPoint A, B;
@@ -64,6 +68,9 @@ struct RrrDyad {
   std::optional<FourBarLoop<double>> loop;
   BodyLine arm;     ///< from that pin to A, on the body of A
   BodyLine ground;  ///< from that pin to B, on the body of B
+
+  [[nodiscard]] std::array<int, 2> links() const { return {link_a, link_b}; }
+  [[nodiscard]] std::array<int, 2> known() const { return {A.body, B.body}; }
 };
 
 /// A link from a known pin A to a pin C that runs along a line of a known body; possibly with a slider at C.
@@ -75,6 +82,9 @@ struct RrpDyad {
   Rotation<double> along;                                 ///< direction from A to C in the link's frame
   BodyLine line;
   std::optional<Rider> slider;
+
+  [[nodiscard]] std::array<int, 1> links() const { return {link}; }
+  [[nodiscard]] std::array<int, 2> known() const { return {A.body, line.body}; }
 };
 
 /// A link at a known pin A that carries a line through a known point B; possibly with a slider at B.
@@ -84,6 +94,9 @@ struct RprDyad {
   Vector2d pA = Vector2d::Zero();  ///< in the link's frame [m]
   BodyLine line;                   ///< on the link
   std::optional<Rider> slider;
+
+  [[nodiscard]] std::array<int, 1> links() const { return {link}; }
+  [[nodiscard]] std::array<int, 2> known() const { return {A.body, B.body}; }
 };
 
 /// The offset of the line of an RPR dyad from its pin A, both on the link [m].
@@ -191,7 +204,7 @@ struct Plan {
   std::vector<bool> coincidences;  ///< of pins and round curves, on which the order and phase_bodies depend
   int surplus = 0;                 ///< number of conditions in excess of the coordinates
   bool couples = false;            ///< some of the groups are CoupledBodies
-  double size = 1;                 ///< size_of the mechanism, of a model with its drivers' slide [m]
+  double size = 1;                 ///< size_of the mechanism [m]
 };
 
 /// Those bodies of a group whose rotation is not determined.
@@ -205,10 +218,9 @@ struct Plan {
 
 /// Largest distance between joint points and curve centres or vertices, in the poses [m]. Where all of them
 /// coincide to within 1e-7 of their coordinates, the largest of these, in a body or in ground; 1 m where they
-/// are below 1e-12 m.
-/// \param slide  the farthest that a sliding driver is known to go [m]: below 1e-4 of it, distances and
-/// coordinates are taken for rounding, such as that of a drawing, as if they were 0
-[[nodiscard]] double size_of(const Mechanism& mechanism, double slide = 0);
+/// are below 1e-12 m. Below 1e-4 of the largest Driver::travel, distances and coordinates are taken for
+/// rounding, such as that of a drawing, as if they were 0.
+[[nodiscard]] double size_of(const Mechanism& mechanism);
 
 /// The plan of a mechanism: its conditions are matched with its coordinates and split into the smallest sets
 /// of bodies that can be solved one after the other (strongly connected components); each is recognised as a

@@ -13,7 +13,7 @@ inline constexpr double kCoincident = 1e-7;
 inline constexpr double kLeastSize = 1e-12;
 /// Relative to how far a sliding driver goes: a mechanism of smaller size would take as many steps to go that
 /// far as this is small.
-inline constexpr double kLeastOfSlide = 1e-4;
+inline constexpr double kLeastOfTravel = 1e-4;
 /// Two points of a body are the same if they differ by no more than this fraction of their coordinates.
 inline constexpr double kSameBodyPoint = 1e-12;
 /// How far lines and open conics are followed, relative to the size of the mechanism.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace higherpair::cli {
+namespace higherpair {
 
 /// Statistics of a column of numbers, in two passes and constant memory: the first gives least and largest
 /// value, mean and deviation; the second the distribution in between.
@@ -42,28 +42,34 @@ private:
   std::vector<std::int64_t> bins_;
 };
 
-/// The summary that is printed at the end of a sweep.
+/// Variants that failed for the same reason, apart from the numbers in it.
+struct SweepCause {
+  std::int64_t count = 0;
+  std::string example;  ///< the first
+};
+
+/// What a sweep has shown: how many variants are good, why others are not, and the distribution of every
+/// result. In two passes over all blocks, in the same order; memory does not grow with their number.
 class SweepSummary {
 public:
   explicit SweepSummary(const Sweep& sweep);
 
   void add(const SweepBlock& block);    ///< first pass
-  void place(const SweepBlock& block);  ///< second pass
+  void place(const SweepBlock& block);  ///< second pass, which quantiles and histograms need
 
   [[nodiscard]] std::int64_t variants() const { return variants_; }
+  /// Whether the whole paths of all variants are good.
   [[nodiscard]] bool good() const { return good_ == variants_; }
+  /// The most frequent first. After the first 1000 different ones, no others are counted.
+  [[nodiscard]] std::vector<SweepCause> causes() const;
+  /// Of each of Sweep::result_count() columns, from Sweep::first_result() on.
+  [[nodiscard]] const std::vector<ColumnStatistics>& results() const { return results_; }
 
   /// Readable text with at most 80 characters per line.
   [[nodiscard]] std::string text(const std::string& title) const;
 
 private:
-  struct Cause {
-    std::int64_t count = 0;
-    std::string example;  ///< the first
-  };
-
   void add_cause(const std::string& cause);
-  [[nodiscard]] std::string causes_text() const;
   template <class Use>
   void for_each_value(const SweepBlock& block, const Use& use);
 
@@ -71,9 +77,9 @@ private:
   std::int64_t variants_ = 0;
   std::int64_t good_ = 0;
   std::int64_t rows_ = 0;
-  std::map<int, std::int64_t> statuses_;  ///< rows by status, as its index in the words of the column
-  std::map<std::string, Cause> causes_;   ///< by their text before the first number
+  std::map<int, std::int64_t> statuses_;      ///< rows by status, as its index in the words of the column
+  std::map<std::string, SweepCause> causes_;  ///< by their text before the first number
   std::vector<ColumnStatistics> results_;
 };
 
-}  // namespace higherpair::cli
+}  // namespace higherpair

@@ -1,12 +1,13 @@
-#include "sweep/statistics.hpp"
+#include "higherpair/front/sweep_summary.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/core.h>
 
-namespace higherpair::cli {
+namespace higherpair {
 namespace {
 
 constexpr std::size_t kBars = 12;
@@ -139,22 +140,17 @@ void SweepSummary::add_cause(const std::string& cause) {
   }
   const std::string kind = cause.substr(0, cause.find(" = "));
   if (causes_.size() < kMostCauses || causes_.contains(kind)) {
-    Cause& known = causes_[kind];
+    SweepCause& known = causes_[kind];
     if (known.count++ == 0) known.example = cause;
   }
 }
 
-std::string SweepSummary::causes_text() const {
-  std::vector<Cause> causes;
+std::vector<SweepCause> SweepSummary::causes() const {
+  std::vector<SweepCause> causes;
   for (const auto& [kind, cause] : causes_) causes.push_back(cause);
   std::stable_sort(causes.begin(), causes.end(),
-                   [](const Cause& a, const Cause& b) { return a.count > b.count; });
-  causes.resize(std::min(causes.size(), kShownCauses));
-  std::string text;
-  for (const Cause& cause : causes) {
-    text += fmt::format("  {} times, first: {}\n", cause.count, cause.example);
-  }
-  return text;
+                   [](const SweepCause& a, const SweepCause& b) { return a.count > b.count; });
+  return causes;
 }
 
 void SweepSummary::place(const SweepBlock& block) {
@@ -175,7 +171,10 @@ std::string SweepSummary::text(const std::string& title) const {
   if (!good()) {
     text += fmt::format("{}: the path is not good; the column `cause` says why\n",
                         plural(variants_ - good_, "variant"));
-    text += causes_text();
+    const std::vector<SweepCause> found = causes();
+    for (const SweepCause& cause : std::span(found).first(std::min(found.size(), kShownCauses))) {
+      text += fmt::format("  {} times, first: {}\n", cause.count, cause.example);
+    }
   }
   for (std::size_t i = 0; i < results_.size(); ++i) {
     text += statistics_text(sweep_.columns()[sweep_.first_result() + i], results_[i]);
@@ -183,4 +182,4 @@ std::string SweepSummary::text(const std::string& title) const {
   return text;
 }
 
-}  // namespace higherpair::cli
+}  // namespace higherpair
