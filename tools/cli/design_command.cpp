@@ -67,8 +67,7 @@ void check_options(const DesignCommandOptions& options) {
     throw CLI::ValidationError("--resume",
                                "needs a regular file as --output: only beside it is kept what is done");
   }
-  refuse_shared_files({{"FILE", options.profile}}, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
+  check_files({{"FILE", options.profile}}, outputs_of(options));
 }
 
 // Everything that the result of a single search depends on; their number is not part of it.

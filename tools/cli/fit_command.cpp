@@ -38,7 +38,7 @@ std::vector<NamedFile> outputs_of(const FitCommandOptions& options) {
   return given({{"--output", options.output}, {"--json", options.json}, {"--csv", options.csv}});
 }
 
-void check_files(const FitCommandOptions& options) {
+void check_options(const FitCommandOptions& options) {
   if (options.curve && !options.measured.empty()) {
     throw CLI::ValidationError("--curve", "FILE has the points: no second file is read");
   }
@@ -53,8 +53,7 @@ void check_files(const FitCommandOptions& options) {
   }
   std::vector<NamedFile> inputs = {{"FILE", options.input}};
   if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
-  refuse_shared_files(inputs, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
+  check_files(inputs, outputs_of(options));
 }
 
 void refuse_with_curve(const FitCommandOptions& options) {
@@ -190,7 +189,7 @@ Command add_fit(CLI::App& app) {
   command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
   command->final_callback([options] {
     refuse_with_curve(*options);
-    check_files(*options);
+    check_options(*options);
   });
   return {command, [options] { return fit_command(*options); }};
 }

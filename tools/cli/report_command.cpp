@@ -37,8 +37,7 @@ void check_output(const ReportOptions& options) {
     throw CLI::ValidationError("-o",
                                options.output + ": a report is a page; give it a name that ends in .html");
   }
-  refuse_unwritable({"-o", options.output});
-  refuse_shared_files({{"FILE", options.profile}}, {{"-o", options.output}});
+  check_files({{"FILE", options.profile}}, {{"-o", options.output}});
 }
 
 ReportSettings settings_of(const ReportOptions& options, Progress& progress) {

@@ -134,8 +134,7 @@ std::vector<NamedFile> outputs_of(const SensitivityOptions& options) {
 void check_outputs(const SensitivityOptions& options) {
   std::vector<NamedFile> outputs = outputs_of(options);
   if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
-  refuse_shared_files({{"FILE", options.profile}}, outputs);
-  for (const NamedFile& output : outputs) refuse_unwritable(output);
+  check_files({{"FILE", options.profile}}, outputs);
   if (!options.rows && !options.columns.empty()) {
     throw CLI::ValidationError("--columns", "only --rows writes columns: add --rows FILE");
   }

@@ -14,7 +14,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -22,8 +21,6 @@
 
 namespace higherpair::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Part {
   int number = 1;
@@ -56,9 +53,8 @@ CLI::Validator part_option() {
 
 void check_output(const SweepOptions& options) {
   const std::string& path = options.output;
-  refuse_shared_files({{"FILE", options.profile}}, {{"--output", path}});
+  check_files({{"FILE", options.profile}}, {{"--output", path}});
   if (is_direct(path)) {
-    if (fs::is_directory(path)) throw CLI::ValidationError("--output", path + " is a folder");
     if (is_hdf5(path)) throw CLI::ValidationError("--output", path + ": HDF5 needs a regular file");
     if (options.resume) {
       throw CLI::ValidationError("--resume",
@@ -66,7 +62,6 @@ void check_output(const SweepOptions& options) {
     }
     return;
   }
-  refuse_unwritable({"--output", path});
   if (is_hdf5(path) && !has_hdf5()) {
     throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
   }
