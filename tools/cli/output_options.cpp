@@ -136,8 +136,8 @@ void add_output_options(CLI::App& command, const std::string& profile, const Out
   });
 }
 
-void add_profile_options(CLI::App& command, ProfileOptions& options) {
-  command.add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& what) {
+  command.add_option("FILE", options.profile, what)->required();
   command
       .add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);

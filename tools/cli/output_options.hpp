@@ -70,8 +70,9 @@ struct ProfileOptions {
   bool quiet = false;
 };
 
-/// Adds FILE, --set and --quiet.
-void add_profile_options(CLI::App& command, ProfileOptions& options);
+/// Adds FILE, --set and --quiet. \param what  FILE is, for the help
+void add_profile_options(CLI::App& command, ProfileOptions& options,
+                         const std::string& what = "profile of the mechanism (TOML)");
 
 /// Adds --tolerance: the largest closure error of a row that is ok.
 void add_tolerance_option(CLI::App& command, double& tolerance);
