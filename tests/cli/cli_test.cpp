@@ -502,7 +502,8 @@ TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
   EXPECT_EQ(far.code, 2);
   EXPECT_EQ(far.out, "");
   EXPECT_THAT(far.err, HasSubstr("slider_crank.toml: driver goes 2.77778e+07 turns from its first position; "
-                                 "at most 1e7 turns can be followed; shorten the driver's range"));
+                                 "at most 1e7 turns can be followed; bring its `end`, `positions` or "
+                                 "`duration` nearer to the start"));
   const Outcome fast = run("step " + profile("slider_crank.toml") +
                            " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
   EXPECT_EQ(fast.code, 2);
@@ -521,8 +522,10 @@ TEST_F(Program, SaysWhereARunHasMoreEventsThanItKeeps) {
   EXPECT_EQ(lines, 250'001);
   EXPECT_THAT(
       outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1),
-      MatchesRegex("end at driver = 4499[0-9.]+ deg: 250000 events lie between two rows, and this path is "
-                   "not followed further; let the drivers go less far, or take more rows\n"));
+      MatchesRegex(
+          "end at driver = 4499[0-9.]+ deg: 250000 events lie between two rows, and this path is "
+          "not followed further; let the drivers go less far, or take more rows \\(driver.samples; in "
+          "time a shorter driver.time_step\\)\n"));
   EXPECT_THAT(read_file(table), HasSubstr("1e+09,not_assemblable\n"));
 }
 

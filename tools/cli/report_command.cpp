@@ -87,7 +87,7 @@ Command add_report(CLI::App& app) {
       "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
   add_profile_options(*command, *options);
   command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
-  command->add_option("--samples", options->settings.samples, "number of rows");
+  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
   add_tolerance_option(*command, options->settings.tolerance);
   command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
   command->final_callback([options] { check_output(*options); });

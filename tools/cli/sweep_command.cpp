@@ -158,7 +158,8 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
 void add_sweep_options(CLI::App& command, SweepOptions& options) {
   add_profile_options(command, options);
   command.add_option("-o,--output", options.output, "table of the results: .csv or .h5 (-: standard output)");
-  command.add_option("--samples", options.samples, "number of rows of each variant");
+  command.add_option("--samples", options.samples,
+                     "number of rows of each variant, in place of driver.samples");
   add_tolerance_option(command, options.tolerance);
   add_threads_option(command, options.threads);
   command.add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");

@@ -103,8 +103,8 @@ void read_correlations(TableReader& task, const CorrelationWords& words, Variant
   if (!correlation_factor(plan)) {
     report(
         task.reading(), *item,
-        fmt::format("these contradict each other: no {}s can be correlated like this; make the coefficients "
-                    "smaller",
+        fmt::format("these contradict each other: no {}s can be correlated like this; bring the coefficients "
+                    "nearer to 0",
                     words.one));
   }
 }
