@@ -13,6 +13,7 @@ namespace higherpair {
 namespace {
 
 constexpr double kFewest = 48;          // least number of parts of a path
+constexpr double kMostSamples = 1e6;    // of a path
 constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
 constexpr double kMarks = 24;           // positions of the run that are kept to go on from
 // Between samples a motion should not be lost. To take it up again costs thousands of steps: after so many
@@ -34,6 +35,12 @@ bool is_lost(const Run& run) {
   return !run.at.on_branch || std::any_of(run.events.begin(), run.events.end(), [](const RunEvent& event) {
     return event.type == EventType::kLimitPosition;
   });
+}
+
+// The number of parts between whose ends a part of the path without breaks is sampled.
+double parts_between(const Run& start, const DriverPath& path, double from, double to) {
+  return std::ceil(std::max(
+      kFewest, largest_move(start, path.at(from), path.at(to), kLongestSampleTurn, kLongestSampleSlide)));
 }
 
 // A run that moves along the path.
@@ -115,7 +122,8 @@ private:
     const double whole = path_.knots.back() - path_.knots.front();
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
       const double from = path_.knots[i - 1], to = path_.knots[i];
-      const double parts = std::max(parts_between(from, to), look_.parts * (to - from) / whole);
+      const double parts =
+          std::max(parts_between(start_, path_, from, to), look_.parts * (to - from) / whole);
       std::vector<double> ends{from};
       for (const double at : look_.breaks) {
         if (at > from && at < to) ends.push_back(at);
@@ -127,11 +135,6 @@ private:
                        std::max(kFewestInStretch, std::ceil(parts * (ends[k] - ends[k - 1]) / (to - from))));
       }
     }
-  }
-
-  [[nodiscard]] double parts_between(double from, double to) const {
-    return std::ceil(std::max(kFewest, largest_move(start_, path_.at(from), path_.at(to), kLongestSampleTurn,
-                                                    kLongestSampleSlide)));
   }
 
   void sample_between(Mover& mover, double from, double to, double parts) {
@@ -352,6 +355,18 @@ private:
 };
 
 }  // namespace
+
+double farthest_sample(const Run& start, const DriverPath& path) {
+  double left = kMostSamples;
+  for (std::size_t i = 1; i < path.knots.size(); ++i) {
+    const double parts = parts_between(start, path, path.knots[i - 1], path.knots[i]);
+    if (parts > left) {
+      return std::lerp(path.knots[i - 1], path.knots[i], left / parts);
+    }
+    left -= parts;
+  }
+  return path.knots.back();
+}
 
 std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                   const std::vector<PathQuantities>& blocks,

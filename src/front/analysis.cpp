@@ -119,15 +119,16 @@ std::string travel_objection(const Model::Data& model, std::size_t driver, doubl
                ? ""
                : fmt::format(
                      "{} goes {:.6g} turns from its first position; at most 1e7 turns can be followed; "
-                     "shorten the driver's range",
+                     "bring its `end`, `positions` or `duration` nearer to the start",
                      name, turns);
   }
   return travel <= longest
              ? ""
              : fmt::format(
                    "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can "
-                   "be followed (the largest distance of its points, or {} where they coincide); shorten the "
-                   "driver's range",
+                   "be followed (the largest distance of its points, or {} where they coincide); bring its "
+                   "`end`, "
+                   "`positions` or `duration` nearer to the start",
                    name, length(travel), length(longest), length(1));
 }
 

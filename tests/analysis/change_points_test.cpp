@@ -238,6 +238,31 @@ TEST(NextToChangePoints, DerivativesByWhatKeepsThemAreRight) {
                });
 }
 
+TEST(NextToChangePoints, DerivativesOfRowsThatMeetNoneAreTheSameWithoutLookingForThem) {
+  const higherpair::Run start = started(kParallelogram.posed(-0.3, kPi - 0.3), -0.3);
+  const auto by = Sensitivity::at_start(start, {by_lengths(start.mechanism(), {1, kRocker})}, {0});
+  ASSERT_TRUE(by);
+  int meet = 0, miss = 0;
+  for_each_row(start, 1, 0.5,
+               [&](const higherpair::Run& at, const std::vector<DriverMotion>& motions, double /*driver*/) {
+                 if (meets_change_point(at, motions)) {
+                   ++meet;
+                   return;
+                 }
+                 ++miss;
+                 const auto all = by->of_row(at, motions, {{}});
+                 const auto regular = by->of_row(at, motions, {{}}, RatesAsked::kRegular);
+                 ASSERT_TRUE(all && regular);
+                 for (std::size_t body = 1; body < all->bodies.size(); ++body) {
+                   EXPECT_EQ(regular->bodies[body].theta, all->bodies[body].theta);
+                   EXPECT_EQ(regular->bodies[body].omega, all->bodies[body].omega);
+                   EXPECT_EQ(regular->bodies[body].alpha, all->bodies[body].alpha);
+                 }
+               });
+  EXPECT_GT(meet, 0);
+  EXPECT_GT(miss, 0);
+}
+
 // By the crank's length alone the rocker's angle has the derivative -cot(crank's angle)/(rocker's length).
 TEST(NextToChangePoints, DerivativesByWhatDoesAwayWithThemAreSaidToDiverge) {
   const higherpair::Run start = started(kParallelogram.posed(-0.3, kPi - 0.3), -0.3);

@@ -55,6 +55,27 @@ private:
   fs::path folder_;
 };
 
+TEST_F(DesignCommand, WritesWhatWasSetIntoTheProfile) {
+  const std::string set =
+      " --set title=Other --set 'design.variables.crank.max=1.9 cm' --set bodies.crank.points.A.0=1.9"
+      " --set extra.note=mine";
+  const Answer answer =
+      run("design " + five_ + " -o " + file("b.toml") + " --json " + file("b.json") + " --starts 2" + set);
+  EXPECT_THAT(answer.text, ::testing::StartsWith("Other\n"));
+  const auto json = nlohmann::json::parse(read(file("b.json")));
+  const auto& crank = json.at("variables")[1];
+  EXPECT_EQ(crank.at("name"), "crank");
+  EXPECT_EQ(crank.at("before"), 1.9);
+  const std::string written = read(file("b.toml"));
+  EXPECT_THAT(written, HasSubstr("title = \"Other\""));
+  EXPECT_THAT(written, HasSubstr("max = \"1.9 cm\""));
+  EXPECT_THAT(written, HasSubstr("[extra]\nnote = \"mine\"\n"));
+  EXPECT_THAT(written, HasSubstr(crank.at("after").dump()));
+  EXPECT_EQ(run("analyze " + file("b.toml") + " --csv /dev/null").code, 0);
+  EXPECT_THAT(run("design " + five_ + " -o " + file("b.toml") + " --set design.variabls.x=1").text,
+              HasSubstr("--set design.variabls.x=1: there is no `variabls` in design"));
+}
+
 TEST_F(DesignCommand, WritesAProfileThatIsAnalysedAsItSays) {
   const Answer answer =
       run("design " + five_ + " -o " + file("b.toml") + " --json " + file("b.json") + " --starts 12");

@@ -55,6 +55,18 @@ TEST_F(FitCommand, WritesTheFittedProfileAndSaysWhatItFound) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 97 - 5);
 }
 
+TEST_F(FitCommand, WritesWhatWasSetIntoTheProfile) {
+  const Outcome outcome =
+      run_program(kFit + "-o fitted.toml --json - --set fit.loss=tukey --set title=Other");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out).at("search").at("loss"), "tukey");
+  EXPECT_THAT(read("fitted.toml"), HasSubstr("\"tukey\""));
+  EXPECT_THAT(read("fitted.toml"), HasSubstr("title = \"Other\"\n"));
+  const Outcome curve = run_program("fit sixbar_measured.csv --curve circle --set title=Other");
+  EXPECT_EQ(curve.code, 2);
+  EXPECT_THAT(curve.err, HasSubstr("--set: means nothing with --curve"));
+}
+
 TEST_F(FitCommand, OptionsTakeThePlaceOfTheProfile) {
   const Outcome outcome =
       run_program(kFit + "-o f.toml --json - --loss tukey --confidence 0.5 --seed 4 --threads 1");

@@ -66,14 +66,54 @@ TEST_F(Slips, AnEmptyNameIsNoFile) {
 }
 
 // Otherwise a search would be finished before its result turns out to be unwritable.
-TEST_F(Slips, AFolderThatIsMissingIsSaidBeforeTheWork) {
-  for (const std::string arguments :
-       {"sensitivity p.toml --csv none/t", "sensitivity p.toml --rows none/t", "fit p.toml m.csv -o none/t",
-        "fit p.toml m.csv -o t.toml --json none/t", "fit --curve circle m.csv --csv none/t"}) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.err, HasSubstr("none/t: there is no folder none; make it first (mkdir -p)"))
+TEST_F(Slips, EveryCommandRefusesAnOutputThatHasNoPlaceBeforeTheWork) {
+  fs::create_directories(folder_ / "folder.svg");
+  for (const std::string arguments : {"analyze p.toml --csv ",
+                                      "analyze p.toml --hdf5 ",
+                                      "analyze p.toml --csv t --events ",
+                                      "step p.toml --json ",
+                                      "forces p.toml --csv ",
+                                      "branches p.toml --json ",
+                                      "mobility p.toml --csv ",
+                                      "check p.toml --json ",
+                                      "map p.toml --csv ",
+                                      "map p.toml -o ",
+                                      "draw p.toml -o ",
+                                      "plot p.toml --y slider.x -o ",
+                                      "polygon p.toml --at 0 -o ",
+                                      "export p.toml --curve a.b -o ",
+                                      "sensitivity p.toml --csv ",
+                                      "sensitivity p.toml --rows ",
+                                      "design p.toml -o ",
+                                      "design p.toml -o t --report ",
+                                      "fit p.toml m.csv -o ",
+                                      "fit p.toml m.csv -o t.toml --json ",
+                                      "fit --curve circle m.csv --csv ",
+                                      "verify --json "}) {
+    const Outcome missing = run(arguments + "none/t.svg");
+    EXPECT_EQ(missing.code, 2) << arguments;
+    EXPECT_THAT(missing.err, HasSubstr("none/t.svg: there is no folder none; make it first (mkdir -p), or "))
         << arguments;
+    const Outcome folder = run(arguments + "folder.svg");
+    EXPECT_EQ(folder.code, 2) << arguments;
+    if (arguments.find("hdf5") == std::string::npos) {
+      EXPECT_THAT(folder.err, HasSubstr("folder.svg is a folder; name a file in it")) << arguments;
+    }
+  }
+  for (const std::string arguments : {"sweep p.toml -o none/t.csv", "report p.toml -o none/t.html"}) {
+    const Outcome missing = run(arguments);
+    EXPECT_EQ(missing.code, 2) << arguments;
+    EXPECT_THAT(missing.err, HasSubstr("there is no folder none; make it first (mkdir -p), or "))
+        << arguments;
+  }
+}
+
+TEST_F(Slips, AnOutputThatTheMachineDoesNotTakeIsAFailureOfTheMachine) {
+  for (const std::string arguments :
+       {"analyze p.toml --csv", "mobility p.toml --json", "check p.toml --json"}) {
+    const Outcome outcome = run(arguments + " /dev/full");
+    EXPECT_EQ(outcome.code, 1) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("cannot write /dev/full: No space left on device")) << arguments;
   }
 }
 

@@ -37,6 +37,19 @@ PathRange range_of(const std::function<double(double)>& f, double from, double t
       .at(0);
 }
 
+TEST(PathExtremes, AreSoughtOnSoMuchOfAPathAsHasAMillionSamples) {
+  const Analysis analysis(kCrank);
+  const auto farthest = [&](double to) {
+    return farthest_sample(analysis.run, straight_path({{0, 1, 0}}, {{to, 1, 0}}));
+  };
+  EXPECT_EQ(farthest(0.1), 1);
+  EXPECT_EQ(farthest(1000 * 2 * kPi), 1);
+  EXPECT_NEAR(farthest(1e6 * 2 * kPi) * 1e6, 1e6 / 720, 1e-3);  // two samples for each degree
+  DriverPath path = straight_path({{0, 1, 0}}, {{1e4 * 2 * kPi, 1, 0}});
+  path.knots = {0, 0.05, 1};
+  EXPECT_NEAR(farthest_sample(analysis.run, path) * 1e4, 1e6 / 720, 1e-3);
+}
+
 TEST(PathExtremes, AreThoseOfTheFunctionToTheLastDigits) {
   const auto range = range_of([](double x) { return std::sin(x) + 0.1 * x; }, 0, 2 * kPi);
   ASSERT_TRUE(range.greatest && range.least);

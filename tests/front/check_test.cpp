@@ -77,6 +77,48 @@ segments = [ {{ over = 90, law = "dwell" }}, {{ over = 90, law = "cycloidal", ri
 const char* const kFace = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
 const char* const kRoller = R"({ type = "circle", center = [0, 0], radius = 0.5 })";
 
+// A crank that turns a wheel by gears.
+constexpr const char* kGears = R"([bodies.ground]
+points.O = [0, 0]
+points.P = [60, 0]
+[bodies.crank]
+points.O = [0, 0]
+[bodies.wheel]
+pose = { x = 60 }
+points.P = [0, 0]
+[joints.O]
+type = "revolute"
+between = ["ground.O", "crank.O"]
+[joints.P]
+type = "revolute"
+between = ["ground.P", "wheel.P"]
+[joints.mesh]
+type = "gears"
+between = ["crank", "wheel"]
+ratio = 0.5
+[driver]
+joint = "O"
+samples = 3
+[limits]
+max_angular_acceleration = 1
+)";
+
+TEST(Check, OfMillionsOfTurnsEndsAndLeavesOpenWhatIsNotExamined) {
+  const CheckReport turn = checked(kGears);
+  EXPECT_TRUE(turn.good);
+  EXPECT_EQ(figure(turn, "joints.P", "acceleration").verdict, Verdict::kKept);
+  const CheckReport report = checked(kGears, {"driver.end=3.6e9"});
+  EXPECT_FALSE(report.good);
+  ASSERT_FALSE(report.events.empty());
+  const Event& end = report.events.back();
+  EXPECT_EQ(end.type, EventType::kEnd);
+  EXPECT_NEAR(end.driver, 500'000, 1);
+  EXPECT_THAT(end.cause,
+              HasSubstr("the path is too long to look for extremes beyond; let the drivers go less far"));
+  EXPECT_EQ(figure(report, "joints.P", "acceleration").verdict, Verdict::kUndecided);
+  EXPECT_EQ(figure(report, "joints.P", "acceleration").remark, "not examined beyond 500000 deg");
+}
+
 TEST(Check, OfAFlatFacedCamGivesThePublishedFaceAndRadius) {
   const CheckReport report =
       checked(four_quarters(kFace, 1.892631278649, "[limits]\nmin_convex_radius = 0.25\n"));

@@ -16,9 +16,9 @@ using ::testing::IsEmpty;
 const std::string kCrank = R"([bodies.ground]
 points.O = [0, 0]
 [bodies.crank]
-points.O = [0, 0]
-points.A = [20, 0]
-points.B = ["1 in", 5]
+pose = { angle = 20 }
+points = { O = [0, 0], A = [20, 0], B = ["1 in", 5] }
+
 [joints.pivot]
 type = "revolute"
 between = ["ground.O", "crank.O"]
@@ -100,8 +100,15 @@ INSTANTIATE_TEST_SUITE_P(
               "test.toml:14:14: design.variables.a.path = \"bodies.crank.point.A.0\": there is no number at "
               "this path; "
               "did you mean `bodies.crank.points.A.0`"},
-        Wrong{R"(a = { path = "bodies.crank.points.B.0", min = 5, max = 50 })",
-              "this is \"1 in\", a text: write it as a number in the profile's unit to make it a variable"},
+        Wrong{R"(a = { path = "joints.pivot.type", min = 5, max = 50 })",
+              "this is \"revolute\", a text: expected the path of a number"},
+        Wrong{R"(a = { path = "bodies.crank.points.B.0", min = "1.1 in", max = 50 })",
+              "the profile has bodies.crank.points.B.0 = 25.4, which is outside"},
+        Wrong{
+            R"(a = { path = ["bodies.crank.points.A.0", "bodies.crank.pose.angle"], min = "1 mm", max = 50 })",
+            "bodies.crank.points.A.0 and bodies.crank.pose.angle have different units: write a plain number"},
+        Wrong{R"(a = { path = [{ path = "bodies.crank.points.A.0", times = "2 mm" }], min = 1, max = 50 })",
+              "times = \"2 mm\": this has no unit: write a plain number"},
         Wrong{R"(a = { path = "bodies.crank.points.A", min = 5, max = 50 })",
               "this is a list, not one number; go on to the number itself, such as bodies.crank.points.A.0"},
         Wrong{R"(a = { path = "driver.samples", min = 5, max = 50 })",
@@ -121,8 +128,10 @@ INSTANTIATE_TEST_SUITE_P(
               "step = 25: no multiple of it lies between min and max"},
         Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = 50, step = 0 })",
               "step = 0: expected a number > 0"},
-        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = "5 mm", max = 50 })",
-              "expected a plain number, in the unit that it has in the profile or in tables"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = "5 deg", max = 50 })",
+              "design.variables.a.min = \"5 deg\": deg is an angle, expected a length, such as mm"},
+        Wrong{R"(a = { path = "bodies.crank.points.A.0", min = 5, max = "50 mn" })",
+              "design.variables.a.max = \"50 mn\": "},
         Wrong{R"(a = { path = ["bodies.crank.points.A.0", "bodies.crank.points.B.1"], min = 1, max = 50 })",
               "this number is 5, but by the first one of this variable it is to be 20: write "
               "that into the profile"},
@@ -163,7 +172,14 @@ INSTANTIATE_TEST_SUITE_P(
               "[[0, 1], [2, 3]] }",
               "the points of a timed path have their rows"},
         Wrong{"[[design.objectives]]\npath = { point = \"crank.A\" }", "through"},
-        Wrong{kObjective + "target = \"3 deg\"", "expected a plain number"},
+        Wrong{kObjective + "target = \"3 deg\"",
+              "design.objectives.0.target = \"3 deg\": deg is an angle, expected a length, such as mm"},
+        Wrong{kObjective + "weight = \"3 mm\"", "weight = \"3 mm\": this has no unit: write a plain number"},
+        Wrong{kObjective + "[design]\ntarget = \"3 mm\"", "design.target = \"3 mm\": this has no unit"},
+        Wrong{
+            "[[design.objectives]]\ncolumn = \"crank.A.z\"\nof = \"max\"\ntarget = \"3 mm\"",
+            "target = \"3 mm\": the unit of `crank.A.z` is not known here: write a plain number, in the unit "
+            "of tables"},
         Wrong{kObjective + "weight = -1", "weight = -1: must be > 0"},
         Wrong{kObjective + "below = 3", "below"},
         Wrong{"[[design.objectives]]\ncolumn = \"crank.angle\"\nfollow = [[0, 1]]",
@@ -173,8 +189,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{
             kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = 3\nbelow = 2",
             "design.constraints.0: nothing is above 3 and below 2"},
-        Wrong{kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = \"3 mm\"",
-              "design.constraints.0.above = \"3 mm\": expected a plain number"},
+        Wrong{kObjective + "[[design.constraints]]\ncolumn = \"crank.A.y\"\nof = \"min\"\nabove = \"3 "
+                           "rad\"",
+              "design.constraints.0.above = \"3 rad\": rad is an angle, expected a length"},
+        Wrong{kObjective + "[[design.constraints]]\nfigure = \"contacts.c.contact_ratio\"\nabove = \"3 mm\"",
+              "above = \"3 mm\": contact_ratio has no unit: write a plain number"},
         Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivo\"\nabove = 3",
               "did you mean `pivot`"},
         Wrong{kObjective + "[[design.constraints]]\ntransmission = \"pivot\"\nabove = 95",
@@ -184,12 +203,61 @@ INSTANTIATE_TEST_SUITE_P(
 
 // One mistake, one message: an unreadable limit is not reported as missing, nor an absent file as having too
 // few points.
+TEST(DesignTask, NumbersMayHaveTheirOwnUnit) {
+  const Profile profile = testing::read(
+      kCrank +
+      R"(length = { path = [{ path = "bodies.crank.points.A.0", times = 1 }], min = "0.2 in", max = "5 cm", step = "500 um" }
+inch = { path = "bodies.crank.points.B.0", min = 20, max = "2 in" }
+[[design.objectives]]
+column = "crank.A.y"
+of = "at"
+at = "0.25 rev"
+target = "1.2 cm"
+[[design.objectives]]
+path = { point = "crank.A", through = [[1, 2], [3, 4]], timed = true, at = [0, "0.5 rev"] }
+[[design.objectives]]
+column = "crank.angle"
+follow = [["0.25 rev", "0.125 rev"], [180, 2]]
+[[design.objectives]]
+figure = "contacts.touch.contact_pressure"
+target = "2 kN/cm^2"
+[[design.objectives]]
+size = "width"
+target = "1 m"
+[[design.constraints]]
+column = "crank.alpha"
+of = "maxabs"
+below = "1 rev/s^2"
+[[design.constraints]]
+transmission = "pivot"
+above = "0.125 rev"
+)");
+  ASSERT_TRUE(profile.design);
+  const DesignTask& task = *profile.design;
+  EXPECT_EQ(task.variables[0].range.low, 5.08);
+  EXPECT_EQ(task.variables[0].range.high, 50);
+  EXPECT_EQ(task.variables[0].range.step, 0.5);
+  EXPECT_EQ(task.variables[0].unit, "mm");
+  EXPECT_EQ(task.variables[1].range.start, 25.4);
+  EXPECT_EQ(task.variables[1].range.low, 20);
+  EXPECT_EQ(task.variables[1].range.high, 50.8);
+  EXPECT_EQ(task.objectives[0].measure->at, 90);
+  EXPECT_EQ(task.objectives[0].target, 12);
+  EXPECT_THAT(task.objectives[1].path->at, ElementsAre(0, 180));
+  EXPECT_EQ(task.objectives[2].followed[0].at, 90);
+  EXPECT_THAT(task.objectives[2].values, ElementsAre(45, 2));
+  EXPECT_EQ(task.objectives[3].target, 20);  // N/mm^2
+  EXPECT_EQ(task.objectives[4].target, 1000);
+  EXPECT_EQ(task.constraints[0].below, 360);
+  EXPECT_EQ(task.constraints[1].above, 45);
+}
+
 TEST(DesignTask, ASlipIsReportedOnce) {
   for (const char* goal :
        {"[[design.objectives]]\npath = { point = \"crank.A\", file = \"none.csv\", free = [\"position\"] }",
         "[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1]], free = [\"position\"] }",
         "[[design.objectives]]\ncolumn = \"crank.A.y\"\nof = \"max\"\n[[design.constraints]]\ncolumn = "
-        "\"crank.A.y\"\nof = \"min\"\nabove = \"3 mm\""}) {
+        "\"crank.A.y\"\nof = \"min\"\nabove = \"3 s\""}) {
     EXPECT_EQ(testing::messages(kCrank + kVariable + goal).size(), 1U) << goal;
   }
   EXPECT_THAT(

@@ -112,8 +112,8 @@ TEST(AnalyzeSchedule, TheOptionSamplesTakesThePlaceOfTheProfiles) {
 
 TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
-              ElementsAre("test.toml:10:1: driver.positions are given one by one: another number of rows "
-                          "(samples) has no meaning"));
+              ElementsAre("test.toml:10:1: driver.positions are given one by one, and each is a row: leave "
+                          "--samples out, or give `end` in place of `positions`"));
   EXPECT_THAT(
       lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
       ElementsAre(
@@ -247,14 +247,15 @@ TEST(StepSchedule, NeedsADurationAndATimeStep) {
   EXPECT_THAT(lines(DriverSchedule::step(read(crank_profile()))),
               ElementsAre("test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
                           "test.toml:10:1: driver.time_step is missing: give the time between two rows, or "
-                          "the number of rows (samples)"));
+                          "the number of rows by --samples"));
 }
 
 TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
   EXPECT_THAT(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e-9\n")))),
       ElementsAre(
-          "test.toml:10:1: driver.time_step is too small: the duration would have more than 2^53 rows"));
+          "test.toml:10:1: driver.time_step is too small: the duration would have more than 2^53 rows; "
+          "give a longer one"));
   EXPECT_THAT(lines(DriverSchedule::step(
                   read(slider_profile("duration = 1e40\ntime_step = 1e39\nacceleration = 1e10\n")))),
               ElementsAre("test.toml:11:1: driver.duration takes the driver beyond 1e50 m"));
@@ -273,7 +274,7 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
   EXPECT_THAT(
       lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
       ElementsAre("test.toml:18:1: drivers.b.duration differs from that of another driver: all move in the "
-                  "same time"));
+                  "same time; give it to one, or the same to all"));
 }
 
 TEST(OneWay, IsHowASingleDriverGoesBetweenRows) {

@@ -76,6 +76,17 @@ TEST(FitTask, HoldsWithoutATableAndWithOverrides) {
   EXPECT_EQ(task_of("[fit]\nseed = 5000000000").seed, 5'000'000'000U);
 }
 
+TEST(FitTask, DeviationsMayHaveTheirOwnUnit) {
+  const auto deviation = [](const std::string& column, const std::string& text) {
+    return task_of("[[fit.columns]]\ncolumn = \"" + column + "\"\ndeviation = \"" + text + "\"\n")
+        .columns[0]
+        .deviation;
+  };
+  EXPECT_EQ(deviation("crank.A.x", "50 um"), 0.05);
+  EXPECT_EQ(deviation("*.angle", "0.001 rev"), 0.36);
+  EXPECT_EQ(deviation("crank.omega", "1 rpm"), 6);
+}
+
 struct WrongFit {
   const char* text;
   const char* message;
@@ -101,6 +112,11 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFit{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
         WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
                  "fit.columns.0.deviation = 0: must be > 0"},
+        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = \"1 deg\"",
+                 "fit.columns.0.deviation = \"1 deg\": deg is an angle, expected a length, such as mm"},
+        WrongFit{"[[fit.columns]]\ncolumn = \"crank.*\"\ndeviation = \"1 mm\"",
+                 "the unit of `crank.*` is not known here: write a plain number, in the unit of tables"},
+        WrongFit{"[fit]\nconfidence = \"95 mm\"", "this has no unit: write a plain number"},
         WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1",
                  "fit.columns.0.weight = -1: must be > 0"},
         WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]",

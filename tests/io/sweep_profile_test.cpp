@@ -162,9 +162,55 @@ TEST(SweepProfiles, NoteThatANumberWithAUnitOfItsOwnIsVariedInTheUnitOfTheProfil
   EXPECT_THAT(
       notes("\"2 cm\""),
       HasSubstr(
-          "sweep.variables.r.path: the profile gives bodies.cam.curves.disc.radius as \"2 cm\", and the "
-          "values of a sweep are in the profile's `units`"));
+          "sweep.variables.r.path: the profile gives bodies.cam.curves.disc.radius as \"2 cm\", and plain "
+          "values of a sweep are in the profile's `units`: if that is not meant, give them a unit of their "
+          "own, too"));
   EXPECT_THAT(notes("20"), Not(HasSubstr("sweep")));
+  const Profile with_units =
+      read(cam(), {"bodies.cam.curves.disc.radius=2 cm",
+                   "sweep.variables.r={ path = \"bodies.cam.curves.disc.radius\", min = \"1.9 cm\", max = "
+                   "\"2.1 cm\" }"});
+  for (const Diagnostic& note : with_units.notes) EXPECT_THAT(to_string(note), Not(HasSubstr("sweep")));
+}
+
+TEST(SweepProfiles, HaveValuesWithUnitsOfTheirOwn) {
+  const SweepTask task = task_of({}, R"(
+[sweep]
+method = "random"
+count = 9
+variables.min = { path = "bodies.cam.curves.disc.radius", min = "1.8 cm", max = 22 }
+variables.normal = { path = "bodies.cam.curves.disc.center.0", normal = ["1 cm", "100 um"], min = "9.5 mm" }
+variables.also = { path = "bodies.ground.points.O1.0", normal = [10, 0.2] }
+variables.triangular = { path = "driver.velocity", triangular = [50, "10 rpm", 80] }
+variables.uniform = { path = "bodies.follower.mass", uniform = ["300 g", 0.5] }
+variables.values = { path = "driver.end", values = ["0.25 rev", 180] }
+results.rest = { column = "follower.angle", of = "at", at = "0.125 rev" }
+)");
+  const auto& variables = task.plan.variables;
+  ASSERT_EQ(variables.size(), 6U);
+  EXPECT_EQ(variables[0].distribution.low, 18);
+  EXPECT_EQ(variables[0].distribution.high, 22);
+  EXPECT_EQ(variables[1].distribution.mean, 10);
+  EXPECT_EQ(variables[1].distribution.deviation, 0.1);
+  EXPECT_EQ(variables[1].distribution.low, 9.5);
+  EXPECT_EQ(variables[3].distribution.mode, 60);
+  EXPECT_EQ(variables[4].distribution.low, 0.3);
+  EXPECT_THAT(variables[5].distribution.values, ElementsAre(90, 180));
+  EXPECT_EQ(task.results[0].measure.at, 45);
+  const auto in_time =
+      task_of({"sweep.time=true", "sweep.results.peak.of=at", "sweep.results.peak.at=20 ms"});
+  EXPECT_EQ(in_time.results[0].measure.at, 0.02);
+}
+
+TEST(SweepProfiles, HaveCovariancesWithUnitsOfTheirOwn) {
+  const SweepTask task = task_of(
+      Overrides{"sweep.variables.e={ path = \"bodies.cam.curves.disc.center.0\", normal = [10, 0.2] }",
+                "sweep.correlations=[{ between = [\"r\", \"e\"], covariance = \"1e-4 cm^2\" }]"});
+  ASSERT_EQ(task.plan.correlations.size(), 1U);
+  EXPECT_NEAR(task.plan.correlations[0].coefficient, 0.01 / (0.1 * 0.2), 1e-15);
+  EXPECT_THAT(message({"sweep.variables.e={ path = \"bodies.cam.curves.disc.center.0\", normal = [10, 0.2] }",
+                       "sweep.correlations=[{ between = [\"r\", \"e\"], covariance = \"1e-4 cm\" }]"}),
+              HasSubstr("cm is a length, expected"));
 }
 
 TEST(SweepProfiles, SayWhatIsWrongWithValues) {
@@ -183,7 +229,12 @@ TEST(SweepProfiles, SayWhatIsWrongWithValues) {
   EXPECT_THAT(with("triangular = [1, 3, 2]"), HasSubstr("in this order"));
   EXPECT_THAT(with("uniform = [2, 1]"), HasSubstr("in this order"));
   EXPECT_THAT(with("uniform = [1, 2], count = 3"), HasSubstr("belongs to `min` and `max` of a grid"));
-  EXPECT_THAT(with("uniform = [1, \"2 mm\"]"), HasSubstr("expected a number, found a string"));
+  EXPECT_THAT(
+      with("uniform = [1, \"2 deg\"]"),
+      HasSubstr("sweep.variables.r.uniform.1 = \"2 deg\": deg is an angle, expected a length, such as mm"));
+  EXPECT_THAT(with("min = \"2 mn\", max = 3"), HasSubstr("sweep.variables.r.min = \"2 mn\": "));
+  EXPECT_THAT(message({"sweep.variables.r={ path = \"driver.samples\", values = [\"3 mm\"] }"}),
+              HasSubstr("values.0 = \"3 mm\": driver.samples has no unit: write a plain number"));
 }
 
 TEST(SweepProfiles, SayWhatAMethodNeeds) {

@@ -72,6 +72,8 @@ results.rest = { column = "follower.angle", of = "at", at = 30 }
   ASSERT_EQ(task.results.size(), 2U);
   EXPECT_EQ(task.results[0].within, 3);
   EXPECT_FALSE(task.results[1].within);
+  const auto in_turns = read(toleranced_cam(), {"tolerances.results.peak.within=0.5 rev/s^2"}).tolerances;
+  EXPECT_EQ(in_turns->results[0].within, 180);
   EXPECT_FALSE(read(kCamProfile).tolerances);
 }
 

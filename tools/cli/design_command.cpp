@@ -18,14 +18,12 @@
 namespace higherpair::cli {
 namespace {
 
-struct DesignCommandOptions {
-  std::string profile;
+struct DesignCommandOptions : ProfileOptions {
   std::string output;  ///< the new profile
   std::optional<std::string> json;
   std::optional<std::string> page;  ///< --report
   bool resume = false;
   DesignSettings settings;
-  bool quiet = false;
 };
 
 std::string best_so_far(const DesignProgress& progress) {
@@ -67,13 +65,13 @@ void check_options(const DesignCommandOptions& options) {
     throw CLI::ValidationError("--resume",
                                "needs a regular file as --output: only beside it is kept what is done");
   }
-  refuse_shared_files({{"FILE", options.profile}}, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
+  check_files({{"FILE", options.profile}}, outputs_of(options));
 }
 
 // Everything that the result of a single search depends on; their number is not part of it.
 RunIdentity identity_of(const DesignCommandOptions& options, const Model& model) {
   RunIdentity identity = model_identity(options.profile, model);
+  identity["--set"] = sum_of(options.overrides);
   identity["--seed"] = options.settings.seed ? fmt::format("{}", *options.settings.seed) : "-";
   return identity;
 }
@@ -147,7 +145,7 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
 // was interrupted; the best so far is written all the same. If the output is a regular file, finished
 // searches are kept in OUTPUT.searches until it is written.
 int design_command(const DesignCommandOptions& options) {
-  const auto model = open_model({options.profile, {}, options.quiet}, outputs_of(options));
+  const auto model = open_model(options, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }
@@ -176,7 +174,7 @@ Command add_design(CLI::App& app) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "design", "the numbers that serve the profile's objectives best, written as a new profile");
-  command->add_option("FILE", options->profile, "profile of the mechanism with [design] (TOML)")->required();
+  add_profile_options(*command, *options, "profile of the mechanism with [design] (TOML)");
   command->add_option("-o,--output", options->output, "the new profile; -: standard output")->required();
   command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
   command->add_option("--report", options->page, "a page with what was found, drawn before and after (HTML)");
@@ -200,7 +198,6 @@ Command add_design(CLI::App& app) {
   add_threads_option(*command, options->settings.threads);
   command->add_flag("--resume", options->resume,
                     "go on where an interrupted run of the same search has ended");
-  command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
   command->final_callback([options] { check_options(*options); });
   return {command, [options] { return design_command(*options); }};
 }

@@ -41,13 +41,12 @@ std::optional<Format> format_of(const std::string& path) {
 }
 
 void check_options(const ExportOptions& options) {
-  refuse_shared_files({{"FILE", options.profile}}, {{"--output", options.output}});
+  check_files({{"FILE", options.profile}}, {{"--output", options.output}});
   const auto format = format_of(options.output);
   if (!format) {
     throw CLI::ValidationError("--output",
                                options.output + ": a curve goes to a file that ends in .csv, .dxf or .svg");
   }
-  refuse_unwritable({"--output", options.output});
   if (options.points && *format != Format::kCsv) {
     throw CLI::ValidationError("--points", "is for .csv; arcs are as many as --tolerance takes");
   }

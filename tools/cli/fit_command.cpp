@@ -15,16 +15,14 @@
 namespace higherpair::cli {
 namespace {
 
-struct FitCommandOptions {
-  std::string input;     ///< the profile; with `curve` the points
-  std::string measured;  ///< empty: none
+struct FitCommandOptions : ProfileOptions {  // `profile`: with `curve` the points
+  std::string measured;                      ///< empty: none
   std::optional<std::string> output;
   std::optional<std::string> json;
   std::optional<std::string> csv;    ///< residuals
   std::optional<std::string> curve;  ///< type of curve that is fitted to points
   std::optional<std::string> loss;
   FitSettings settings;
-  bool quiet = false;
 };
 
 // The objection to a text that is not a fraction between 0 and 1.
@@ -38,7 +36,7 @@ std::vector<NamedFile> outputs_of(const FitCommandOptions& options) {
   return given({{"--output", options.output}, {"--json", options.json}, {"--csv", options.csv}});
 }
 
-void check_files(const FitCommandOptions& options) {
+void check_options(const FitCommandOptions& options) {
   if (options.curve && !options.measured.empty()) {
     throw CLI::ValidationError("--curve", "FILE has the points: no second file is read");
   }
@@ -51,10 +49,9 @@ void check_files(const FitCommandOptions& options) {
   if (!options.curve && !options.output) {
     throw CLI::ValidationError("--output", "is missing: where the fitted profile goes, -o FITTED.toml");
   }
-  std::vector<NamedFile> inputs = {{"FILE", options.input}};
+  std::vector<NamedFile> inputs = {{"FILE", options.profile}};
   if (!options.measured.empty()) inputs.push_back({"MEASURED", options.measured});
-  refuse_shared_files(inputs, outputs_of(options));
-  for (const NamedFile& output : outputs_of(options)) refuse_unwritable(output);
+  check_files(inputs, outputs_of(options));
 }
 
 void refuse_with_curve(const FitCommandOptions& options) {
@@ -62,6 +59,7 @@ void refuse_with_curve(const FitCommandOptions& options) {
   const auto refuse = [](bool given, const char* name) {
     if (given) throw CLI::ValidationError(name, "means nothing with --curve");
   };
+  refuse(!options.overrides.empty(), "--set");
   refuse(options.loss.has_value(), "--loss");
   refuse(!options.settings.columns.empty(), "--columns");
   refuse(!options.settings.offsets.empty(), "--offset");
@@ -89,7 +87,7 @@ bool write(const FitCommandOptions& options, const Report& report) {
 }
 
 int fit_points(const FitCommandOptions& options) {
-  const auto points = read_measured_file(options.input, {"x", "y"});
+  const auto points = read_measured_file(options.profile, {"x", "y"});
   if (!points) {
     return report_error({ErrorKind::kInput, points.error()});
   }
@@ -121,7 +119,7 @@ int fit_command(const FitCommandOptions& options) {
   if (options.curve) {
     return fit_points(options);
   }
-  const auto model = open_model({options.input, {}, options.quiet}, outputs_of(options));
+  const auto model = open_model(options, outputs_of(options));
   if (!model) {
     return report_error(model.error());
   }
@@ -153,10 +151,8 @@ Command add_fit(CLI::App& app) {
   options->settings.stop = &interruption();
   CLI::App* command = app.add_subcommand(
       "fit", "numbers of the profile from its measured motion; curves from measured points");
-  command
-      ->add_option("FILE", options->input,
-                   "profile with [design.variables] (TOML); with --curve the points (CSV)")
-      ->required();
+  add_profile_options(*command, *options,
+                      "profile with [design.variables] (TOML); with --curve the points (CSV)");
   command->add_option("MEASURED", options->measured,
                       "what was measured (CSV): driver or time, and columns of the profile's tables");
   command->add_option("-o,--output", options->output, "the fitted profile, or curve; -: standard output");
@@ -187,10 +183,9 @@ Command add_fit(CLI::App& app) {
                    "of the random starts (default 1): the same seed, the same result")
       ->check(not_negative());
   add_threads_option(*command, options->settings.threads);
-  command->add_flag("--quiet", options->quiet, "no notes and progress on standard error");
   command->final_callback([options] {
     refuse_with_curve(*options);
-    check_files(*options);
+    check_options(*options);
   });
   return {command, [options] { return fit_command(*options); }};
 }

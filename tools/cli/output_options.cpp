@@ -28,6 +28,28 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return place(a) == place(b);
 }
 
+namespace {
+
+// What no output can be. Whether the machine lets the file be written shows only when it is.
+std::string place_objection(const std::string& path) {
+  if (path == "-") {
+    return "";
+  }
+  const std::string target = target_of(path);
+  if (target.empty()) {
+    return " is a link that leads round in a circle";
+  }
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    return " is a folder; name a file in it";
+  }
+  const fs::path folder = fs::path(target).parent_path();
+  if (!is_direct(path) && !folder.empty() && !fs::is_directory(folder, code)) {
+    return ": there is no folder " + folder.string() + "; make it first (mkdir -p), or name another";
+  }
+  return "";
+}
+
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const NamedFile& output = outputs[i];
@@ -44,6 +66,16 @@ void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector
                                    "both name " + output.path + "; give each a file of its own");
       }
     }
+  }
+}
+
+}  // namespace
+
+void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  refuse_shared_files(inputs, outputs);
+  for (const NamedFile& output : outputs) {
+    const std::string objection = place_objection(output.path);
+    if (!objection.empty()) throw CLI::ValidationError(output.name, output.path + objection);
   }
 }
 
@@ -65,21 +97,6 @@ std::optional<Error> refused_output(const Model& model, const std::vector<NamedF
     }
   }
   return std::nullopt;
-}
-
-void refuse_unwritable(const NamedFile& output) {
-  if (output.path == "-") {
-    return;
-  }
-  if (target_of(output.path).empty()) {
-    throw CLI::ValidationError(output.name, output.path + " is a link that leads round in a circle");
-  }
-  const fs::path folder = fs::path(output.path).parent_path();
-  std::error_code code;
-  if (!folder.empty() && !fs::is_directory(folder, code)) {
-    throw CLI::ValidationError(output.name, output.path + ": there is no folder " + folder.string() +
-                                                "; make it first (mkdir -p), or name another");
-  }
 }
 
 namespace {
@@ -114,13 +131,13 @@ void add_output_options(CLI::App& command, const std::string& profile, const Out
     if (outputs.empty()) outputs.push_back({"standard output", "-"});
     if (is_given(others.picture)) outputs.push_back({"--output", **others.picture});
     if (is_given(others.events)) outputs.push_back({"--events", **others.events});
-    refuse_shared_files({{"FILE", profile}}, outputs);
+    check_files({{"FILE", profile}}, outputs);
     if (is_given(others.picture)) check_picture(**others.picture);
   });
 }
 
-void add_profile_options(CLI::App& command, ProfileOptions& options) {
-  command.add_option("FILE", options.profile, "profile of the mechanism (TOML)")->required();
+void add_profile_options(CLI::App& command, ProfileOptions& options, const std::string& what) {
+  command.add_option("FILE", options.profile, what)->required();
   command
       .add_option("--set", options.overrides, "PATH=VALUE: override or add a key of the profile; repeatable")
       ->allow_extra_args(false);

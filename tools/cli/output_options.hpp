@@ -33,7 +33,7 @@ struct OtherOutputs {
 };
 
 /// Adds --csv and --json to a command that reads `profile`, and a final callback that checks all its outputs:
-/// two into one file or to standard output are refused, and so is overwriting the profile.
+/// check_files().
 void add_output_options(CLI::App& command, const std::string& profile, const Output& csv, const Output& json,
                         const OtherOutputs& others = {});
 
@@ -46,9 +46,10 @@ struct NamedFile {
 /// Whether two paths lead to the same regular file, through links as well; it need not exist yet.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Throws CLI::ValidationError if an output is also an input, or two outputs are the same file: writing would
-/// destroy what is to be read. Devices and pipes may be given twice.
-void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+/// Throws CLI::ValidationError, before hours are spent on computing what could not be kept, if an output is
+/// also an input or another output (devices and pipes may be given twice), if it is a folder or a link that
+/// leads to itself, or if its folder does not exist.
+void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// The file of an optional option.
 struct OptionalFile {
@@ -62,10 +63,6 @@ struct OptionalFile {
 /// The error if one of the outputs is a file that the profile reads (points, tables, outlines).
 [[nodiscard]] std::optional<Error> refused_output(const Model& model, const std::vector<NamedFile>& outputs);
 
-/// Throws CLI::ValidationError if the folder of an output does not exist, or if it is a link that leads to
-/// itself, before hours are spent on computing it.
-void refuse_unwritable(const NamedFile& output);
-
 /// What the commands that analyse a profile have in common.
 struct ProfileOptions {
   std::string profile;
@@ -73,8 +70,9 @@ struct ProfileOptions {
   bool quiet = false;
 };
 
-/// Adds FILE, --set and --quiet.
-void add_profile_options(CLI::App& command, ProfileOptions& options);
+/// Adds FILE, --set and --quiet. \param what  FILE is, for the help
+void add_profile_options(CLI::App& command, ProfileOptions& options,
+                         const std::string& what = "profile of the mechanism (TOML)");
 
 /// Adds --tolerance: the largest closure error of a row that is ok.
 void add_tolerance_option(CLI::App& command, double& tolerance);

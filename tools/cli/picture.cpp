@@ -35,7 +35,6 @@ void check_picture(const std::string& path) {
         "--output", path + ": this higherpair was built without librsvg and cairo, which " + ending +
                         " needs; write an .svg, or install librsvg2-dev and libcairo2-dev and build again");
   }
-  refuse_unwritable({"--output", path});
 }
 
 void add_picture_option(CLI::App& command, const std::string& profile, std::string& path) {
@@ -44,7 +43,7 @@ void add_picture_option(CLI::App& command, const std::string& profile, std::stri
                   "the picture: a file that ends in .svg, .pdf or .png (-: SVG on standard output)")
       ->required();
   command.final_callback([&profile, &path] {
-    refuse_shared_files({{"FILE", profile}}, {{"--output", path}});
+    check_files({{"FILE", profile}}, {{"--output", path}});
     check_picture(path);
   });
 }

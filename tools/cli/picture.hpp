@@ -10,11 +10,11 @@ class App;
 namespace higherpair::cli {
 
 /// Adds -o to a command that draws `profile`. The ending of the path determines the format; see
-/// check_picture(). Overwriting the profile is refused.
+/// check_picture() and check_files().
 void add_picture_option(CLI::App& command, const std::string& profile, std::string& path);
 
 /// Throws CLI::ValidationError if no picture can be written to `path`: its ending is not .svg, .pdf or .png
-/// or is not supported by this build, or its folder does not exist. "-" is SVG on standard output.
+/// or is not supported by this build. "-" is SVG on standard output.
 void check_picture(const std::string& path);
 
 /// Converts an SVG picture to the format given by the ending of `path`; throws std::runtime_error on failure.

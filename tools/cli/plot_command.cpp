@@ -54,7 +54,8 @@ Command add_plot(CLI::App& app) {
       ->required();
   command->add_option("--x", options->settings.x, "COLUMN: what it is plotted against (default: driver)");
   command->add_flag("--time", options->settings.run.in_time, "the motion in time, as step has it");
-  command->add_option("--samples", options->settings.run.samples, "number of rows");
+  command->add_option("--samples", options->settings.run.samples,
+                      "number of rows, in place of driver.samples");
   add_tolerance_option(*command, options->settings.run.tolerance);
   command->add_option("--width", options->width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));

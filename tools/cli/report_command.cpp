@@ -37,8 +37,7 @@ void check_output(const ReportOptions& options) {
     throw CLI::ValidationError("-o",
                                options.output + ": a report is a page; give it a name that ends in .html");
   }
-  refuse_unwritable({"-o", options.output});
-  refuse_shared_files({{"FILE", options.profile}}, {{"-o", options.output}});
+  check_files({{"FILE", options.profile}}, {{"-o", options.output}});
 }
 
 ReportSettings settings_of(const ReportOptions& options, Progress& progress) {
@@ -88,7 +87,7 @@ Command add_report(CLI::App& app) {
       "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
   add_profile_options(*command, *options);
   command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
-  command->add_option("--samples", options->settings.samples, "number of rows");
+  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
   add_tolerance_option(*command, options->settings.tolerance);
   command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
   command->final_callback([options] { check_output(*options); });

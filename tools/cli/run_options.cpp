@@ -21,7 +21,7 @@ Command add_run(CLI::App& app, const std::string& name, const std::string& text,
   command->add_option("--hdf5", options->hdf5, "write the table and the events as HDF5 to this file");
   command->add_option("--events", options->events,
                       "write the events as CSV to this file (-: standard output)");
-  command->add_option("--samples", options->settings.samples, "number of rows");
+  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
   add_tolerance_option(*command, options->settings.tolerance);
   add_threads_option(*command, options->threads);
   command->add_flag("--jerk", options->settings.jerk,

@@ -134,8 +134,7 @@ std::vector<NamedFile> outputs_of(const SensitivityOptions& options) {
 void check_outputs(const SensitivityOptions& options) {
   std::vector<NamedFile> outputs = outputs_of(options);
   if (!options.csv && !options.json && options.rows != "-") outputs.push_back({"standard output", "-"});
-  refuse_shared_files({{"FILE", options.profile}}, outputs);
-  for (const NamedFile& output : outputs) refuse_unwritable(output);
+  check_files({{"FILE", options.profile}}, outputs);
   if (!options.rows && !options.columns.empty()) {
     throw CLI::ValidationError("--columns", "only --rows writes columns: add --rows FILE");
   }
@@ -245,7 +244,7 @@ Command add_sensitivity(CLI::App& app) {
   command->add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
   command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  command->add_option("--samples", options->settings.samples, "number of rows");
+  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
   add_tolerance_option(*command, options->settings.tolerance);
   add_threads_option(*command, options->settings.threads);
   command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");

@@ -13,7 +13,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -21,8 +20,6 @@
 
 namespace higherpair::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Part {
   int number = 1;
@@ -55,9 +52,8 @@ CLI::Validator part_option() {
 
 void check_output(const SweepOptions& options) {
   const std::string& path = options.output;
-  refuse_shared_files({{"FILE", options.profile}}, {{"--output", path}});
+  check_files({{"FILE", options.profile}}, {{"--output", path}});
   if (is_direct(path)) {
-    if (fs::is_directory(path)) throw CLI::ValidationError("--output", path + " is a folder");
     if (is_hdf5(path)) throw CLI::ValidationError("--output", path + ": HDF5 needs a regular file");
     if (options.resume) {
       throw CLI::ValidationError("--resume",
@@ -65,7 +61,6 @@ void check_output(const SweepOptions& options) {
     }
     return;
   }
-  refuse_unwritable({"--output", path});
   if (is_hdf5(path) && !has_hdf5()) {
     throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
   }
@@ -162,7 +157,8 @@ int finish(const SweepOptions& options, const Model& model, const Sweep& sweep, 
 void add_sweep_options(CLI::App& command, SweepOptions& options) {
   add_profile_options(command, options);
   command.add_option("-o,--output", options.output, "table of the results: .csv or .h5 (-: standard output)");
-  command.add_option("--samples", options.samples, "number of rows of each variant");
+  command.add_option("--samples", options.samples,
+                     "number of rows of each variant, in place of driver.samples");
   add_tolerance_option(command, options.tolerance);
   add_threads_option(command, options.threads);
   command.add_flag("--resume", options.resume, "go on where an interrupted run of the same sweep has ended");

@@ -116,7 +116,7 @@ Command add_verify(CLI::App& app) {
     std::vector<NamedFile> inputs;
     if (options->profile) inputs.push_back({"PROFILE", *options->profile});
     if (options->table) inputs.push_back({"TABLE", *options->table});
-    if (options->json) refuse_shared_files(inputs, {{"--json", *options->json}});
+    if (options->json) check_files(inputs, {{"--json", *options->json}});
   });
   return {command, [options] { return verify_command(*options); }};
 }

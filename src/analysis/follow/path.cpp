@@ -287,8 +287,9 @@ private:
 
   // Ends a path that would take too long. Returns false, as follow() does where the motion is lost.
   bool give_up(const std::string& why) {
-    const std::string cause =
-        why + ", and this path is not followed further; let the drivers go less far, or take more rows";
+    const std::string cause = why +
+                              ", and this path is not followed further; let the drivers go less far, or take "
+                              "more rows (driver.samples; in time a shorter driver.time_step)";
     end(event_at(EventType::kEnd, path_, at_.s, cause), at_.s, at_.s);
     run_.at.lost.for_good = true;
     return false;

@@ -169,13 +169,20 @@ SeriesMotion<D, N> row_series(const Run& run, const Plan& plan, const Dimensions
                               const SeriesOptions& options) {
   SeriesMotion<D, N> motion = solve_series(plan, values, dimensions, std::move(at), options);
   const std::size_t order = std::min<std::size_t>(options.last, N);
-  if (rounding_shows(motion.least_sine, order)) {
+  if (!options.regular && rounding_shows(motion.least_sine, order)) {
     LongSeries<D> series(run, motion.at);
     if (series.solve(plan, values, dimensions, options, order)) {
       return series.in_time(motion.at.drivers);
     }
   }
   return motion;
+}
+
+bool meets_change_point(const Run& run, const Dimensions<double>& values,
+                        Coordinates<PowerSeries<double, 3>> at, const SeriesOptions& options) {
+  const auto motion = solve_series(run.plan(), values, values, std::move(at), options);
+  return rounding_shows(motion.least_sine, options.last) &&
+         LongSeries<double>(run, motion.at).solve(run.plan(), values, values, options, options.last);
 }
 
 template SeriesMotion<double, 3> row_series(const Run&, const Plan&, const Dimensions<double>&,

@@ -20,6 +20,7 @@ namespace {
 
 using Parametric = Partials<double, 1>;
 using ParametricSeries = PowerSeries<Parametric, 2>;
+constexpr std::size_t kRateOrder = 2;  // of the series of a row, up to accelerations
 
 Parametric parametric(double value, double derivative) {
   Parametric number(value);
@@ -254,6 +255,19 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
   return sensitivity;
 }
 
+bool meets_change_point(const Run& run, const std::vector<DriverMotion>& motions) {
+  if (run.row.status == RowStatus::kNotAssemblable || !run.row.all_rates) {
+    return false;
+  }
+  auto at = constant<PowerSeries<double, 3>>(row_coordinates(run));
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    at.drivers[i].c = {motions[i].position, motions[i].velocity, motions[i].acceleration / 2};
+  }
+  SeriesOptions options;
+  options.last = kRateOrder;
+  return meets_change_point(run, dimensions_of(run.mechanism()), std::move(at), options);
+}
+
 tl::expected<RowSensitivity, NoSensitivity> Sensitivity::of_row(const Run& run,
                                                                 const std::vector<DriverMotion>& motions,
                                                                 const std::vector<DriverMotion>& derivatives,
@@ -274,7 +288,8 @@ tl::expected<RowSensitivity, NoSensitivity> Sensitivity::of_row(const Run& run,
   const Mechanism& derivative = local ? *local : derivative_.numbers;
   set_held_angles(derivative, at);
   SeriesOptions options;
-  options.last = rates == RatesAsked::kNone ? 0 : 2;
+  options.last = rates == RatesAsked::kNone ? 0 : kRateOrder;
+  options.regular = rates == RatesAsked::kRegular;
   const auto motion = row_series(run, run.plan(), dimensions_of(run.mechanism()),
                                  dimensions_of(run.mechanism(), derivative), std::move(at), options);
   if (!motion.all_known()) {

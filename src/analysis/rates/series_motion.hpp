@@ -35,6 +35,7 @@ struct SeriesOptions {
   bool surplus_slip = true;  ///< false: the slip conditions of groups that have conditions in surplus
   const std::vector<bool>* has_rates = nullptr;  ///< if set: stop at a body without rates
   std::size_t last = kHighestDerivative;         ///< orders above it are left as they are
+  bool regular = false;                          ///< no change point is near: none is looked for
 };
 
 /// The coordinates of run.row. Rolling contacts keep the arc difference, and idle bodies the angle, that they
@@ -99,6 +100,11 @@ template <class D, int N>
                                             const Dimensions<double>& values, const Dimensions<D>& dimensions,
                                             Coordinates<PowerSeries<D, N>> at,
                                             const SeriesOptions& options = {});
+
+/// Whether row_series() takes the series through a change point; if not, `regular` changes nothing.
+/// Independent of parameters of the dimensions.
+[[nodiscard]] bool meets_change_point(const Run& run, const Dimensions<double>& values,
+                                      Coordinates<PowerSeries<double, 3>> at, const SeriesOptions& options);
 
 /// Whether rounding, which each order divides by the sine once more, exceeds what is tolerated in the
 /// last of them.

@@ -51,6 +51,26 @@ void spare_watches(const std::vector<Event>& events, Run& start) {
   }
 }
 
+// Says that the rest of a path is not examined, and takes back that limits are kept.
+void leave_open(const Profile& profile, const DriverSchedule& schedule, double end,
+                const CheckFigures& figures, CheckReport& report) {
+  Event event;
+  event.type = EventType::kEnd;
+  event.driver_si = path_of(schedule).path.at(end).front().position;
+  event.driver = from_si(driver_dimension(profile.mechanism), profile.units).apply(event.driver_si);
+  if (schedule.is_timed()) event.time = from_si(dimension::kTime, profile.units).apply(end);
+  event.cause =
+      "the path is too long to look for extremes beyond; let the drivers go less far, such as one period";
+  report.events.push_back(std::move(event));
+  report.good = false;
+  for (CheckFigure& figure : report.figures) {
+    if (figure.verdict != Verdict::kKept) continue;
+    figure.verdict = Verdict::kUndecided;
+    figure.remark += fmt::format("{}not examined beyond {}", figure.remark.empty() ? "" : "; ",
+                                 figures.place(report.events.back().driver_si));
+  }
+}
+
 void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, const CheckLimits& limits) {
   const auto& contacts = analysis.impl().model->profile.mechanism.contacts;
   if (!forces || contacts.empty()) {
@@ -162,9 +182,12 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   }
   spare_watches(report.events, start);
   CheckFigures figures(profile, limits, report);
-  add_path_figures(
-      {profile, analysis->impl().schedule, start, run.forces ? &analysis->impl().contacts : nullptr},
-      figures);
+  const DriverSchedule& schedule = analysis->impl().schedule;
+  const auto end = add_path_figures(
+      {profile, schedule, start, run.forces ? &analysis->impl().contacts : nullptr}, figures);
+  if (end) {
+    leave_open(profile, schedule, *end, figures, report);
+  }
   add_speed(*analysis, run.forces, figures, limits);
   add_size_figures(profile, figures);
   figures.note_unused();

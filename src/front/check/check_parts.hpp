@@ -132,7 +132,9 @@ struct ForceCheck {
 /// @}
 
 /// Figures of contacts, followers and drivers along the path.
-void add_path_figures(const CheckedPath& checked, CheckFigures& figures);
+/// \return the parameter of path_of(checked.schedule) up to which a path is examined that is too long; else
+/// none
+std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures& figures);
 
 /// Where a path must be sampled more closely: at the breaks of the laws of flanks, and for the parts of
 /// boundaries.

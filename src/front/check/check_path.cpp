@@ -65,7 +65,7 @@ void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigure
   }
 }
 
-void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
+std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   std::vector<ContactCheck> contacts;
   std::vector<PathQuantities> blocks;
   for (std::size_t i = 0; i < checked.start.mechanism().contacts.size(); ++i) {
@@ -81,7 +81,14 @@ void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
     forces = force_check(checked, figures);
     blocks.push_back(forces->quantities);
   }
-  const RowPath rows = path_of(checked.schedule);
+  RowPath rows = path_of(checked.schedule);
+  std::vector<double>& knots = rows.path.knots;
+  const double end = farthest_sample(checked.start, rows.path);
+  const bool cut = end < knots.back();
+  if (cut) {
+    std::erase_if(knots, [&](double knot) { return knot >= end; });
+    knots.push_back(end);
+  }
   const auto ranges = path_extremes(checked.start, rows.path, blocks, look_at(checked, rows.path));
   const std::size_t count = contacts.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,6 +102,7 @@ void add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   if (forces) {
     forces->read_drivers(ranges[count + 2], figures);
   }
+  return cut ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace higherpair

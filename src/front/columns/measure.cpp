@@ -106,7 +106,7 @@ std::string place_objection(const DriverSchedule& schedule, const Measure& measu
                                ? fmt::format("the rows end at {}", low)
                                : fmt::format("the rows next to it are at {} and {}", low, high);
   return fmt::format("no row is at {}: {}; choose one of the rows, or let {} have a row there", measure.at,
-                     next, in_time ? "the time step" : "driver.samples or driver.positions");
+                     next, in_time ? "driver.time_step" : "driver.samples or driver.positions");
 }
 
 // The key `at` beside the key `column`.

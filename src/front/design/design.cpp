@@ -68,9 +68,9 @@ Result<DesignReport> design(const Model& model, const DesignSettings& settings) 
   const DesignProblem problem = problem_of(*setup);
   const DesignOutcome outcome = optimise(problem, options_of(task, settings));
   if (outcome.best.x.empty()) {
-    return tl::unexpected(
-        error_about(model.data(), ErrorKind::kMechanism,
-                    "no candidate within the bounds could be worked out; change the bounds"));
+    return tl::unexpected(error_about(
+        model.data(), ErrorKind::kMechanism,
+        "no candidate within the bounds could be worked out; change `min` and `max` of design.variables"));
   }
   return design_report(**setup, outcome).map([&](DesignReport report) {
     report.method = method_text(task.method, problem.has_cost);

@@ -108,7 +108,7 @@ private:
   // Evaluates the text as any profile: it is read, and started from its poses.
   [[nodiscard]] Result<Reread> reread(const std::string& text, std::span<const double> x, int branch) const {
     const Model::Data& before = setup_.numbers.model().data();
-    const auto model = Model::from_text(text, before.name, before.document->overrides());
+    const auto model = Model::from_text(text, before.name);
     if (!model) {
       return tl::unexpected(model.error());
     }

@@ -276,6 +276,9 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   if (Diagnostics mistakes = mistakes_in(model, *task, *schedule); !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }
+  if (const auto text = model.data().document->text_with({}); !text) {
+    return wrong(model, text.error());
+  }
   auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
                                                          std::move(quantities.all),
                                                          std::move(quantities.measures),

@@ -196,7 +196,7 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
     return text;
   }
   // If the profile's poses lead to another assembly, those of the design are written.
-  const auto read = Model::from_text(*text, model.name, model.document->overrides());
+  const auto read = Model::from_text(*text, model.name);
   const auto run = run_of(setup, x, branch);
   if (!read || !run || starts_like(*run, *read, setup.settings)) {
     return text;

@@ -85,7 +85,7 @@ Result<std::string> verified_text(const FitProblem& problem, const FitSolution& 
     return text;
   }
   const Model::Data& before = data.model.data();
-  auto model = Model::from_text(*text, before.name, before.document->overrides());
+  auto model = Model::from_text(*text, before.name);
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }

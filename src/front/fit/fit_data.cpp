@@ -253,6 +253,9 @@ Result<FitData> fit_data(const Model& model, const MeasuredTable& measured, cons
   if (!model.data().document) {
     return wrong(model, "was built and has no profile that fitted numbers could be written into");
   }
+  if (const auto text = model.data().document->text_with({}); !text) {
+    return wrong(model, text.error());
+  }
   if (model.profile().design == nullptr || model.profile().design->variables.empty()) {
     return wrong(model,
                  "no [design.variables]: they say which numbers are to be found, NAME = { path = … } each, "

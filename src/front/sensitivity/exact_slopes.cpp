@@ -40,6 +40,10 @@ void ExactSlopes::take() {
   if (!stopped()) take_rows();
 }
 
+ExactSlopes::Stop ExactSlopes::stop_at(const PathPlace& place, const Run& run) const {
+  return {place, run, rates_to_ask(columns_, run, place)};
+}
+
 // Slopes of all columns at every place of an extreme, by every number.
 void ExactSlopes::take_places() {
   std::vector<PathPlace> places;
@@ -54,7 +58,7 @@ void ExactSlopes::take_places() {
   PathWalk walk(columns_);
   for (const PathPlace& place : places) {
     if (stopped()) return;
-    stops_.push_back({place, walk.go_to(place)});
+    stops_.push_back(stop_at(place, walk.go_to(place)));
     place_index_[place.row] = stops_.size() - 1;
   }
   at_places_.resize(slopes_.size());
@@ -113,6 +117,7 @@ double ExactSlopes::gain_between(std::size_t number, std::size_t column, const E
   Stop stop = stops_[place_index_.at(first.place.row)];
   const auto gain = [&](double at) {
     stop.place = columns_.place(at);
+    stop.rates = RatesAsked::kAll;
     move_to(stop.run, motions_of(columns_.drivers().at(stop.place)));
     return gain_of(slopes_at(number, stop).of[column], first.weight, side);
   };
@@ -130,7 +135,7 @@ ExactSlopes::PlaceSlopes ExactSlopes::slopes_at(std::size_t number, const Stop& 
     case NumberSlopes::State::kNoInfluence:
       return {std::vector<SidedSlope>(count)};
     case NumberSlopes::State::kExact: {
-      auto slopes = slopes_[number]->at(stop.run, stop.place);
+      auto slopes = slopes_[number]->at(stop.run, stop.place, stop.rates);
       if (slopes) return {*std::move(slopes)};
       none.diverges = slopes.error() == NoSensitivity::kDiverges;
       return none;
@@ -167,7 +172,7 @@ void ExactSlopes::take_rows() {
     std::vector<std::vector<double>> at;
     for (; row < rows && stops.size() < kChunk && !stopped(); ++row) {
       const PathPlace place{static_cast<double>(row), columns_.parameter_of(row)};
-      stops.push_back({place, walk.go_to(place)});
+      stops.push_back(stop_at(place, walk.go_to(place)));
       columns_.values(stops.back().run, place, values);
       at.push_back(values);
       for (std::size_t m = 0; m < measures_.size(); ++m) {

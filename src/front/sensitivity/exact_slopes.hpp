@@ -31,7 +31,9 @@ private:
   struct Stop {
     PathPlace place;
     Run run;
+    RatesAsked rates;
   };
+  [[nodiscard]] Stop stop_at(const PathPlace& place, const Run& run) const;
 
   void take_places();
   void take_rows();

@@ -179,12 +179,17 @@ NumberSlopes::DriverSlopes NumberSlopes::drivers_at(const PathPlace& place) cons
   return slopes;
 }
 
-tl::expected<std::vector<SidedSlope>, NoSensitivity> NumberSlopes::at(const Run& run,
-                                                                      const PathPlace& place) const {
+RatesAsked rates_to_ask(const PathColumns& columns, const Run& run, const PathPlace& place) {
+  return meets_change_point(run, motions_of(columns.drivers().at(place))) ? RatesAsked::kAll
+                                                                          : RatesAsked::kRegular;
+}
+
+tl::expected<std::vector<SidedSlope>, NoSensitivity> NumberSlopes::at(const Run& run, const PathPlace& place,
+                                                                      RatesAsked rates) const {
   const std::vector<DriverState> states = columns_.drivers().at(place);
   const double time = columns_.drivers().time(place);
   const DriverSlopes slopes = drivers_at(place);
-  const auto of_row = by_->of_row(run, motions_of(states), motions_of(slopes.drivers));
+  const auto of_row = by_->of_row(run, motions_of(states), motions_of(slopes.drivers), rates);
   if (!of_row) {
     return tl::unexpected(of_row.error());
   }

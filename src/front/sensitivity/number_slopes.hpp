@@ -67,9 +67,10 @@ public:
   };
   [[nodiscard]] State state() const { return state_; }
 
-  /// Derivatives of all columns at the place to which a run of the model has moved. \pre kExact
-  [[nodiscard]] tl::expected<std::vector<SidedSlope>, NoSensitivity> at(const Run& run,
-                                                                        const PathPlace& place) const;
+  /// Derivatives of all columns at the place to which a run of the model has moved.
+  /// \param rates  rates_to_ask() there, which every number has in common \pre kExact
+  [[nodiscard]] tl::expected<std::vector<SidedSlope>, NoSensitivity> at(
+      const Run& run, const PathPlace& place, RatesAsked rates = RatesAsked::kAll) const;
 
 private:
   // Derivatives of the drivers and the time at a place by the number.
@@ -87,5 +88,8 @@ private:
   std::vector<DriverPlaces> drivers_;  // with the number changed by -4 … 4 steps
   std::optional<Sensitivity> by_;
 };
+
+/// kRegular where no change point is met.
+[[nodiscard]] RatesAsked rates_to_ask(const PathColumns& columns, const Run& run, const PathPlace& place);
 
 }  // namespace higherpair

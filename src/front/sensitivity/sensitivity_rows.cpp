@@ -150,14 +150,16 @@ private:
     const PathPlace place{static_cast<double>(row.number), columns_->parameter_of(row.number)};
     std::vector<double> values, slopes(numbers_.size() * slots_.size(), kNoValue);
     for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
+    const RatesAsked rates = rates_to_ask(*columns_, run, place);
     in_parallel([&](std::size_t i) {
-      const std::vector<double> all = slopes_at(i, run, place);
+      const std::vector<double> all = slopes_at(i, run, place, rates);
       for (std::size_t c = 0; c < slots_.size(); ++c) slopes[i * slots_.size() + c] = all[slots_[c]];
     });
     return !stopped() && take({row.number, values, slopes});
   }
 
-  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place) {
+  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place,
+                                              RatesAsked rates) {
     const std::size_t count = columns_->columns().size();
     std::vector<double> differences = runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
     switch (slopes_[i]->state()) {
@@ -169,7 +171,7 @@ private:
         return differences;
     }
     std::vector<double> slopes(count, kNoValue);
-    const auto sided = slopes_[i]->at(run, place);
+    const auto sided = slopes_[i]->at(run, place, rates);
     for (std::size_t c = 0; c < count; ++c) {
       if (sided) slopes[c] = slope_of((*sided)[c], kNoSlopeOfRounding * rounding_[c] / models_[i]->scale());
       if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];

@@ -50,10 +50,6 @@ tl::expected<ProfileDocument, Diagnostics> ProfileDocument::with(
   return ProfileDocument(std::make_shared<const Content>(std::move(content)));
 }
 
-const std::vector<std::string>& ProfileDocument::overrides() const {
-  return content_->overrides;
-}
-
 void ProfileDocument::for_each_number(
     const std::function<void(const std::string& path, double value)>& found) const {
   io_detail::for_each_number(std::get<Table>(content_->root.content), found);

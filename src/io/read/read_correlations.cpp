@@ -65,12 +65,15 @@ void read_correlation(TableReader& table, const CorrelationWords& words, Variant
     return;
   }
   const auto item = covariance ? covariance : coefficient;
-  const auto quantity = item ? as_quantity(table.reading(), *item, {dimension::kNumber}) : std::nullopt;
+  const auto unit_at = [&](std::size_t i) { return unit_of_paths(table.reading(), plan.variables[i].paths); };
+  const NumberUnit unit =
+      covariance && between ? product_of(unit_at(between->first), unit_at(between->second)) : no_unit();
+  const auto given = item ? as_number_in(table.reading(), *item, unit) : std::nullopt;
   table.finish();
-  if (!between || !quantity) {
+  if (!between || !given) {
     return;
   }
-  const double number = quantity->si;
+  const double number = *given;
   const auto deviation = [&](std::size_t i) { return plan.variables[i].distribution.deviation; };
   const double scale = covariance ? deviation(between->first) * deviation(between->second) : 1;
   if (!(std::abs(number) < scale)) {
@@ -100,8 +103,8 @@ void read_correlations(TableReader& task, const CorrelationWords& words, Variant
   if (!correlation_factor(plan)) {
     report(
         task.reading(), *item,
-        fmt::format("these contradict each other: no {}s can be correlated like this; make the coefficients "
-                    "smaller",
+        fmt::format("these contradict each other: no {}s can be correlated like this; bring the coefficients "
+                    "nearer to 0",
                     words.one));
   }
 }

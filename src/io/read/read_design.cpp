@@ -1,6 +1,7 @@
 #include "read_design.hpp"
 
 #include "higherpair/io/design_task.hpp"
+#include "number_unit.hpp"
 #include "reading.hpp"
 
 #include <cstdint>
@@ -49,7 +50,7 @@ private:
     task_.keep_branch = table.flag("keep_branch", false);
     if (const auto starts = table.take("starts", as_count, {1})) task_.starts = static_cast<int>(*starts);
     task_.seed = table.take("seed", as_seed);
-    task_.target = optional_plain_number(table, "target");
+    task_.target = table.take("target", as_number_in, no_unit());
   }
 
   Reading& reading_;

@@ -28,11 +28,6 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 /// Reads it; none if it has a mistake. \pre is_extent
 [[nodiscard]] std::optional<DesignTask::Extent> read_extent(TableReader& table, const Mechanism& mechanism);
 
-/// A number without a unit of its own: it is in the unit of some quantity that is not known here.
-[[nodiscard]] std::optional<double> as_plain_number(Reading& reading, const Item& item);
-/// The same for a key that may be absent.
-[[nodiscard]] std::optional<double> optional_plain_number(TableReader& table, const std::string& key);
-
 /// Reads [fit].
 void read_fit(TableReader& root, Profile& profile);
 

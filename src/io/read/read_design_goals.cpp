@@ -1,7 +1,9 @@
 #include "higherpair/analysis/status.hpp"
+#include "higherpair/io/column_dimension.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "laws.hpp"
+#include "number_unit.hpp"
 #include "read_design.hpp"
 #include "read_measure.hpp"
 
@@ -13,23 +15,18 @@
 namespace higherpair::io_detail {
 namespace {
 
-// The dimension of a column that can follow a law, judged by the column's name.
-std::optional<Dimension> dimension_of(const Measure& measure, const Mechanism& mechanism) {
+// The dimension of a column that can follow a law.
+std::optional<Dimension> lawful_dimension(const Measure& measure, const Mechanism& mechanism) {
   const auto ends = [&](std::string_view ending) { return measure.column.ends_with(ending); };
-  if (ends(".angle")) return dimension::kAngle;
-  if (ends(".x") || ends(".y")) return dimension::kLength;
-  for (const Joint& joint : mechanism.joints) {
-    if (measure.column == joint.name + ".position") {
-      return coordinate_dimension(joint);
-    }
-  }
-  return std::nullopt;
+  return ends(".angle") || ends(".x") || ends(".y") || ends(".position")
+             ? column_dimension(mechanism, measure.column)
+             : std::nullopt;
 }
 
 // `follow = "LAW"`: the change of the column since the first row is compared with the law at every row.
 void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& profile, LawBook& laws,
                 DesignTask::Objective& objective) {
-  const auto value = dimension_of(measure, profile.mechanism);
+  const auto value = lawful_dimension(measure, profile.mechanism);
   if (!value) {
     report(reading, follow,
            "a law is of an angle or of a coordinate: BODY.angle, BODY.POINT.x, JOINT.position");
@@ -58,15 +55,19 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
   }
 }
 
-void follow_pairs(Reading& reading, const Item& follow, Measure measure, DesignTask::Objective& objective) {
+void follow_pairs(Reading& reading, const Item& follow, Measure measure, const Mechanism& mechanism,
+                  DesignTask::Objective& objective) {
   const auto items = as_items(reading, follow,
                               "a list of at least two pairs, [[driver, value], …], or the name of a law", 2);
   for (const Item& item : items.value_or(std::vector<Item>{})) {
-    const auto pair = as_list(reading, item, {dimension::kNumber}, 2);
+    const auto pair = as_items(reading, item, "[driver, value], two numbers", 2, 2);
     if (!pair) return;
-    measure.at = (*pair)[0].value;
+    const auto at = as_number_in(reading, (*pair)[0], unit_of_driver(mechanism));
+    const auto value = as_number_in(reading, (*pair)[1], unit_of_column(mechanism, measure.column));
+    if (!at || !value) return;
+    measure.at = *at;
     objective.followed.push_back(measure);
-    objective.values.push_back((*pair)[1].value);
+    objective.values.push_back(*value);
   }
 }
 
@@ -89,7 +90,7 @@ void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBo
     return;
   }
   objective.follow_change = table.flag("change", false);
-  follow_pairs(reading, follow, std::move(measure), objective);
+  follow_pairs(reading, follow, std::move(measure), profile.mechanism, objective);
 }
 
 // `figure`: one of the values that `check` computes, "contacts.touch.contact_pressure".
@@ -106,6 +107,18 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
   DesignTask::Figure figure{text.substr(0, dot), text.substr(dot + 1), ""};
   if (const auto curve = table.take("curve")) figure.of = as_text(table.reading(), *curve).value_or("");
   return figure;
+}
+
+// Of the target of an objective, or the limits of a constraint.
+NumberUnit unit_of_goal(const std::optional<Measure>& measure,
+                        const std::optional<DesignTask::Figure>& figure, const Mechanism& mechanism) {
+  if (measure) return unit_of_column(mechanism, measure->column);
+  return figure ? unit_of_figure(figure->quantity) : NumberUnit{dimension::kLength, ""};
+}
+
+NumberUnit unit_of_limit(const DesignTask::Constraint& constraint, const Mechanism& mechanism) {
+  return constraint.transmission ? NumberUnit{dimension::kAngle, ""}
+                                 : unit_of_goal(constraint.measure, constraint.figure, mechanism);
 }
 
 std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& item,
@@ -155,20 +168,6 @@ std::vector<EventType> read_events(Reading& reading, const Item& item) {
 
 }  // namespace
 
-std::optional<double> as_plain_number(Reading& reading, const Item& item) {
-  if (std::holds_alternative<std::string>(item.value->content)) {
-    report(reading, item, "expected a plain number, in the unit that it has in the profile or in tables");
-    return std::nullopt;
-  }
-  const auto quantity = as_quantity(reading, item, {dimension::kNumber});
-  return quantity ? std::optional(quantity->value) : std::nullopt;
-}
-
-std::optional<double> optional_plain_number(TableReader& table, const std::string& key) {
-  const auto item = table.take(key);
-  return item ? as_plain_number(table.reading(), *item) : std::nullopt;
-}
-
 std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile& profile, LawBook& laws) {
   Reading& reading = table.reading();
   DesignTask::Objective objective;
@@ -186,16 +185,17 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     read_follow(table, *follow, profile, laws, objective);
   } else if (const auto figure = table.take("figure")) {
     objective.figure = read_figure(table, *figure);
-    objective.target = optional_plain_number(table, "target");
   } else if (is_extent(table)) {
     objective.extent = read_extent(table, profile.mechanism);
-    objective.target = optional_plain_number(table, "target");
   } else {
-    objective.measure = read_measure(table);
-    objective.target = optional_plain_number(table, "target");
+    objective.measure = read_measure(table, unit_of_driver(profile.mechanism));
+  }
+  if (objective.figure || objective.extent || objective.measure) {
+    objective.target = table.take("target", as_number_in,
+                                  unit_of_goal(objective.measure, objective.figure, profile.mechanism));
   }
   if (const auto weight = table.take("weight")) {
-    objective.weight = as_plain_number(reading, *weight).value_or(1);
+    objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
   const bool complete = objective.path || objective.measure || objective.figure || objective.extent ||
@@ -230,11 +230,12 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   } else if (is_extent(table)) {
     constraint.extent = read_extent(table, profile.mechanism);
   } else {
-    constraint.measure = read_measure(table);
+    constraint.measure = read_measure(table, unit_of_driver(profile.mechanism));
   }
   const Mistakes mistakes(reading);
-  if (const auto below = optional_plain_number(table, "below")) constraint.below = below;
-  if (const auto above = optional_plain_number(table, "above")) constraint.above = above;
+  const NumberUnit unit = unit_of_limit(constraint, profile.mechanism);
+  if (const auto below = table.take("below", as_number_in, unit)) constraint.below = below;
+  if (const auto above = table.take("above", as_number_in, unit)) constraint.above = above;
   if (!constraint.below && !constraint.above && mistakes.none()) {
     report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {

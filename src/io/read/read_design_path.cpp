@@ -1,6 +1,7 @@
 // The path of a point as a design's objective.
 #include "higherpair/io/diagnostic.hpp"
 #include "io/tables/named_file.hpp"
+#include "number_unit.hpp"
 #include "read_design.hpp"
 
 #include <string>
@@ -42,13 +43,14 @@ void read_file_of_points(TableReader& table, const Item& file, PointPath& path) 
   check_points(table.reading(), file, path);
 }
 
-void read_positions(Reading& reading, const Item& at, PointPath& path) {
+void read_positions(Reading& reading, const Item& at, const Mechanism& mechanism, PointPath& path) {
   const std::size_t count = path.through.size();
   const auto items =
       as_items(reading, at, fmt::format("a list of {} positions of the driver, one for each point", count),
                count, count);
   for (const Item& item : items.value_or(std::vector<Item>{})) {
-    if (const auto position = as_plain_number(reading, item)) path.at.push_back(*position);
+    if (const auto position = as_number_in(reading, item, unit_of_driver(mechanism)))
+      path.at.push_back(*position);
   }
 }
 
@@ -94,7 +96,7 @@ std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& me
   if (!path.timed) {
     table.refuse("at", "holds for a path with timed = true");
   } else if (const auto at = table.take("at")) {
-    read_positions(reading, *at, path);
+    read_positions(reading, *at, mechanism, path);
   }
   if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
   if (const auto free = table.take("free")) read_free(reading, *free, path);

@@ -3,6 +3,7 @@
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "io/tolerances.hpp"
+#include "number_unit.hpp"
 #include "read_design.hpp"
 
 #include <algorithm>
@@ -40,12 +41,14 @@ public:
         read_path(path, variable, start);
       }
     }
+    const NumberUnit unit = unit_of_paths(reading_, variable.paths);
+    variable.unit = unit_text(unit.dimension.value_or(dimension::kNumber), reading_.units);
     const auto min = table.take("min");
     const auto max = table.take("max");
-    const auto low = min ? as_plain_number(reading_, *min) : std::optional(-kInf);
-    const auto high = max ? as_plain_number(reading_, *max) : std::optional(kInf);
+    const auto low = min ? as_number_in(reading_, *min, unit) : std::optional(-kInf);
+    const auto high = max ? as_number_in(reading_, *max, unit) : std::optional(kInf);
     const auto step = table.take("step");
-    variable.range.step = step ? as_plain_number(reading_, *step).value_or(0) : 0;
+    variable.range.step = step ? as_number_in(reading_, *step, unit).value_or(0) : 0;
     if (step && !(variable.range.step > 0)) {
       report(reading_, *step, "expected a number > 0, such as 0.5; leave it out where any value will do");
     }
@@ -78,7 +81,7 @@ private:
     TableReader table(reading_, *content, item.value->mark, item.path);
     const auto path = table.need("path", "the number's path, \"bodies.crank.points.A.0\"");
     const auto times = table.take("times");
-    const double factor = times ? as_plain_number(reading_, *times).value_or(1) : 1;
+    const double factor = times ? as_number_in(reading_, *times, no_unit()).value_or(1) : 1;
     if (factor == 0) report(reading_, *times, "must not be 0: the number would not depend on the variable");
     table.finish();
     if (path && factor != 0) add_path(*path, factor, variable, start);
@@ -89,9 +92,9 @@ private:
     const auto path = as_text(reading_, item);
     if (!path) return;
     const Value* value = end_of_path(document_, *path).value;
-    const auto number = value == nullptr ? std::nullopt : number_in(*value);
+    const auto number = value == nullptr ? std::nullopt : number_at_path(reading_, *path, *value);
     if (!number || !is_designable(*path)) {
-      report(reading_, item, no_number(*path, value));
+      report(reading_, item, no_number(*path, value, number.has_value()));
       return;
     }
     for (const DesignTask::Variable& other : variables_) {
@@ -109,19 +112,13 @@ private:
     start = start ? start : *number / factor;
     variable.paths.push_back(*path);
     variable.factors.push_back(factor);
-    if (const auto known = reading_.varied.find(*path);
-        variable.paths.size() == 1 && known != reading_.varied.end() && known->second) {
-      variable.unit = unit_text(*known->second, reading_.units);
-    }
   }
 
-  [[nodiscard]] std::string no_number(const std::string& path, const Value* value) const {
-    if (value != nullptr && std::holds_alternative<std::string>(value->content)) {
-      return fmt::format(
-          "this is {}, a text: write it as a number in the profile's unit to make it a variable",
-          text_of(*value));
+  [[nodiscard]] std::string no_number(const std::string& path, const Value* value, bool is_number) const {
+    if (value != nullptr && !is_number && std::holds_alternative<std::string>(value->content)) {
+      return fmt::format("this is {}, a text: expected the path of a number", text_of(*value));
     }
-    if (value != nullptr && !number_in(*value)) {
+    if (value != nullptr && !is_number) {
       return fmt::format("this is {}, not one number; go on to the number itself, such as {}.0",
                          kind_of(*value), path);
     }

@@ -10,42 +10,33 @@
 namespace higherpair::io_detail {
 namespace {
 
-std::optional<std::vector<double>> numbers(TableReader& table, const std::string& key, std::size_t count) {
-  const auto list = table.take(key, as_list, {dimension::kNumber}, count);
-  if (!list) {
-    return std::nullopt;
-  }
-  std::vector<double> values;
-  for (const Quantity& quantity : *list) values.push_back(quantity.si);
-  return values;
-}
-
 void wrong(TableReader& table, const std::string& key, std::string_view rule) {
   const auto item = table.take(key);
   if (item) report(table.reading(), *item, rule);
 }
 
-void read_values(TableReader& table, Distribution& d) {
+void read_values(TableReader& table, const NumberUnit& unit, Distribution& d) {
   d.kind = DistributionKind::kValues;
-  d.values = numbers(table, "values", 0).value_or(std::vector<double>{0});
+  d.values = table.take("values", as_numbers_in, unit, 0).value_or(std::vector<double>{0});
   if (d.values.empty()) {
     wrong(table, "values", "expected at least one");
     d.values.push_back(0);
   }
 }
 
-void read_limits(TableReader& table, Distribution& d) {
+void read_limits(TableReader& table, const NumberUnit& unit, Distribution& d) {
+  const Mistakes mistakes(table.reading());
   for (const auto& [key, limit] : {std::pair("min", &d.low), std::pair("max", &d.high)}) {
-    if (table.take(key)) *limit = table.quantity(key, {dimension::kNumber});
+    *limit = table.take(key, as_number_in, unit).value_or(*limit);
   }
-  if (!(d.low < d.high)) {
+  if (mistakes.none() && !(d.low < d.high)) {
     wrong(table, "max", fmt::format("must be larger than min = {}", d.low));
   }
 }
 
-void read_normal(TableReader& table, Distribution& d) {
+void read_normal(TableReader& table, const NumberUnit& unit, Distribution& d) {
   d.kind = DistributionKind::kNormal;
-  if (const auto list = numbers(table, "normal", 2)) {
+  if (const auto list = table.take("normal", as_numbers_in, unit, 2)) {
     d.mean = (*list)[0];
     d.deviation = (*list)[1];
     if (!(d.deviation > 0)) {
@@ -53,15 +44,15 @@ void read_normal(TableReader& table, Distribution& d) {
       d.deviation = 1;
     }
   }
-  read_limits(table, d);
+  read_limits(table, unit, d);
   if (d.deviation > 0 && d.low < d.high && share_within(d) < kLeastShareWithin) {
     wrong(table, "normal", "next to nothing of this distribution lies between min and max");
   }
 }
 
-void read_triangular(TableReader& table, Distribution& d) {
+void read_triangular(TableReader& table, const NumberUnit& unit, Distribution& d) {
   d.kind = DistributionKind::kTriangular;
-  const auto list = numbers(table, "triangular", 3);
+  const auto list = table.take("triangular", as_numbers_in, unit, 3);
   const std::vector<double> ends = list.value_or(std::vector<double>{0, 0.5, 1});
   d.low = ends[0];
   d.mode = ends[1];
@@ -71,8 +62,8 @@ void read_triangular(TableReader& table, Distribution& d) {
   }
 }
 
-void read_uniform(TableReader& table, Distribution& d) {
-  if (const auto list = numbers(table, "uniform", 2)) {
+void read_uniform(TableReader& table, const NumberUnit& unit, Distribution& d) {
+  if (const auto list = table.take("uniform", as_numbers_in, unit, 2)) {
     d.low = (*list)[0];
     d.high = (*list)[1];
     if (!(d.low < d.high)) {
@@ -105,7 +96,7 @@ std::string form_of(TableReader& table, const Item& item) {
 }  // namespace
 
 void read_distribution(TableReader& table, const Item& item, std::optional<SweepMethod> method,
-                       SweepVariable& variable) {
+                       const NumberUnit& unit, SweepVariable& variable) {
   const std::string form = form_of(table, item);
   const bool values = form.empty() || form == "values";
   std::string_view objection;
@@ -121,15 +112,15 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
   }
   Distribution& d = variable.distribution;
   if (form == "values") {
-    read_values(table, d);
+    read_values(table, unit, d);
   } else if (form == "normal") {
-    read_normal(table, d);
+    read_normal(table, unit, d);
   } else if (form == "triangular") {
-    read_triangular(table, d);
+    read_triangular(table, unit, d);
   } else if (form == "uniform") {
-    read_uniform(table, d);
+    read_uniform(table, unit, d);
   } else if (form == "min" && table.need("max", "the largest value")) {
-    read_limits(table, d);
+    read_limits(table, unit, d);
   }
   const bool spaced = method == SweepMethod::kGrid && form == "min";
   if (spaced) {

@@ -1,4 +1,5 @@
 #include "higherpair/io/tasks.hpp"
+#include "number_unit.hpp"
 #include "read_design.hpp"
 #include "reading.hpp"
 
@@ -26,7 +27,7 @@ public:
       }
     }
     if (const auto confidence = table.take("confidence")) {
-      const auto share = as_plain_number(reading_, *confidence);
+      const auto share = as_number_in(reading_, *confidence, no_unit());
       if (share && !(*share > 0 && *share < 1)) {
         report(reading_, *confidence, "expected a share between 0 and 1, such as 0.95");
       }
@@ -40,9 +41,9 @@ public:
   }
 
 private:
-  std::optional<double> positive(TableReader& table, const std::string& key) {
+  std::optional<double> positive(TableReader& table, const std::string& key, const NumberUnit& unit) {
     const auto item = table.take(key);
-    const auto number = item ? as_plain_number(reading_, *item) : std::nullopt;
+    const auto number = item ? as_number_in(reading_, *item, unit) : std::nullopt;
     if (number && !(*number > 0)) {
       report(reading_, *item, "must be > 0");
       return std::nullopt;
@@ -57,8 +58,8 @@ private:
     if (const auto name = table.need("column", "the name of a measured column, or a glob")) {
       column.column = as_text(reading_, *name).value_or("");
     }
-    column.deviation = positive(table, "deviation");
-    column.weight = positive(table, "weight").value_or(1);
+    column.deviation = positive(table, "deviation", unit_of_column(mechanism_, column.column));
+    column.weight = positive(table, "weight", no_unit()).value_or(1);
     column.offset = table.flag("offset", false);
     task_.columns.push_back(std::move(column));
   }

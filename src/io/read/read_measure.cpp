@@ -33,15 +33,14 @@ std::optional<MeasureKind> read_kind(TableReader& table) {
 
 }  // namespace
 
-std::optional<Measure> read_measure(TableReader& table) {
+std::optional<Measure> read_measure(TableReader& table, const NumberUnit& place) {
   Measure measure;
   const auto column = read_column(table, measure);
   const auto kind = read_kind(table);
   std::optional<double> at = 0;
   if (kind == MeasureKind::kAt) {
-    const auto quantity = table.need("at", "the driver's position (in time: the time), in the profile's unit",
-                                     as_quantity, {dimension::kNumber});
-    at = quantity ? std::optional(quantity->si) : std::nullopt;
+    at = table.need("at", "the driver's position (in time: the time), in the profile's unit", as_number_in,
+                    place);
   } else if (kind) {
     table.refuse("at", "belongs to of = \"at\"");
   } else {

@@ -22,21 +22,22 @@ std::optional<SweepMethod> read_method(TableReader& table) {
   return choice ? std::optional(static_cast<SweepMethod>(*choice)) : std::nullopt;
 }
 
-void read_results_of(TableReader& table, SweepTask& task) {
-  read_results(table, [&](const std::string& name, const std::optional<Measure>& measure,
-                          TableReader& entry) {
-    SweepResult result;
-    result.name = name;
-    result.where = entry.flag("where", false);
-    const bool has_place =
-        !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
-                     measure->of != MeasureKind::kRms);
-    if (result.where && !has_place) {
-      entry.refuse("where", fmt::format("\"{}\" is of all rows and has no position", name_of(measure->of)));
-    }
-    result.measure = measure.value_or(Measure());
-    task.results.push_back(std::move(result));
-  });
+void read_results_of(TableReader& table, const Mechanism& mechanism, SweepTask& task) {
+  read_results(table, unit_of_place(mechanism, task.in_time),
+               [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
+                 SweepResult result;
+                 result.name = name;
+                 result.where = entry.flag("where", false);
+                 const bool has_place =
+                     !measure || (measure->of != MeasureKind::kRange && measure->of != MeasureKind::kMean &&
+                                  measure->of != MeasureKind::kRms);
+                 if (result.where && !has_place) {
+                   entry.refuse("where", fmt::format("\"{}\" is of all rows and has no position",
+                                                     name_of(measure->of)));
+                 }
+                 result.measure = measure.value_or(Measure());
+                 task.results.push_back(std::move(result));
+               });
 }
 
 void read_rows(TableReader& table, SweepTask& task) {
@@ -51,10 +52,10 @@ void read_rows(TableReader& table, SweepTask& task) {
   }
 }
 
-void read_what(TableReader& table, SweepTask& task) {
+void read_what(TableReader& table, const Mechanism& mechanism, SweepTask& task) {
   task.in_time = table.flag("time", false);
   task.counts = table.flag("counts", false);
-  read_results_of(table, task);
+  read_results_of(table, mechanism, task);
   read_rows(table, task);
   constexpr const char* kEither =
       "where `rows` are written there is no row of results: leave one of the two out";
@@ -96,12 +97,12 @@ void check_size(TableReader& table, const VariantPlan& plan) {
 
 }  // namespace
 
-void read_results(TableReader& task,
+void read_results(TableReader& task, const NumberUnit& place,
                   const std::function<void(const std::string& name, const std::optional<Measure>& measure,
                                            TableReader& table)>& finish) {
   for_each_table(task.reading(), task.take("results"), "a measure (a table)",
                  [&](const std::string& name, TableReader& table) {
-                   finish(name, read_measure(table), table);
+                   finish(name, read_measure(table, place), table);
                    table.finish();
                  });
 }
@@ -128,7 +129,7 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
     if (draws || !method) {
       read_correlations(table, {"variable", "variables with `normal`, without `min` and `max`,"}, task.plan);
     }
-    read_what(table, task);
+    read_what(table, profile.mechanism, task);
     table.finish();
     check_names(table, task);
     if (mistakes.none()) {

@@ -89,7 +89,7 @@ private:
         report(reading_, *item, fmt::format("{} is no dimension of the mechanism: it cannot scatter", path));
         return;
       }
-      const auto value = value_at(path, *varied->second);
+      const auto value = number_at_path(reading_, path, *end_of_path(document_, path).value);
       if (!value) return;  // reported where the number is read
       if (i > 0 && (*value != tolerance.value || !(*varied->second == dimension_))) {
         report(reading_, *item,
@@ -100,18 +100,6 @@ private:
       tolerance.value = *value;
       dimension_ = *varied->second;
     }
-  }
-
-  // The number at a path, in the profile's unit.
-  [[nodiscard]] std::optional<double> value_at(const std::string& path, const Dimension& dimension) const {
-    const Value* value = end_of_path(document_, path).value;
-    if (const auto number = number_in(*value)) {
-      return number;
-    }
-    const auto* text = std::get_if<std::string>(&value->content);
-    const auto quantity =
-        text == nullptr ? tl::unexpected(std::string()) : parse_quantity(*text, dimension, reading_.units);
-    return quantity ? std::optional(quantity->profile) : std::nullopt;
   }
 
   void read_zone(TableReader& table, Tolerance& tolerance) {
@@ -168,18 +156,20 @@ private:
   Dimension dimension_;  // of the number being read
 };
 
-void read_results_of(TableReader& table, ToleranceTask& task) {
-  read_results(
-      table, [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
-        ToleranceResult result;
-        result.name = name;
-        result.measure = measure.value_or(Measure());
-        if (const auto within = entry.take("within")) {
-          const auto number = as_quantity(entry.reading(), *within, {dimension::kNumber, Sign::kPositive});
-          result.within = number ? std::optional(number->si) : std::nullopt;
-        }
-        task.results.push_back(std::move(result));
-      });
+void read_results_of(TableReader& table, const Mechanism& mechanism, ToleranceTask& task) {
+  read_results(table, unit_of_place(mechanism, task.in_time),
+               [&](const std::string& name, const std::optional<Measure>& measure, TableReader& entry) {
+                 ToleranceResult result;
+                 result.name = name;
+                 result.measure = measure.value_or(Measure());
+                 if (const auto within = entry.take("within")) {
+                   result.within = as_number_in(entry.reading(), *within,
+                                                unit_of_column(mechanism, result.measure.column));
+                   if (result.within && !(*result.within > 0))
+                     report(entry.reading(), *within, "must be > 0");
+                 }
+                 task.results.push_back(std::move(result));
+               });
 }
 
 void read_correlations_of(TableReader& table, ToleranceTask& task) {
@@ -206,7 +196,7 @@ void read_tolerances(TableReader& root, const Table& document, Profile& profile)
                      task.tolerances.push_back(reader.read(name, one));
                    });
     read_correlations_of(table, task);
-    read_results_of(table, task);
+    read_results_of(table, profile.mechanism, task);
     if (mistakes.none() && task.tolerances.empty()) {
       report(reading, item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
     }

@@ -88,11 +88,11 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
   paths.taken.push_back(*path);
   if (!objection.empty()) {
     report(reading, item, objection);
-  } else if (!text.empty() && paths.task == "sweep") {
-    reading.notes.push_back(
+  } else if (!text.empty()) {
+    paths.with_unit.push_back(
         {item.value->mark,
-         fmt::format("{}: the profile gives {} as \"{}\", and the values of a sweep are in the "
-                     "profile's `units`: if that is not meant, write it without a unit of its own",
+         fmt::format("{}: the profile gives {} as \"{}\", and plain values of a sweep are in the "
+                     "profile's `units`: if that is not meant, give them a unit of their own, too",
                      item.path, *path, text)});
   }
   return path;
@@ -117,8 +117,12 @@ void note_varied(const Table& document, Reading& reading) {
       const Value* path = variable == nullptr ? nullptr : find(*variable, "path");
       if (path == nullptr) continue;
       note(*path);
-      if (const auto* items = std::get_if<Array>(&path->content))
-        std::for_each(items->begin(), items->end(), note);
+      const auto* items = std::get_if<Array>(&path->content);
+      for (std::size_t k = 0; items != nullptr && k < items->size(); ++k) {
+        note((*items)[k]);
+        const auto* entry = std::get_if<Table>(&(*items)[k].content);
+        if (const Value* own = entry == nullptr ? nullptr : find(*entry, "path")) note(*own);
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "higherpair/io/tasks.hpp"
 #include "io/document/table_reader.hpp"
+#include "number_unit.hpp"
 
 #include <functional>
 #include <memory>
@@ -16,7 +17,8 @@ namespace higherpair::io_detail {
 struct SweepPaths {
   const Table& document;
   std::vector<std::string> taken;
-  std::string task = "sweep";  ///< the task's own table, whose numbers cannot be varied
+  std::string task = "sweep";           ///< the task's own table, whose numbers cannot be varied
+  std::vector<Mistake> with_unit = {};  ///< a note for each path whose number has a unit of its own
 };
 
 /// Reads `path` of a variable: one or several, each of a number in the document that no other variable sets.
@@ -25,7 +27,7 @@ void read_paths(TableReader& table, SweepPaths& paths, SweepVariable& variable);
 /// Reads the values or the distribution of a variable.
 /// \param item  the variable's table
 void read_distribution(TableReader& table, const Item& item, std::optional<SweepMethod> method,
-                       SweepVariable& variable);
+                       const NumberUnit& unit, SweepVariable& variable);
 
 /// Reads `variables` of a sweep: their paths, which must exist in the document, and their values. If the
 /// method is unknown, only what does not depend on it is checked.
@@ -43,9 +45,10 @@ struct CorrelationWords {
 void read_correlations(TableReader& task, const CorrelationWords& words, VariantPlan& plan);
 
 /// Reads `results`: named measures.
+/// \param place  the unit of `at` of a measure
 /// \param finish  reads the other keys of a measure's table and takes the measure, which is none if it is
 /// wrong
-void read_results(TableReader& task,
+void read_results(TableReader& task, const NumberUnit& place,
                   const std::function<void(const std::string& name, const std::optional<Measure>& measure,
                                            TableReader& table)>& finish);
 

@@ -1,5 +1,6 @@
 #include "sweep_reading.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -22,6 +23,19 @@ void check_lists(Reading& reading, const Item& item, const std::vector<SweepVari
   }
 }
 
+// Whether a value of a variable, the table, has no unit of its own.
+bool has_plain_values(const Value& variable) {
+  const auto is_number = [](const Value& value) { return number_in(value).has_value(); };
+  bool any = false;
+  for (const char* key : {"values", "normal", "triangular", "uniform", "min", "max"}) {
+    const Value* value = find(std::get<Table>(variable.content), key);
+    const auto* items = value == nullptr ? nullptr : std::get_if<Array>(&value->content);
+    any = any || (value != nullptr && is_number(*value)) ||
+          (items != nullptr && std::any_of(items->begin(), items->end(), is_number));
+  }
+  return any;
+}
+
 // The unit at the first path of a variable; its other paths may have other units.
 std::string unit_of(const Reading& reading, const SweepVariable& variable) {
   const auto found =
@@ -34,6 +48,7 @@ std::string unit_of(const Reading& reading, const SweepVariable& variable) {
 void read_sweep_variables(TableReader& sweep, const Table& document, std::optional<SweepMethod> method,
                           SweepTask& task) {
   SweepPaths paths{document, {}};
+  std::vector<Mistake>& notes = sweep.reading().notes;
   const auto item = sweep.need("variables", "the variables (tables), each with `path` and its values");
   if (!item) {
     return;
@@ -45,7 +60,12 @@ void read_sweep_variables(TableReader& sweep, const Table& document, std::option
                    read_paths(table, paths, variable);
                    task.units.push_back(unit_of(sweep.reading(), variable));
                    const Value* value = find(std::get<Table>(item->value->content), name);
-                   read_distribution(table, {value, table.path()}, method, variable);
+                   const NumberUnit unit = unit_of_paths(sweep.reading(), variable.paths);
+                   read_distribution(table, {value, table.path()}, method, unit, variable);
+                   if (has_plain_values(*value)) {
+                     notes.insert(notes.end(), paths.with_unit.begin(), paths.with_unit.end());
+                   }
+                   paths.with_unit.clear();
                    table.finish();
                    task.plan.variables.push_back(std::move(variable));
                  });

@@ -26,8 +26,9 @@ std::optional<double> shared_time(const Profile& profile, std::optional<double> 
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
     const std::optional<double> own = profile.programs[i].*member;
     if (own && time && *own != *time) {
-      errors.push_back(
-          mistake(profile, i, key, "differs from that of another driver: all move in the same time"));
+      errors.push_back(mistake(profile, i, key,
+                               "differs from that of another driver: all move in the same time; give it to "
+                               "one, or the same to all"));
     }
     if (!time) {
       time = own;
@@ -72,8 +73,9 @@ tl::expected<std::int64_t, Diagnostic> given_samples(const Profile& profile) {
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
     const auto own = profile.programs[i].samples;
     if (own && samples && *own != *samples) {
-      return tl::unexpected(
-          mistake(profile, i, "samples", "differs from that of another driver: all have the same rows"));
+      return tl::unexpected(mistake(
+          profile, i, "samples",
+          "differs from that of another driver: all have the same rows; give it to one, or the same to all"));
     }
     samples = samples ? samples : own;
   }
@@ -131,8 +133,9 @@ tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optiona
     samples = *given;
   }
   if (!samples && !time_step) {
-    errors.push_back(mistake(profile, 0, "time_step",
-                             "is missing: give the time between two rows, or the number of rows (samples)"));
+    errors.push_back(
+        mistake(profile, 0, "time_step",
+                "is missing: give the time between two rows, or the number of rows by --samples"));
   }
   if (!errors.empty()) {
     return tl::unexpected(errors);
@@ -142,8 +145,8 @@ tl::expected<Timing, Diagnostics> timing_of(const Profile& profile, std::optiona
   }
   const auto steps = steps_in(*duration, *time_step);
   if (!steps) {
-    errors.push_back(
-        mistake(profile, 0, "time_step", "is too small: the duration would have more than 2^53 rows"));
+    errors.push_back(mistake(profile, 0, "time_step",
+                             "is too small: the duration would have more than 2^53 rows; give a longer one"));
     return tl::unexpected(errors);
   }
   return Timing{steps->full + (steps->has_remainder ? 2 : 1), *duration, *time_step};

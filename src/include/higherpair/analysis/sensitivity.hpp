@@ -22,7 +22,15 @@ struct RowSensitivity {
 
 /// What is required of a row besides positions. Rates that are not required stay 0; without them a row takes
 /// a fifth of the time.
-enum class RatesAsked { kNone, kAll };
+enum class RatesAsked {
+  kNone,
+  kAll,
+  kRegular,  ///< all of a row that does not meet a change point: the same in less time
+};
+
+/// Whether a change point is so near to run.row that its rates are those of a series through it, which is so
+/// for derivatives by every parameter. \param motions  drivers of the row
+[[nodiscard]] bool meets_change_point(const Run& run, const std::vector<DriverMotion>& motions);
 
 /// Why a row has no derivatives.
 enum class NoSensitivity {

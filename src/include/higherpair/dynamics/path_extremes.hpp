@@ -53,6 +53,10 @@ struct PathLook {
   double parts = 0;            ///< the whole path is sampled in at least this many equal parts
 };
 
+/// The parameter up to which path_extremes() can examine a path: a million samples, some 1400 turns of a
+/// driver, fill hundreds of megabytes. The end of the path if it has fewer.
+[[nodiscard]] double farthest_sample(const Run& start, const DriverPath& path);
+
 /// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
 /// degree of a turning driver, or more) show near which places they can lie; there the quantity is
 /// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until

@@ -27,9 +27,6 @@ public:
   /// The document with these overrides "PATH=VALUE" applied, one after the other.
   [[nodiscard]] tl::expected<ProfileDocument, Diagnostics> with(std::span<const std::string> overrides) const;
 
-  /// All overrides applied so far.
-  [[nodiscard]] const std::vector<std::string>& overrides() const;
-
   /// The profile that the document describes.
   [[nodiscard]] tl::expected<Profile, Diagnostics> read() const;
 
@@ -51,9 +48,11 @@ public:
     std::string text;  ///< as TOML writes it
   };
 
-  /// The parsed text with these values replaced; everything else stays the same byte for byte, comments and
-  /// spaces too. A pose that is missing in the text is added below the header of its body's table. The error
-  /// names a path whose value cannot be found or comes from an override.
+  /// The parsed text with all overrides and then these values written into it; everything else stays the same
+  /// byte for byte, comments and spaces too. An override that adds a key is written below the heading of its
+  /// table, and so is a pose that is missing; where an override has no such place, the table at the top of
+  /// its path is written anew at the end of the text, without its comments. The error names a path whose
+  /// value cannot be found, or an override that cannot be written.
   [[nodiscard]] tl::expected<std::string, std::string> text_with(std::span<const NewValue> values) const;
 
 private:

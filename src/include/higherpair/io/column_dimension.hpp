@@ -1,0 +1,20 @@
+#pragma once
+
+#include "higherpair/io/units.hpp"
+#include "higherpair/mechanism/description.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace higherpair {
+
+/// The dimension of a column of a table, by its name; of a glob if all that it can stand for has the same.
+/// None if no such column has numbers with one that is known before the mechanism is planned: the jerk of a
+/// contact is that of the joint on which it moves a body. Whether the run has the column is not looked at.
+[[nodiscard]] std::optional<Dimension> column_dimension(const Mechanism& mechanism, std::string_view column);
+
+/// The dimension of a figure of check(), by the name of its quantity: "contact_pressure". None if there is no
+/// such quantity.
+[[nodiscard]] std::optional<Dimension> figure_dimension(std::string_view quantity);
+
+}  // namespace higherpair
