@@ -191,7 +191,7 @@ TEST_F(ResumedDesign, LeavesNothingWhereItDoesNotBegin) {
   EXPECT_EQ(direct.code, 2);
   EXPECT_THAT(direct.err, HasSubstr("--resume: needs a regular file as --output"));
   const Outcome folder = run(std::string(kTask) + " -o none/b.toml");
-  EXPECT_EQ(folder.code, 2);
+  EXPECT_EQ(folder.code, 1);
   EXPECT_THAT(folder.err, HasSubstr("none/b.toml: there is no folder none; make it first"));
 }
 

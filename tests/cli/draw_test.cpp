@@ -107,7 +107,7 @@ TEST_F(Draw, RefusesWhatIsWrong) {
   EXPECT_THAT(message("four_bar.toml"), HasSubstr("--output is required"));
   EXPECT_THAT(message("none.toml -o w.svg"), HasSubstr("cannot be opened"));
   const Outcome folder = run("four_bar.toml -o none/w.svg");
-  EXPECT_EQ(folder.code, 2);
+  EXPECT_EQ(folder.code, 1);
   EXPECT_THAT(folder.err, HasSubstr("there is no folder none; make it first"));
 }
 

@@ -213,7 +213,7 @@ TEST(Map, RefusesWrongOptionsAndFiles) {
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --tolerance -1").code, 2);
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --tolerance nan").code, 2);
   EXPECT_EQ(map_of("no_such_file.toml").code, 2);
-  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 2);
+  EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --csv /no/such/folder/map.csv").code, 1);
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --csv /dev/full").code, 1);
 }
 

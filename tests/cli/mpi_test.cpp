@@ -103,7 +103,7 @@ TEST_F(MpiSweep, DoesNotWaitForASlowRank) {
 
 TEST_F(MpiSweep, SaysWhatIsWrongOnce) {
   const Outcome none = run_script(command(3, "-o none/w.csv"));
-  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(none.code, 1);
   EXPECT_EQ(none.err.find("there is no folder none"), none.err.rfind("there is no folder none"));
   const Outcome wrong = run_script(command(3, "-o w.csv --set sweep.results.fast.column=rocker.omeha"));
   EXPECT_EQ(wrong.code, 2);

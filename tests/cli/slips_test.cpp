@@ -91,18 +91,18 @@ TEST_F(Slips, EveryCommandRefusesAnOutputThatHasNoPlaceBeforeTheWork) {
                                       "fit --curve circle m.csv --csv ",
                                       "verify --json "}) {
     const Outcome missing = run(arguments + "none/t.svg");
-    EXPECT_EQ(missing.code, 2) << arguments;
+    EXPECT_EQ(missing.code, 1) << arguments;
     EXPECT_THAT(missing.err, HasSubstr("none/t.svg: there is no folder none; make it first (mkdir -p), or "))
         << arguments;
     const Outcome folder = run(arguments + "folder.svg");
-    EXPECT_EQ(folder.code, 2) << arguments;
+    EXPECT_EQ(folder.code, 1) << arguments;
     if (arguments.find("hdf5") == std::string::npos) {
       EXPECT_THAT(folder.err, HasSubstr("folder.svg is a folder; name a file in it")) << arguments;
     }
   }
   for (const std::string arguments : {"sweep p.toml -o none/t.csv", "report p.toml -o none/t.html"}) {
     const Outcome missing = run(arguments);
-    EXPECT_EQ(missing.code, 2) << arguments;
+    EXPECT_EQ(missing.code, 1) << arguments;
     EXPECT_THAT(missing.err, HasSubstr("there is no folder none; make it first (mkdir -p), or "))
         << arguments;
   }

@@ -5,6 +5,7 @@
 #include "output_file.hpp"
 #include "picture.hpp"
 #include "positive_number.hpp"
+#include "run_command.hpp"
 
 #include <filesystem>
 
@@ -29,6 +30,12 @@ bool is_same_file(const std::string& a, const std::string& b) {
 }
 
 namespace {
+
+// A file that cannot be written is a failure of the machine, though it is found with the arguments.
+struct NoPlaceError : CLI::ValidationError {
+  NoPlaceError(const std::string& option, const std::string& text)
+      : ValidationError("NoPlaceError", option + ": " + text, kExitMachine) {}
+};
 
 // What no output can be. Whether the machine lets the file be written shows only when it is.
 std::string place_objection(const std::string& path) {
@@ -75,7 +82,7 @@ void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFi
   refuse_shared_files(inputs, outputs);
   for (const NamedFile& output : outputs) {
     const std::string objection = place_objection(output.path);
-    if (!objection.empty()) throw CLI::ValidationError(output.name, output.path + objection);
+    if (!objection.empty()) throw NoPlaceError(output.name, output.path + objection);
   }
 }
 
