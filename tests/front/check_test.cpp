@@ -94,7 +94,7 @@ type = "revolute"
 between = ["ground.P", "wheel.P"]
 [joints.mesh]
 type = "gears"
-between = ["crank", "wheel"]
+between = ["crank.O", "wheel.P"]
 ratio = 0.5
 [driver]
 joint = "O"

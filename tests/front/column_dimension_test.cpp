@@ -59,14 +59,14 @@ TEST(FigureDimensions, AreThoseOfTheChecksOfShippedProfiles) {
     const auto report = check(*model);
     ASSERT_TRUE(report) << name;
     for (const CheckFigure& figure : report->figures) {
-      const auto dimension = figure_dimension(figure.quantity);
+      const auto dimension = figure_dimension(model->mechanism(), figure.item, figure.quantity);
       ASSERT_TRUE(dimension) << figure.quantity;
       EXPECT_EQ(unit_text(*dimension, model->units()), figure.unit) << figure.quantity;
       quantities.insert(figure.quantity);
     }
   }
   EXPECT_GT(quantities.size(), 12U);
-  EXPECT_FALSE(figure_dimension("pressure"));
+  EXPECT_FALSE(figure_dimension({}, "contacts.touch", "pressure"));
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ NumberUnit unit_of_column(const Mechanism& mechanism, const std::string& column)
   return in_tables(column_dimension(mechanism, column), column);
 }
 
-NumberUnit unit_of_figure(const std::string& quantity) {
-  return in_tables(figure_dimension(quantity), quantity);
+NumberUnit unit_of_figure(const Mechanism& mechanism, const std::string& item, const std::string& quantity) {
+  return in_tables(figure_dimension(mechanism, item, quantity), quantity);
 }
 
 NumberUnit unit_of_driver(const Mechanism& mechanism) {

@@ -21,7 +21,8 @@ struct NumberUnit {
 [[nodiscard]] NumberUnit unit_of_paths(const Reading& reading, const std::vector<std::string>& paths);
 [[nodiscard]] NumberUnit unit_of_column(const Mechanism& mechanism, const std::string& column);
 /// Of a figure of check().
-[[nodiscard]] NumberUnit unit_of_figure(const std::string& quantity);
+[[nodiscard]] NumberUnit unit_of_figure(const Mechanism& mechanism, const std::string& item,
+                                        const std::string& quantity);
 /// Of the (first) driver's position.
 [[nodiscard]] NumberUnit unit_of_driver(const Mechanism& mechanism);
 /// Of where a row is: the time, or the driver's position.
@@ -31,8 +32,8 @@ struct NumberUnit {
 /// A number without any unit, such as a weight.
 [[nodiscard]] NumberUnit no_unit();
 
-/// The number that a value of the profile is, in the profile's unit, if it is a plain one or has a unit of the
-/// dimension that the path is known to have.
+/// The number that a value of the profile is, in the profile's unit, if it is a plain one or has a unit of
+/// the dimension that the path is known to have.
 [[nodiscard]] std::optional<double> number_at_path(const Reading& reading, const std::string& path,
                                                    const Value& value);
 

@@ -113,7 +113,8 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
 NumberUnit unit_of_goal(const std::optional<Measure>& measure,
                         const std::optional<DesignTask::Figure>& figure, const Mechanism& mechanism) {
   if (measure) return unit_of_column(mechanism, measure->column);
-  return figure ? unit_of_figure(figure->quantity) : NumberUnit{dimension::kLength, ""};
+  return figure ? unit_of_figure(mechanism, figure->item, figure->quantity)
+                : NumberUnit{dimension::kLength, ""};
 }
 
 NumberUnit unit_of_limit(const DesignTask::Constraint& constraint, const Mechanism& mechanism) {

@@ -96,14 +96,21 @@ std::optional<Dimension> column_dimension(const Mechanism& mechanism, std::strin
   return column_by_last(last);
 }
 
-std::optional<Dimension> figure_dimension(std::string_view quantity) {
+std::optional<Dimension> figure_dimension(const Mechanism& mechanism, std::string_view item,
+                                          std::string_view quantity) {
+  if (is_one_of(quantity, {"acceleration", "jerk"})) {
+    const Joint* joint = find_named(mechanism.joints, item.substr(std::min(item.find('.') + 1, item.size())));
+    return joint == nullptr
+               ? std::nullopt
+               : std::optional(rate_of(coordinate_dimension(*joint), quantity == "jerk" ? 3 : 2));
+  }
   for (std::size_t k = 0; k < kLimitKeys; ++k) {
     const auto key = static_cast<LimitKey>(k);
     const std::string_view name = name_of(key);  // "max_pressure_angle" limits the figure "pressure_angle"
     if (is_one_of(name.substr(0, 4), {"max_", "min_"}) && name.substr(4) == quantity)
       return dimension_of(key);
   }
-  if (quantity.starts_with("least_")) return figure_dimension(quantity.substr(6));
+  if (quantity.starts_with("least_")) return figure_dimension(mechanism, item, quantity.substr(6));
   if (quantity == "contact_ratio") return dimension::kNumber;
   if (quantity == "pressure_angle_at_contact") return dimension::kAngle;
   const bool is_size = quantity.starts_with("prime_circle") || quantity.starts_with("base_circle") ||

@@ -13,8 +13,9 @@ namespace higherpair {
 /// contact is that of the joint on which it moves a body. Whether the run has the column is not looked at.
 [[nodiscard]] std::optional<Dimension> column_dimension(const Mechanism& mechanism, std::string_view column);
 
-/// The dimension of a figure of check(), by the name of its quantity: "contact_pressure". None if there is no
-/// such quantity.
-[[nodiscard]] std::optional<Dimension> figure_dimension(std::string_view quantity);
+/// The dimension of a figure of check(), by its item and the name of its quantity: "contacts.touch",
+/// "contact_pressure". None if there is no such quantity.
+[[nodiscard]] std::optional<Dimension> figure_dimension(const Mechanism& mechanism, std::string_view item,
+                                                        std::string_view quantity);
 
 }  // namespace higherpair
