@@ -324,8 +324,8 @@ inline constexpr double kCapture = 1e-3;
 inline constexpr double kFarthestShift = 5e-3;
 /// Fraction of the size: a contact whose body is posed farther from it than this starts open.
 inline constexpr double kStartsApart = 1e-4;
-/// Contacts whose coordinates at the start differ by less than this [rad, or relative to the size] are made at
-/// the same time.
+/// Contacts whose coordinates at the start differ by less than this [rad, or relative to the size] are made
+/// at the same time.
 inline constexpr double kTouchAtOnce = 1e-11;
 /// Product of the sines between a normal and those of two neighbouring samples, below which it is one of
 /// theirs to within rounding.

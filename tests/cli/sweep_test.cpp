@@ -219,9 +219,9 @@ TEST_F(SweepProgram, SaysBeforeTheStartWhatShareCannotBeRead) {
 }
 
 TEST_F(SweepProgram, RefusesWhatIsWrong) {
-  const auto message = [&](const std::string& arguments) {
+  const auto message = [&](const std::string& arguments, int code = 2) {
     const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.code, code) << arguments;
     EXPECT_FALSE(fs::exists(folder_ / "w.csv")) << arguments;
     EXPECT_FALSE(fs::exists(folder_ / "w.csv.blocks")) << arguments;
     return outcome.err;
@@ -229,8 +229,8 @@ TEST_F(SweepProgram, RefusesWhatIsWrong) {
   EXPECT_THAT(message("plain.toml -o w.csv"), HasSubstr("there is no [sweep]"));
   EXPECT_THAT(message("four_bar.toml -o w.txt"),
               HasSubstr("expected a name that ends in .csv, .h5 or .hdf5"));
-  EXPECT_THAT(message("four_bar.toml -o none/w.csv"), HasSubstr("there is no folder none; make it first"));
-  EXPECT_THAT(message("four_bar.toml -o . "), HasSubstr("is a folder"));
+  EXPECT_THAT(message("four_bar.toml -o none/w.csv", 1), HasSubstr("there is no folder none; make it first"));
+  EXPECT_THAT(message("four_bar.toml -o . ", 1), HasSubstr("is a folder"));
   EXPECT_THAT(message("four_bar.toml -o ./four_bar.toml"), HasSubstr("is the file that is read as FILE"));
   EXPECT_THAT(message("four_bar.toml -o w.csv --part 3/2"), HasSubstr("'3/2' is no part; expected K/N"));
   EXPECT_THAT(message("four_bar.toml -o w.csv --part half"), HasSubstr("'half' is no part"));
@@ -243,8 +243,10 @@ TEST_F(SweepProgram, RefusesWhatIsWrong) {
   EXPECT_THAT(message("none.toml -o w.csv"), HasSubstr("cannot be opened"));
   for (const char* round : {"round.csv", "round.h5"}) {
     fs::create_symlink(round, folder_ / round);
-    EXPECT_THAT(message(std::string("four_bar.toml --samples 7 -o ") + round),
-                ::testing::AnyOf(HasSubstr("leads round in a circle"), HasSubstr("built without HDF5")));
+    const Outcome outcome = run(std::string("four_bar.toml --samples 7 -o ") + round);
+    const bool has_hdf5 = outcome.err.find("built without HDF5") == std::string::npos;
+    EXPECT_EQ(outcome.code, has_hdf5 ? 1 : 2);
+    EXPECT_EQ(outcome.err.find("leads round in a circle") != std::string::npos, has_hdf5);
   }
   EXPECT_FALSE(fs::exists(folder_ / ".blocks"));
 }

@@ -46,9 +46,9 @@ struct NamedFile {
 /// Whether two paths lead to the same regular file, through links as well; it need not exist yet.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Throws CLI::ValidationError if an output is also an input or another output (devices and pipes may be given
-/// twice). Before hours are spent on computing what could not be kept also, with kExitMachine as its exit code,
-/// if an output is a folder or a link that leads to itself, or if its folder does not exist.
+/// Throws CLI::ValidationError if an output is also an input or another output (devices and pipes may be
+/// given twice). Before hours are spent on computing what could not be kept also, with kExitMachine as its
+/// exit code, if an output is a folder or a link that leads to itself, or if its folder does not exist.
 void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// The file of an optional option.

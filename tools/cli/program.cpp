@@ -70,7 +70,7 @@ int run_program(int argc, char** argv) {
       return app.exit(error);
     }
     fmt::print(stderr, "higherpair: {}\n", argument_error(app, error));
-    return error.get_exit_code() == kExitMachine ? kExitMachine : kExitInput;
+    return exit_code_of(error.get_exit_code());
   }
   end_on_signals();
   return std::find_if(commands.begin(), commands.end(),

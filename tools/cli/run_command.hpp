@@ -18,6 +18,12 @@ inline constexpr int kExitMechanism = 3;
 inline constexpr int kExitRows = 4;
 inline constexpr int kExitInterrupted = 130;
 
+/// The exit code for arguments that the parser ended with this one: its own codes are above 100, and all mean
+/// kExitInput.
+[[nodiscard]] constexpr int exit_code_of(int parser) {
+  return parser == kExitOk || parser == kExitMachine ? parser : kExitInput;
+}
+
 struct RunOptions : ProfileOptions {
   std::optional<std::string> csv;
   std::optional<std::string> json;

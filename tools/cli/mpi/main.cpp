@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
     std::ostringstream unheard;
     const bool speaks = own_rank() == 0;
     const int code = speaks ? app.exit(error) : app.exit(error, unheard, unheard);
-    return code == 0 ? kExitOk : kExitInput;
+    return exit_code_of(code);
   }
   int code = kExitOk;
   if (own_rank() == 0) {
