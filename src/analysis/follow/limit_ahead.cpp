@@ -161,6 +161,14 @@ bool LimitAhead::is_near(double s) const {
   return is_within(kNearLimit, s);
 }
 
+// Tells a limit from rates too inexact for the steps of a group that depends on the one at its limit: such a
+// group can be placed.
+bool LimitAhead::is_preceded_by_one_of(std::size_t g, double s) const {
+  const double left = limit_->s - s;
+  return limit_->group != g && solve_before(run_, path_, g, s, kNearlyAtLimit * left) &&
+         !solve_before(run_, path_, g + 1, s, kNearlyAtLimit * left);
+}
+
 bool LimitAhead::is_on_path() const {
   return (path_.length - limit_->s) * path_.length >= 0;
 }

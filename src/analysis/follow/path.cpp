@@ -218,7 +218,7 @@ private:
       return rest_beside_crossing();
     }
     limit_.look_how_far(at_.s);
-    const bool exhausted = limit_.is_near(at_.s);
+    const bool exhausted = limit_.is_near(at_.s) && !limit_.is_preceded_by_one_of(g, at_.s);
     if (exhausted && limit_.is_on_path()) {
       return lose(limit_.known());
     }
