@@ -208,8 +208,9 @@ GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, 
   if (!traits_of(run.plan().groups[g]).can_cross) {
     return step_group(run, g, before.mode, h);
   }
-  if (traits_of(run.plan().groups[g]).coupled) {
-    // Newton's method may arrive on either side of a change point: the sign of the determinant decides which.
+  if (traits_of(run.plan().groups[g]).finds_mode) {
+    // Newton's method may arrive on either side of a change point, and two slides pass through parallel: the
+    // sign of the determinant decides which side it is.
     const GroupStatus status = step_group(run, g, before.mode, h);
     const bool same = run.work.trial.groups[g].mode == before.mode;
     return status != GroupStatus::kOk || same || crosses(run, path, g, s, h) ? status

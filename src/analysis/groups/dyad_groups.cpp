@@ -183,6 +183,7 @@ GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State&, doubl
     return GroupStatus::kOutOfReach;
   }
   to.groups[g].sine = sine_unless_singular(motion.status, motion.sine);
+  to.groups[g].mode = to.groups[g].sine < 0 ? -1 : 1;
   for (const Rider& rider : dyad.riders) {
     pose_rider(rider, motion.p_WC, to);
   }
@@ -239,6 +240,10 @@ double dyad_sine(const RrpDyad& dyad, const State& state) {
 double dyad_sine(const RprDyad& dyad, const State& state) {
   const Rotation<double> u = state.bodies[dyad.link].X_WB.R_WB * dyad.line.u_B;
   return (place_of(state, dyad.B) - place_of(state, dyad.A)).dot(Vector2d(u.cos, u.sin));
+}
+
+double dyad_sine(const SlideDyad& dyad, const State& state) {
+  return solve(dyad, state).sine;
 }
 
 }  // namespace higherpair

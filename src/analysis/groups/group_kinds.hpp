@@ -76,6 +76,7 @@ void move_dyad(const SlideDyad& dyad, std::size_t g, State& state);
 [[nodiscard]] double dyad_sine(const RrrDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RrpDyad& dyad, const State& state);
 [[nodiscard]] double dyad_sine(const RprDyad& dyad, const State& state);
+[[nodiscard]] double dyad_sine(const SlideDyad& dyad, const State& state);
 [[nodiscard]] double tracked_sine(const TrackedPair& tracked, const State& state);
 [[nodiscard]] double touching_sine(const Planned& model, const TouchingBody& touching, const State& state);
 

@@ -165,6 +165,7 @@ double sine_of(const Planned& model, std::size_t g, const State& state) {
       Overload{[&](const RrrDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RrpDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const RprDyad& dyad) { return dyad_sine(dyad, state); },
+               [&](const SlideDyad& dyad) { return dyad_sine(dyad, state); },
                [&](const TrackedPair& tracked) {
                  const bool follows = std::holds_alternative<ContactTrack>(state.tracks[g]);
                  return follows ? tracked_sine(tracked, state) : state.groups[g].sine;

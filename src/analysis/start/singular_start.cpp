@@ -263,6 +263,12 @@ std::optional<Departure> posed_among(const Run& run, const std::vector<Departure
   return *nearest;
 }
 
+// Whether the group has one position where it is singular: sliders on two lines that coincide have any on
+// them.
+bool has_own_position(const Run& run, std::size_t g) {
+  return is_coupled(run, g) || !traits_of(run.plan().groups[g]).finds_mode;
+}
+
 // Whether a start is next to its departure; where pins coincide, links may have any direction at the start.
 bool leads_to(const State& start, const State& departure) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
@@ -309,7 +315,8 @@ std::optional<int> leave_singular_start(Run& run) {
     return tracked == nullptr ? std::nullopt : std::optional(tracked->contact);
   }
   if (run.at.drivers.size() == 1 && !(std::abs(start.sine) > start.noise) &&
-      leads_to(run.at.state, chosen->state)) {
+      leads_to(run.at.state, chosen->state) &&
+      std::all_of(groups.begin(), groups.end(), [&](std::size_t g) { return has_own_position(run, g); })) {
     run.at.beside = run.at.state;
   }
   run.at.state = chosen->state;

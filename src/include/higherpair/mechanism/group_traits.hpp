@@ -19,6 +19,7 @@ struct GroupTraits {
   bool one_branch = false;  ///< it has no other branch that a step could jump to
   bool direct = false;      ///< placed in closed form by the groups before it, with no search or start
   bool long_sine = false;   ///< its sine is a length [m]
+  bool finds_mode = false;  ///< it has one assembly: placing it sets its mode, to the sign of its sine
   bool coupled = false;     ///< solved by Newton's method, which may converge to any branch
   double sine_noise = 0;    ///< rounding of an interpolated sine, relative to its lever
   /// Why it cannot go on beyond a limit position.
@@ -59,7 +60,10 @@ inline constexpr GroupTraits kOf<RprDyad>{.two_modes = true,
                                               "line cannot pass through both"};
 template <>
 inline constexpr GroupTraits kOf<SlideDyad>{
+    .can_cross = true,
     .direct = true,
+    .finds_mode = true,
+    .sine_noise = kDyadNoise,
     .limit = "the two slides are parallel here: the point where they meet runs off to infinity"};
 template <>
 inline constexpr GroupTraits kOf<TrackedPair>{.can_cross = true, .sine_noise = kTouchNoise};
@@ -71,7 +75,7 @@ template <>
 inline constexpr GroupTraits kOf<GearedBody>{.one_branch = true};
 template <>
 inline constexpr GroupTraits kOf<CoupledBodies>{
-    .can_cross = true, .coupled = true, .sine_noise = kCoupledNoise};
+    .can_cross = true, .finds_mode = true, .coupled = true, .sine_noise = kCoupledNoise};
 
 inline constexpr auto kTable = []<std::size_t... I>(std::index_sequence<I...>) {
   return std::array<GroupTraits, sizeof...(I)>{kOf<std::variant_alternative_t<I, GroupKind>>...};
