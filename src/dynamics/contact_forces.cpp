@@ -72,9 +72,15 @@ private:
     if (is_stopped(run())) {
       return;
     }
-    const bool converged =
-        fit.tail <= kSeriesConverged || (fit.tail <= kRoughSeries && fit.tail * kSeriesFall >= stretch.tail);
-    if (!fit.event && fit.defined == kNodes && converged) {
+    const bool shortest = stretch.to - stretch.from <= shortest_length();
+    const bool slow = fit.tail * kSeriesFall >= stretch.tail;
+    const bool converged = fit.tail <= kSeriesConverged || (fit.tail <= kRoughSeries && (slow || shortest));
+    // A series over a joint converges slowly, which looks like rounding. Over the milder joints within a
+    // spline it is good enough as soon as it looks so.
+    const bool divides = !fit.event && fit.joint && fit.tail > kSeriesConverged &&
+                         (fit.joint->between_spans || (slow && !converged));
+    const auto joint = divides ? fitter_.place_of(*fit.joint, fit, before) : std::nullopt;
+    if (!fit.event && !joint && fit.defined == kNodes && converged) {
       keep(before, std::move(fit.piece));
       return;
     }
@@ -83,20 +89,20 @@ private:
       left_out_.reset();
       return;
     }
-    if (!fit.event && stretch.to - stretch.from <= shortest()) {
+    if (!fit.event && !joint && shortest) {
       leave_out(stretch);
       return;
     }
     fitter_.go_back(before);
-    const double split = fit.event.value_or((stretch.from + stretch.to) / 2);
-    const double tail = fit.event ? kInf : fit.tail;
+    const double split = fit.event.value_or(joint.value_or((stretch.from + stretch.to) / 2));
+    const double tail = fit.event || (joint && fit.joint->between_spans) ? kInf : fit.tail;
     resolve({stretch.from, split, fit.event.has_value(), tail});
     resolve({split, stretch.to, stretch.breaks_at_end, tail});
   }
 
   // Shortest length to which a first piece is divided; doubled whenever kManyLeftOut more pieces have been
   // left out, as where forces are noise.
-  [[nodiscard]] double shortest() const {
+  [[nodiscard]] double shortest_length() const {
     return std::ldexp(kShortestForcePiece * longest_, times_left_out_ / kManyLeftOut);
   }
 

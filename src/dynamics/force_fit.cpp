@@ -1,5 +1,7 @@
 #include "force_fit.hpp"
 
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "numeric/chebyshev.hpp"
 #include "tolerances.hpp"
 
@@ -22,6 +24,14 @@ bool breaks_forces(const RunEvent& event) {
          event.type == EventType::kRelease;
 }
 
+std::vector<std::vector<double>> breaks_of(const Boundary& boundary) {
+  std::vector<std::vector<double>> breaks;
+  for (const SpanPtr& span : boundary.spans()) {
+    breaks.push_back(span->breaks());
+  }
+  return breaks;
+}
+
 }  // namespace
 
 double parameter(const ForcePiece& piece, double t) {
@@ -38,6 +48,14 @@ ForceFitter::ForceFitter(const Run& start, const DriverPath& path, const std::ve
   set_floor();
   position_.at = path_.knots.front();
   path_.motion(position_.at, drivers_);
+  breaks_.resize(contacts_);
+  parts_.resize(contacts_);
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    const Mechanism& mechanism = start.mechanism();
+    for (std::size_t side = 0; side < 2 && mechanism.contacts[i].by_boundary; ++side) {
+      breaks_[i][side] = breaks_of(boundary_of(mechanism, ref_of(mechanism.contacts[i], side)));
+    }
+  }
 }
 
 std::optional<double> ForceFitter::last_break() const {
@@ -123,8 +141,52 @@ void ForceFitter::converge(ForceFit& fit) {
   fit.piece.noise *= std::max(1.0, 4 * fit.tail / kMultiplierRounding);
 }
 
-// Moves the run to `to`. Records the first break on the way that lies within the fit's piece.
+SmoothPart ForceFitter::part_of(const Run& run, std::size_t contact, std::size_t side) const {
+  const ContactMotion& motion = run.at.state.contacts[contact];
+  if (breaks_[contact][side].empty() || !motion.touches) {
+    return {};
+  }
+  const BoundaryPlace& place = motion.place[side];
+  const std::vector<double>& breaks = breaks_[contact][side][static_cast<std::size_t>(place.span)];
+  return {place.span, std::upper_bound(breaks.begin(), breaks.end(), place.t) - breaks.begin()};
+}
+
+// Keeps a joint on the way from a place if it is the first, or nearer to the middle of the piece.
+void ForceFitter::note_joints(double from, ForceFit& fit) const {
+  const auto rank = [&](const SmoothJoint& joint) {
+    return std::pair(!joint.between_spans, std::abs(joint.from + joint.to - fit.piece.from - fit.piece.to));
+  };
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const SmoothPart after = part_of(position_.run, i, side), before = parts_[i][side];
+      const SmoothJoint joint{i, side, after.first != before.first, before, from, position_.at};
+      if (after != before && (!fit.joint || rank(joint) < rank(*fit.joint))) {
+        fit.joint = joint;
+      }
+    }
+  }
+}
+
+std::optional<double> ForceFitter::place_of(const SmoothJoint& joint, const ForceFit& fit,
+                                            Position before) const {
+  double low = joint.from, high = joint.to;
+  while (high - low > kJointPlace * longest_ && !is_stopped(before.run)) {
+    const double middle = (low + high) / 2;
+    move_to(before.run, path_.at(middle));
+    (part_of(before.run, joint.contact, joint.side) == joint.before ? low : high) = middle;
+  }
+  const double near = kAtPieceEnd * longest_;
+  const bool within = low > fit.piece.from + near && high < fit.piece.to - near;
+  return within ? std::optional(high) : std::nullopt;
+}
+
+// Moves the run to `to`. Records the first break on the way that lies within the fit's piece, and where a
+// contact passes a joint of its curve.
 void ForceFitter::move(double to, ForceFit& fit) {
+  const double from = position_.at;
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    parts_[i] = {part_of(position_.run, i, 0), part_of(position_.run, i, 1)};
+  }
   path_.motion(to, drivers_);
   move_to(position_.run, drivers_);
   for (const RunEvent& event : position_.run.events) {
@@ -141,6 +203,9 @@ void ForceFitter::move(double to, ForceFit& fit) {
     }
   }
   position_.at = to;
+  if (from >= fit.piece.from) {
+    note_joints(from, fit);
+  }
 }
 
 bool ForceFitter::sample(double at, ForceFit& fit) {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "force_columns.hpp"
+#include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -18,12 +21,27 @@ struct ForceStretch {
   double tail = kInf;          ///< ForceFit::tail of the double stretch
 };
 
+/// A part of a boundary on which all derivatives are continuous: its span, and its number within the span.
+using SmoothPart = std::pair<int, std::ptrdiff_t>;
+
+/// A contact goes over to another smooth part of one of its curves. No event tells of it if the curvature is
+/// continuous there, but some derivative of the forces jumps.
+struct SmoothJoint {
+  std::size_t contact = 0;
+  std::size_t side = 0;
+  bool between_spans = false;
+  SmoothPart before;
+  double from = 0;  ///< it does so between these places of the path
+  double to = 0;
+};
+
 /// The contact forces on a stretch as series in Chebyshev polynomials.
 struct ForceFit {
   ForcePiece piece;
-  std::size_t defined = 0;      ///< number of nodes at which forces are defined
-  double tail = 0;              ///< last coefficients, relative to the largest multiplier
-  std::optional<double> event;  ///< a break strictly within; the stretch beyond it has not been examined
+  std::size_t defined = 0;           ///< number of nodes at which forces are defined
+  double tail = 0;                   ///< last coefficients, relative to the largest multiplier
+  std::optional<double> event;       ///< a break strictly within; the stretch beyond it has not been examined
+  std::optional<SmoothJoint> joint;  ///< one between spans, if there is one, and nearest to the middle
 };
 
 /// The path's parameter at t of a piece, with t from -1 to 1.
@@ -53,6 +71,9 @@ public:
 
   /// The forces on a stretch. \pre the fitter is at or before its start
   [[nodiscard]] ForceFit fit(const ForceStretch& stretch);
+  /// The place of a joint, if it is strictly within a piece. \pre `before` is at or before its start
+  [[nodiscard]] std::optional<double> place_of(const SmoothJoint& joint, const ForceFit& fit,
+                                               Position before) const;
   /// The forces at the position itself, as a piece of length 0; none where they are not defined.
   [[nodiscard]] std::optional<ForcePiece> here();
 
@@ -61,6 +82,8 @@ private:
   [[nodiscard]] ForceFit start_fit(const ForceStretch& stretch);
   void converge(ForceFit& fit);
   void move(double to, ForceFit& fit);
+  void note_joints(double from, ForceFit& fit) const;
+  [[nodiscard]] SmoothPart part_of(const Run& run, std::size_t contact, std::size_t side) const;
   [[nodiscard]] bool sample(double at, ForceFit& fit);
 
   const DriverPath& path_;
@@ -73,6 +96,9 @@ private:
   std::vector<double> floor_;   // lower bounds of `scales_`
   std::vector<double> scales_;  // largest values of the columns in a fit
   std::vector<DriverMotion> drivers_;
+  /// Of every contact by_boundary, side and span: Span::breaks.
+  std::vector<std::array<std::vector<std::vector<double>>, 2>> breaks_;
+  std::vector<std::array<SmoothPart, 2>> parts_;  // of the contacts, before the last move
 };
 
 }  // namespace higherpair

@@ -128,10 +128,13 @@ void ForceWatch::find_lowest(const ForcePiece& piece, std::size_t i, const Force
   if (lowest && !(force[0] - spread(force) < lowest->force - piece.noise)) {
     return;
   }
-  LowestValue best{-1, kInf};
-  find_lower(force, kLowestForce * bound_of(force), best);
+  LowestValue best{-1, value_at(force, -1)};
+  const bool constant = spread(force) <= piece.noise;  // but for rounding, as in a dwell
+  if (!constant) {
+    find_lower(force, kLowestForce * bound_of(force), best);
+  }
   if (!lowest || best.value < lowest->force - piece.noise) {
-    const double t = settled_minimum(force, best.t);
+    const double t = constant ? best.t : settled_minimum(force, best.t);
     const double at = parameter(piece, t);
     lowest = LowestForce{value_at(force, t), at, driver_at(at)};
   }

@@ -362,6 +362,80 @@ TEST(SmallestPreloads, OfASpringAreTheForceThatIsMissing) {
   EXPECT_NEAR(smallest(analysis, forces).value().at(0), force(kPi / 2, omega), 1e-12);
 }
 
+// A cam lifts a sprung roller; `curve` is its outline.
+std::string sprung_roller(const std::string& curve, const std::string& more = "") {
+  return fmt::format(R"(gravity = [0, -9.81]
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.outline = {}
+[bodies.follower]
+pose = {{ x = 0, y = 0.047 }}
+points.P = [0, 0]
+curves.roller = {{ type = "circle", center = [0, 0], radius = 0.009 }}
+mass = 0.31
+center_of_mass = [0, 0.02]
+[joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+[contacts.touch]
+between = ["cam.outline", "follower.roller"]
+[driver]
+joint = "O"
+[springs]
+back = {{ joint = "guide", stiffness = 530, free_length = 0.055 }}
+{})",
+                     curve, more);
+}
+
+// Dwells, and joins at which the jerk of the law jumps.
+std::string dwelling_roller(const char* rise, const char* fall) {
+  return sprung_roller(R"({ type = "cam", law = "lift", contact = "touch" })", fmt::format(R"([laws.lift]
+segments = [ {{ over = "37 deg", law = "dwell" }},
+  {{ over = "103 deg", law = "{}", rise = 0.013 }}, {{ over = "41 deg", law = "dwell" }},
+  {{ over = "91 deg", law = "{}", rise = -0.013 }}, {{ over = "88 deg", law = "dwell" }} ]
+)",
+                                                                                           rise, fall));
+}
+
+TEST(LowestForce, InADwellIsThatOfTheDwell) {
+  const double rest = kM * kG + 530 * (0.047 - 0.055);
+  for (const char* const rise : {"cycloidal", "modified-sine", "polynomial-345"}) {
+    for (const char* const fall : {"modified-trapezoid", "polynomial-345"}) {
+      const Analysis analysis(dwelling_roller(rise, fall));
+      const auto forces = follow(analysis, 0, 2 * kPi, 20);
+      EXPECT_NEAR(forces.lowest[0].value().force, rest, 1e-10) << rise << ' ' << fall;
+      EXPECT_NEAR(smallest(analysis, forces).value_or(std::vector<double>{0}).at(0), -rest, 1e-10)
+          << rise << ' ' << fall;
+      for (const ForcePiece& piece : forces.pieces) {
+        EXPECT_FALSE(piece.singular_from || piece.singular_to) << rise << ' ' << fall;
+      }
+    }
+  }
+}
+
+// Nothing is left out at the points of the spline, where the slopes of forces jump.
+TEST(ContactForces, OfASplineOfTheThirdDegreeAreResolvedBetweenItsPoints) {
+  std::string points;
+  for (int k = 0; k < 180; ++k) {
+    const double u = k * 2 * kPi / 180, r = 0.024 + 0.004 * std::cos(u) + 0.0015 * std::cos(2 * u);
+    points += fmt::format("{}[{:.17g}, {:.17g}]", k == 0 ? "" : ", ", r * std::cos(u), r * std::sin(u));
+  }
+  const Analysis analysis(sprung_roller("{ type = \"spline\", degree = 3, points = [" + points + "] }"));
+  const auto forces = follow(analysis, 0, 2 * kPi, 10);
+  for (const ForcePiece& piece : forces.pieces) {
+    EXPECT_FALSE(piece.singular_from || piece.singular_to);
+  }
+  const double lowest = forces.lowest[0].value().force;
+  EXPECT_LT(lowest, -10);
+  EXPECT_NEAR(smallest(analysis, forces).value_or(std::vector<double>{0}).at(0), -lowest, 2e-3);
+}
+
 TEST(SmallestPreloads, ActOnTheJointOfTheFollowerWhereThereIsNoSpring) {
   const double omega = 40;
   const Analysis analysis(cam(""));
