@@ -27,17 +27,18 @@ struct Followed {
 };
 
 constexpr std::array kFollowed{
-    Followed{"dyad10030", -5.71798734831527},      Followed{"dyad10061", -192.3677769860363},
-    Followed{"dyad10117", -93.57198489259473},     Followed{"dyad10299", 3.0532849385301417},
-    Followed{"dyad16695", 2.2549300199092537},     Followed{"triad10095", 49.74782543950054},
-    Followed{"triad10111", 0.007154767523500876},  Followed{"closed10032", std::nullopt},
-    Followed{"closed10125", 164.83622300166107},   Followed{"closed10196", -96.76071811608004},
-    Followed{"closed10236", 0.2992794239744907},   Followed{"chainc10012", 132.86210440231605},
-    Followed{"chainc10033", -0.10702744515321688}, Followed{"chainc10044", -1.4602563053938293},
-    Followed{"chainc10081", 48.99027613613797},    Followed{"chainc10094", 127.21874548367964},
-    Followed{"chainc10277", std::nullopt},         Followed{"coupled5", std::nullopt},
-    Followed{"coupled31", std::nullopt},           Followed{"coupled44", std::nullopt},
-    Followed{"coupled45", 145.12608254094022},     Followed{"coupled136", std::nullopt}};
+    Followed{"dyad10030", -5.71798734831527},     Followed{"dyad10061", -192.3677769860363},
+    Followed{"dyad10117", -93.57198489259473},    Followed{"dyad10299", 3.0532849385301417},
+    Followed{"dyad16695", 2.2549300199092537},    Followed{"dyad16756", -0.22795721982573},
+    Followed{"triad10095", 49.74782543950054},    Followed{"triad10111", 0.007154767523500876},
+    Followed{"closed10032", std::nullopt},        Followed{"closed10125", 164.83622300166107},
+    Followed{"closed10196", -96.76071811608004},  Followed{"closed10236", 0.2992794239744907},
+    Followed{"chainc10012", 132.86210440231605},  Followed{"chainc10033", -0.10702744515321688},
+    Followed{"chainc10044", -1.4602563053938293}, Followed{"chainc10081", 48.99027613613797},
+    Followed{"chainc10094", 127.21874548367964},  Followed{"chainc10277", std::nullopt},
+    Followed{"coupled5", std::nullopt},           Followed{"coupled31", std::nullopt},
+    Followed{"coupled44", std::nullopt},          Followed{"coupled45", 145.12608254094022},
+    Followed{"coupled136", std::nullopt}};
 
 // Known failures, "NAME at ROWS". Remove an entry when it is fixed: the test also fails where a listed one
 // passes.

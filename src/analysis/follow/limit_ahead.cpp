@@ -161,12 +161,16 @@ bool LimitAhead::is_near(double s) const {
   return is_within(kNearLimit, s);
 }
 
-// Tells a limit from rates too inexact for the steps of a group that depends on the one at its limit: such a
-// group can be placed.
-bool LimitAhead::is_preceded_by_one_of(std::size_t g, double s) const {
-  const double left = limit_->s - s;
-  return limit_->group != g && solve_before(run_, path_, g, s, kNearlyAtLimit * left) &&
-         !solve_before(run_, path_, g + 1, s, kNearlyAtLimit * left);
+// Steps of a group that depends on the one at its limit may fail because rates are too inexact there; but
+// then it can be placed.
+std::optional<std::size_t> LimitAhead::lost_before(double s) const {
+  const double ahead = kNearlyAtLimit * (limit_->s - s);
+  for (std::size_t g = 0; g < run_.plan().groups.size(); ++g) {
+    if (!solve_before(run_, path_, g + 1, s, ahead)) {
+      return g == limit_->group ? std::nullopt : std::optional(g);
+    }
+  }
+  return std::nullopt;
 }
 
 bool LimitAhead::is_on_path() const {

@@ -40,9 +40,8 @@ public:
   [[nodiscard]] bool is_reached(double s) const { return is_within(kReachesLimit, s); }
   /// Whether the limit is so near that rates may be too inexact to go on.
   [[nodiscard]] bool is_near(double s) const;
-  /// Whether group g is lost between s and the limit, which is another group's: it has one of its own before.
-  /// \pre is_known()
-  [[nodiscard]] bool is_preceded_by_one_of(std::size_t g, double s) const;
+  /// The group that is lost between s and the limit, if it is not the limit's own. \pre is_known()
+  [[nodiscard]] std::optional<std::size_t> lost_before(double s) const;
   /// Whether the limit comes before the end of the path. \pre is_known()
   [[nodiscard]] bool is_on_path() const;
 

@@ -218,7 +218,8 @@ private:
       return rest_beside_crossing();
     }
     limit_.look_how_far(at_.s);
-    const bool exhausted = limit_.is_near(at_.s) && !limit_.is_preceded_by_one_of(g, at_.s);
+    const auto lost_before = limit_.is_near(at_.s) ? limit_.lost_before(at_.s) : std::nullopt;
+    const bool exhausted = limit_.is_near(at_.s) && !lost_before;
     if (exhausted && limit_.is_on_path()) {
       return lose(limit_.known());
     }
@@ -231,7 +232,7 @@ private:
       if (exhausted && limit_.rests_before(at_.s)) {
         return Outcome::kArrived;
       }
-      return lose(exhausted ? limit_.known() : limit_.assumed(g, at_.s));
+      return lose(exhausted ? limit_.known() : limit_.assumed(lost_before.value_or(g), at_.s));
     }
     return Outcome::kGoesOn;
   }
