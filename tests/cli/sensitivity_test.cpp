@@ -118,6 +118,17 @@ TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
 }
 
+TEST_F(SensitivityCommand, TakesAPlaceInAnyUnit) {
+  const std::string arguments =
+      shipped_toml("four_bar") + " --samples 37 --csv - --by bodies.crank.points.A.0 ";
+  const Outcome degrees = run(arguments + "--results rocker.angle:at=90");
+  EXPECT_EQ(degrees.code, 0) << degrees.err;
+  const Outcome turns = run(arguments + "--results 'rocker.angle:at=0.25 rev'");
+  EXPECT_EQ(turns.code, 0) << turns.err;
+  EXPECT_EQ(turns.out.substr(turns.out.find(",rocker.angle,")),
+            degrees.out.substr(degrees.out.find(",rocker.angle,")));
+}
+
 TEST_F(SensitivityCommand, SaysWhatIsWrong) {
   copy_profiles({"toleranced_linkage"});
   const auto message = [&](const std::string& arguments) {
