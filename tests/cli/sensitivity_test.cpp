@@ -118,6 +118,15 @@ TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
 }
 
+TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsTooLongToExamine) {
+  const Outcome outcome = run(shipped_toml("four_bar") +
+                              " --results rocker.angle:max --by bodies.crank.points.A.0 --samples 2 "
+                              "--set driver.end=1e6");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("end at driver = "), HasSubstr("too long to look for extremes")));
+  EXPECT_THAT(outcome.out, HasSubstr("not examined beyond"));
+}
+
 TEST_F(SensitivityCommand, TakesAPlaceInAnyUnit) {
   const std::string arguments =
       shipped_toml("four_bar") + " --samples 37 --csv - --by bodies.crank.points.A.0 ";

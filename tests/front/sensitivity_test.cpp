@@ -619,6 +619,24 @@ TEST(SensitivityOfResults, AreTakenAtAPlaceInAnyUnit) {
   EXPECT_EQ(at("3"), 3);
 }
 
+// As check() does.
+TEST(SensitivityOfResults, OfMillionsOfTurnsLeaveOpenWhatIsNotExamined) {
+  const Model model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml",
+                                  std::vector<std::string>{"driver.end=1e6", "driver.samples=3"})
+                          .value();
+  const SensitivityReport report =
+      report_of(model, wanted({"rocker.angle:max", "rocker.angle:mean"}, {"bodies.crank.points.A.0"}));
+  EXPECT_FALSE(report.good);
+  ASSERT_FALSE(report.events.empty());
+  const Event& end = report.events.back();
+  EXPECT_EQ(end.type, EventType::kEnd);
+  EXPECT_NEAR(end.driver, 500'000, 1);
+  EXPECT_THAT(end.cause, HasSubstr("the path is too long to look for extremes beyond"));
+  EXPECT_EQ(report.results[0].where, end.driver);  // the rocker turns fully
+  EXPECT_EQ(report.results[0].remark, "not examined beyond 500000 deg");
+  EXPECT_EQ(report.results[1].remark, "");
+}
+
 // A parallelogram turns fully through its change points; with another length it does not.
 TEST(SensitivityOfResults, NextToAChangePointGrowWithoutBoundsByWhatDoesAwayWithIt) {
   const Model model = model_of(
