@@ -356,16 +356,19 @@ private:
 
 }  // namespace
 
-double farthest_sample(const Run& start, const DriverPath& path) {
+std::optional<double> cut_to_examined(const Run& start, DriverPath& path) {
   double left = kMostSamples;
   for (std::size_t i = 1; i < path.knots.size(); ++i) {
     const double parts = parts_between(start, path, path.knots[i - 1], path.knots[i]);
     if (parts > left) {
-      return std::lerp(path.knots[i - 1], path.knots[i], left / parts);
+      const double end = std::lerp(path.knots[i - 1], path.knots[i], left / parts);
+      path.knots.resize(i);
+      if (left > 0) path.knots.push_back(end);
+      return end;
     }
     left -= parts;
   }
-  return path.knots.back();
+  return std::nullopt;
 }
 
 std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,

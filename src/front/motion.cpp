@@ -22,6 +22,7 @@ Motion::Motion(Analysis analysis) : columns_(analysis.columns()), values_(column
     }
   }
   events_ = analysis.events();
+  notes_ = analysis.notes();
   stopped_ = analysis.stopped();
   good_ = analysis.good() && !stopped_;
 }

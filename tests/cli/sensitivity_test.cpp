@@ -118,6 +118,26 @@ TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
 }
 
+TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsTooLongToExamine) {
+  const Outcome outcome = run(shipped_toml("four_bar") +
+                              " --results rocker.angle:max --by bodies.crank.points.A.0 --samples 2 "
+                              "--set driver.end=1e6");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("end at driver = "), HasSubstr("too long to look for extremes")));
+  EXPECT_THAT(outcome.out, HasSubstr("not examined beyond"));
+}
+
+TEST_F(SensitivityCommand, TakesAPlaceInAnyUnit) {
+  const std::string arguments =
+      shipped_toml("four_bar") + " --samples 37 --csv - --by bodies.crank.points.A.0 ";
+  const Outcome degrees = run(arguments + "--results rocker.angle:at=90");
+  EXPECT_EQ(degrees.code, 0) << degrees.err;
+  const Outcome turns = run(arguments + "--results 'rocker.angle:at=0.25 rev'");
+  EXPECT_EQ(turns.code, 0) << turns.err;
+  EXPECT_EQ(turns.out.substr(turns.out.find(",rocker.angle,")),
+            degrees.out.substr(degrees.out.find(",rocker.angle,")));
+}
+
 TEST_F(SensitivityCommand, SaysWhatIsWrong) {
   copy_profiles({"toleranced_linkage"});
   const auto message = [&](const std::string& arguments) {

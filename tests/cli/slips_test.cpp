@@ -223,6 +223,21 @@ TEST_F(Slips, ForcesOfAMechanismThatNothingLoadsAreNoted) {
               Not(HasSubstr("nothing loads")));
 }
 
+TEST_F(Slips, AContactThatNeverTouchesIsNotedByAllCommandsThatRunThePath) {
+  const std::string missed = shipped_profile("geneva_four_slots.toml") +
+                             " --set bodies.crank.curves.pin.at=[50,0] --set driver.samples=5 "
+                             "--set driver.duration=6 --set driver.time_step=1";
+  for (const std::string command : {"analyze", "step", "forces", "check",
+                                    "sensitivity --results wheel.angle:max --by bodies.wheel.pose.x",
+                                    "plot --y driver -o p.svg", "report -o p.html"}) {
+    const Outcome outcome = run(command + " " + missed);
+    if (outcome.err.find("built without the page") != std::string::npos) continue;
+    EXPECT_THAT(outcome.err, HasSubstr("note: contacts.drive: the two bodies touch nowhere on the path"))
+        << command;
+    EXPECT_THAT(run(command + " --quiet " + missed).err, Not(HasSubstr("note:"))) << command;
+  }
+}
+
 TEST_F(Slips, DevicesAndPipesMayBeNamedTwice) {
   EXPECT_EQ(run("analyze p.toml --csv /dev/null --json /dev/null").code, 0);
   EXPECT_EQ(run("analyze p.toml --csv new.csv --json new.json").code, 0);

@@ -40,14 +40,17 @@ PathRange range_of(const std::function<double(double)>& f, double from, double t
 TEST(PathExtremes, AreSoughtOnSoMuchOfAPathAsHasAMillionSamples) {
   const Analysis analysis(kCrank);
   const auto farthest = [&](double to) {
-    return farthest_sample(analysis.run, straight_path({{0, 1, 0}}, {{to, 1, 0}}));
+    DriverPath path = straight_path({{0, 1, 0}}, {{to, 1, 0}});
+    return cut_to_examined(analysis.run, path);
   };
-  EXPECT_EQ(farthest(0.1), 1);
-  EXPECT_EQ(farthest(1000 * 2 * kPi), 1);
-  EXPECT_NEAR(farthest(1e6 * 2 * kPi) * 1e6, 1e6 / 720, 1e-3);  // two samples for each degree
+  EXPECT_FALSE(farthest(0.1));
+  EXPECT_FALSE(farthest(1000 * 2 * kPi));
+  EXPECT_NEAR(farthest(1e6 * 2 * kPi).value() * 1e6, 1e6 / 720, 1e-3);  // two samples for each degree
   DriverPath path = straight_path({{0, 1, 0}}, {{1e4 * 2 * kPi, 1, 0}});
   path.knots = {0, 0.05, 1};
-  EXPECT_NEAR(farthest_sample(analysis.run, path) * 1e4, 1e6 / 720, 1e-3);
+  const double end = cut_to_examined(analysis.run, path).value();
+  EXPECT_NEAR(end * 1e4, 1e6 / 720, 1e-3);
+  EXPECT_EQ(path.knots, (std::vector<double>{0, 0.05, end}));
 }
 
 TEST(PathExtremes, AreThoseOfTheFunctionToTheLastDigits) {

@@ -47,9 +47,13 @@ joint = "o"
 samples = 20
 )";
 
+// Places are in degrees, as in all profiles here.
 SensitivitySettings wanted(const std::vector<std::string>& results, const std::vector<std::string>& by = {}) {
   SensitivitySettings settings;
-  for (const std::string& result : results) settings.results.push_back(measure_from(result).value());
+  const Model model = model_of(kRocker);
+  for (const std::string& result : results) {
+    settings.results.push_back(measure_from(model, result).value());
+  }
   settings.by = by;
   return settings;
 }
@@ -591,12 +595,46 @@ TEST(SensitivityOfResults, SayWhatIsWrong) {
   EXPECT_THAT(refusal(model_of(kSlider, {"bodies.rod.points.B.0=3"})), HasSubstr("cannot"));
   Mechanism built = model.mechanism();
   EXPECT_THAT(refusal(Model::from(built).value()), HasSubstr("was built"));
-  const auto wrong = [](const std::string& text) { return to_string(measure_from(text).error()); };
+  const auto wrong = [&](const std::string& text) { return to_string(measure_from(model, text).error()); };
   EXPECT_THAT(wrong("follower.y"), HasSubstr("expected COLUMN:OF"));
   EXPECT_THAT(wrong("follower.y:mx"), HasSubstr("did you mean `max`"));
   EXPECT_THAT(wrong("follower.y:at"), HasSubstr("expected COLUMN:at=X"));
   EXPECT_THAT(wrong("follower.y:at=x"), HasSubstr("expected COLUMN:at=X"));
+  EXPECT_THAT(wrong("follower.y:at=3 mm"),
+              HasSubstr("`3 mm`: mm is a length, expected an angle, such as deg"));
   EXPECT_THAT(wrong("follower.y:max=3"), HasSubstr("only `at` has a place"));
+}
+
+TEST(SensitivityOfResults, AreTakenAtAPlaceInAnyUnit) {
+  const Model model = model_of(kCam, {});
+  SensitivitySettings settings;
+  const auto at = [&](const std::string& place) {
+    return measure_from(model, "follower.y:at=" + place, settings).value().measure.at;
+  };
+  EXPECT_EQ(at("30"), 30);
+  EXPECT_EQ(at("0.5 rev"), 180);
+  EXPECT_NEAR(at("0.5 rad"), 90 / kPi, 1e-13);
+  settings.in_time = true;
+  EXPECT_EQ(at("500 ms"), 0.5);
+  EXPECT_EQ(at("3"), 3);
+}
+
+// As check() does.
+TEST(SensitivityOfResults, OfMillionsOfTurnsLeaveOpenWhatIsNotExamined) {
+  const Model model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml",
+                                  std::vector<std::string>{"driver.end=1e6", "driver.samples=3"})
+                          .value();
+  const SensitivityReport report =
+      report_of(model, wanted({"rocker.angle:max", "rocker.angle:mean"}, {"bodies.crank.points.A.0"}));
+  EXPECT_FALSE(report.good);
+  ASSERT_FALSE(report.events.empty());
+  const Event& end = report.events.back();
+  EXPECT_EQ(end.type, EventType::kEnd);
+  EXPECT_NEAR(end.driver, 500'000, 1);
+  EXPECT_THAT(end.cause, HasSubstr("the path is too long to look for extremes beyond"));
+  EXPECT_EQ(report.results[0].where, end.driver);  // the rocker turns fully
+  EXPECT_EQ(report.results[0].remark, "not examined beyond 500000 deg");
+  EXPECT_EQ(report.results[1].remark, "");
 }
 
 // A parallelogram turns fully through its change points; with another length it does not.

@@ -81,6 +81,51 @@ target = 1e-3
   EXPECT_EQ(task.target, 1e-3);
 }
 
+// Of a contact the dimension is that of the joint on which it moves the follower.
+TEST(DesignTask, TakesTheJerkOfAContactInAnyUnit) {
+  const std::string slides =
+      "type = \"prismatic\"\ndirection = [0, 1]\nbetween = [\"ground.O\", \"tappet.P\"]";
+  const std::string turns = "type = \"revolute\"\nbetween = [\"ground.P\", \"tappet.P\"]";
+  const auto text =
+      [](const std::string& guide, const std::string& limit) {
+        return R"([bodies.ground]
+points = { O = [0, 0], P = [70, 0] }
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = { type = "circle", center = [10, 0], radius = 30 }
+[bodies.tappet]
+pose.y = 30
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[contacts.touch]
+between = ["cam.disc", "tappet.face"]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+)" + guide + R"(
+[driver]
+joint = "pivot"
+samples = 5
+[design.variables]
+radius = { path = "bodies.cam.curves.disc.radius", min = 5, max = 50 }
+[[design.objectives]]
+column = "touch.jerk"
+of = "maxabs"
+[[design.constraints]]
+column = "touch.jerk_linkage"
+of = "max"
+below = )" + limit;
+      };
+  EXPECT_NEAR(*testing::read(text(slides, "\"2 m/s^3\"")).design->constraints[0].below, 2000, 1e-9);
+  EXPECT_NEAR(*testing::read(text(turns, "\"2 rad/s^3\"")).design->constraints[0].below, 360 / kPi, 1e-9);
+  EXPECT_THAT(testing::messages(text(turns, "\"2 m/s^3\"")),
+              ElementsAre(HasSubstr("design.constraints.0.below = \"2 m/s^3\": ")));
+  EXPECT_THAT(
+      testing::messages(text("type = \"revolute\"\nbetween = [\"ground.X\", \"tappet.P\"]", "\"2 m/s^3\"")),
+      ElementsAre(HasSubstr("there is no point of `ground` `X`")));
+}
+
 struct Wrong {
   std::string text;
   std::string message;

@@ -183,6 +183,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
         progress.at(block.first, analysis.size());
         return written = outputs.write(block, texts);
       });
+  print_notes(analysis.notes(), options.quiet);
   if (!written) {
     outputs.print_failure();
     return exit_unwritten();
@@ -295,12 +296,7 @@ int run_command(const RunOptions& options) {
   if (!analysis) {
     return exit_failed(analysis.error());
   }
-  const Diagnostics at_start = analysis->notes();
-  print_notes(at_start, options.quiet);
-  const int code = write_rows(options, *model, *analysis);
-  const Diagnostics all = analysis->notes();
-  print_notes({all.begin() + static_cast<std::ptrdiff_t>(at_start.size()), all.end()}, options.quiet);
-  return code;
+  return write_rows(options, *model, *analysis);
 }
 
 }  // namespace higherpair::cli

@@ -168,7 +168,7 @@ int sensitivity_command(const SensitivityOptions& options) {
   listen_to_signals();
   SensitivitySettings settings = options.settings;
   for (const std::string& text : options.results) {
-    auto measure = measure_from(text);
+    auto measure = measure_from(*model, text, settings);
     if (!measure) {
       return report_error(measure.error());
     }
@@ -220,7 +220,7 @@ Command add_sensitivity(CLI::App& app) {
   command
       ->add_option("--results", options->results,
                    "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
-                   "slider.x:at=30; repeatable")
+                   "slider.x:at=30 or 'slider.x:at=0.5 rad'; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

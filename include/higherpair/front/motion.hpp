@@ -163,7 +163,8 @@ public:
   [[nodiscard]] std::span<const RowStatus> statuses() const& { return statuses_; }
   std::span<const RowStatus> statuses() const&& = delete;
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
-  [[nodiscard]] bool good() const { return good_; }        ///< as Analysis::good
+  [[nodiscard]] const Diagnostics& notes() const { return notes_; }  ///< as Analysis::notes
+  [[nodiscard]] bool good() const { return good_; }                  ///< as Analysis::good
   [[nodiscard]] bool stopped() const { return stopped_; }  ///< as Analysis::stopped: rows are missing
 
 private:
@@ -171,6 +172,7 @@ private:
   std::vector<std::vector<double>> values_;  ///< of each column
   std::vector<RowStatus> statuses_;
   std::vector<Event> events_;
+  Diagnostics notes_;
   bool good_ = false;
   bool stopped_ = false;
 };

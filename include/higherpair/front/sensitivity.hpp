@@ -100,9 +100,11 @@ struct SensitivityReport {
 /// these, the range of the angle of each moving body.
 [[nodiscard]] std::vector<NamedMeasure> default_results(const Model& model);
 
-/// Reads a measure such as "follower.alpha:maxabs" or "slider.x:at=30"; its path is the text itself. Fails
-/// for any other text.
-[[nodiscard]] Result<NamedMeasure> measure_from(const std::string& text);
+/// Reads a measure such as "follower.alpha:maxabs", "slider.x:at=30" or "slider.x:at=0.5 rad"; its path is
+/// the text itself. Fails for any other text. \param settings  say whether the run is in time; then X of at=X
+/// is a time, else a position of the driver
+[[nodiscard]] Result<NamedMeasure> measure_from(const Model& model, const std::string& text,
+                                                const SensitivitySettings& settings = {});
 
 /// How results of a run change with the numbers of its profile, each taken alone. Extremes (max, min, maxabs,
 /// range) are those of the whole path, between its rows too, as in check(); mean and rms are those of the

@@ -70,7 +70,7 @@ RrrEnds rrr_ends(const RrrDyad& dyad, const State& state) {
 // All calls are inlined: a call would pass numbers through memory, and the next computation would wait for
 // them.
 [[gnu::flatten]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
-                                        double /*size*/, State& to) {
+                                        State& to) {
   const RrrEnds ends = rrr_ends(dyad, to);
   if (status_of(ends.reach) == LinkageStatus::kNotAssemblable) {
     return GroupStatus::kOutOfReach;
@@ -122,8 +122,7 @@ PrpMotion solve(const SlideDyad& dyad, const State& state) {
 
 }  // namespace
 
-GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, double h, double /*size*/,
-                       State& to) {
+GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, double h, State& to) {
   GroupState& group = to.groups[g];
   const RrpMotion motion = solve(dyad, group, to);
   if (motion.status == LinkageStatus::kNotAssemblable) {
@@ -177,7 +176,7 @@ void move_dyad(const RprDyad& dyad, std::size_t g, State& state) {
   state.groups[g].sine_rate = rates.s_dot;
 }
 
-GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State&, double, double, State& to) {
+GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State&, double, State& to) {
   const PrpMotion motion = solve(dyad, to);
   if (motion.status == LinkageStatus::kNotAssemblable) {
     return GroupStatus::kOutOfReach;

@@ -57,15 +57,15 @@ inline void turn_on_pin(const BodyPoint& pin, int index, const Vector2d& p_B, do
   body.X_WB.p_WB = place_of(to, pin) - body.X_WB.R_WB * p_B;
 }
 
-/// \param size  of the mechanism [m]
 [[nodiscard]] GroupStatus place_dyad(const RrrDyad& dyad, std::size_t g, const State& from, double h,
-                                     double size, State& to);
+                                     State& to);
 [[nodiscard]] GroupStatus place_dyad(const RrpDyad& dyad, std::size_t g, const State& from, double h,
-                                     double size, State& to);
+                                     State& to);
+/// \param size  of the mechanism [m]
 [[nodiscard]] GroupStatus place_dyad(const RprDyad& dyad, std::size_t g, const State& from, double h,
                                      double size, State& to);
 [[nodiscard]] GroupStatus place_dyad(const SlideDyad& dyad, std::size_t g, const State& from, double h,
-                                     double size, State& to);
+                                     State& to);
 void move_dyad(const RrrDyad& dyad, std::size_t g, State& state);
 void move_dyad(const RrpDyad& dyad, std::size_t g, State& state);
 void move_dyad(const RprDyad& dyad, std::size_t g, State& state);

@@ -97,7 +97,8 @@ GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& fro
                  place_driven(driven, drivers, from, to);
                  return GroupStatus::kOk;
                },
-               [&](const auto& dyad) { return place_dyad(dyad, g, from, h, model.plan.size, to); },
+               [&](const RprDyad& dyad) { return place_dyad(dyad, g, from, h, model.plan.size, to); },
+               [&](const auto& dyad) { return place_dyad(dyad, g, from, h, to); },
                [&](const TrackedPair& tracked) { return place_tracked(tracked, g, from, drivers, to); },
                [&](const TouchingBody& touching) { return place_touching(model, touching, g, from, h, to); },
                [&](const IdleBody& idle) {

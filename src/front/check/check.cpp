@@ -54,14 +54,7 @@ void spare_watches(const std::vector<Event>& events, Run& start) {
 // Says that the rest of a path is not examined, and takes back that limits are kept.
 void leave_open(const Profile& profile, const DriverSchedule& schedule, double end,
                 const CheckFigures& figures, CheckReport& report) {
-  Event event;
-  event.type = EventType::kEnd;
-  event.driver_si = path_of(schedule).path.at(end).front().position;
-  event.driver = from_si(driver_dimension(profile.mechanism), profile.units).apply(event.driver_si);
-  if (schedule.is_timed()) event.time = from_si(dimension::kTime, profile.units).apply(end);
-  event.cause =
-      "the path is too long to look for extremes beyond; let the drivers go less far, such as one period";
-  report.events.push_back(std::move(event));
+  report.events.push_back(end_of_examination(profile, schedule, end));
   report.good = false;
   for (CheckFigure& figure : report.figures) {
     if (figure.verdict != Verdict::kKept) continue;

@@ -136,6 +136,9 @@ struct ForceCheck {
 /// none
 std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures& figures);
 
+/// The event of a path that is examined only up to this parameter of path_of(schedule).
+[[nodiscard]] Event end_of_examination(const Profile& profile, const DriverSchedule& schedule, double end);
+
 /// Where a path must be sampled more closely: at the breaks of the laws of flanks, and for the parts of
 /// boundaries.
 [[nodiscard]] PathLook look_at(const CheckedPath& checked, const DriverPath& path);

@@ -65,6 +65,17 @@ void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigure
   }
 }
 
+Event end_of_examination(const Profile& profile, const DriverSchedule& schedule, double end) {
+  Event event;
+  event.type = EventType::kEnd;
+  event.driver_si = path_of(schedule).path.at(end).front().position;
+  event.driver = from_si(driver_dimension(profile.mechanism), profile.units).apply(event.driver_si);
+  if (schedule.is_timed()) event.time = from_si(dimension::kTime, profile.units).apply(end);
+  event.cause =
+      "the path is too long to look for extremes beyond; let the drivers go less far, such as one period";
+  return event;
+}
+
 std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures& figures) {
   std::vector<ContactCheck> contacts;
   std::vector<PathQuantities> blocks;
@@ -82,13 +93,7 @@ std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures&
     blocks.push_back(forces->quantities);
   }
   RowPath rows = path_of(checked.schedule);
-  std::vector<double>& knots = rows.path.knots;
-  const double end = farthest_sample(checked.start, rows.path);
-  const bool cut = end < knots.back();
-  if (cut) {
-    std::erase_if(knots, [&](double knot) { return knot >= end; });
-    knots.push_back(end);
-  }
+  const auto end = cut_to_examined(checked.start, rows.path);
   const auto ranges = path_extremes(checked.start, rows.path, blocks, look_at(checked, rows.path));
   const std::size_t count = contacts.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -102,7 +107,7 @@ std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures&
   if (forces) {
     forces->read_drivers(ranges[count + 2], figures);
   }
-  return cut ? std::optional(end) : std::nullopt;
+  return end;
 }
 
 }  // namespace higherpair

@@ -25,17 +25,6 @@ double* put_known(const std::optional<Vector2d>& v, double* out) {
   return out + 2;
 }
 
-// For each contact the joint on which it moves a body by itself.
-std::vector<std::optional<int>> moved_joints(const Mechanism& mechanism, const Plan& plan) {
-  std::vector<std::optional<int>> joints(mechanism.contacts.size());
-  for (const Group& group : plan.groups) {
-    if (placing_contact(group)) {
-      joints[group.contacts.front()] = group.joints.front();
-    }
-  }
-  return joints;
-}
-
 std::vector<HigherRates> higher_rates(const RowSource& source) {
   std::vector<HigherRates> rates;
   for (const DriverState& driver : source.drivers) {
@@ -88,8 +77,9 @@ void add_jerk_columns(ColumnSet& set, const Profile& profile, const Plan& plan) 
       columns.push_back({body.name + "." + point.name + ".jy", linear});
     }
   }
-  const std::vector<std::optional<int>> joints = moved_joints(mechanism, plan);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
+  std::vector<std::optional<int>> joints;
+  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+    joints.push_back(moved_joint(plan, static_cast<int>(i)));
     const bool slides = joints[i] && mechanism.joints[*joints[i]].type != JointType::kRevolute;
     for (const char* name : {".jerk", ".jerk_linkage"}) {
       columns.push_back({mechanism.contacts[i].name + name, slides ? linear : angular});

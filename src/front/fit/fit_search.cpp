@@ -143,7 +143,7 @@ private:
     (void)reweight(loss_ == FitLoss::kTukey ? FitLoss::kHuber : loss_);
     for (int round = 0; round < kMostRounds; ++round) {
       const LeastSquaresFit found =
-          minimise(problem_, solution_.x, scales_of(problem_, solution_), settings_.stop);
+          minimise(problem_, solution_.x, scales_of(problem_, solution_, solution_.weights), settings_.stop);
       solution_.iterations += found.iterations;
       if (found.end == LeastSquaresEnd::kUndefined) return;
       solution_.x = found.x;
@@ -177,13 +177,14 @@ double robust_noise(const FitProblem& problem, const Eigen::VectorXd& residuals,
   return kOfDeviation * median_of(sizes_in(problem, residuals, column));
 }
 
-Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution) {
+Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution,
+                          const Eigen::VectorXd& weights) {
   Eigen::VectorXd scales(place(problem.values().size()));
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
     const std::size_t column = problem.values()[i].column;
     scales(place(i)) = solution.constant[column]
                            ? 0
-                           : std::sqrt(problem.data().columns[column].weight * solution.weights(place(i))) /
+                           : std::sqrt(problem.data().columns[column].weight * weights(place(i))) /
                                  solution.noise[column];
   }
   return scales;

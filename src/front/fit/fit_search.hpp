@@ -32,8 +32,9 @@ struct FitSolution {
 [[nodiscard]] double robust_noise(const FitProblem& problem, const Eigen::VectorXd& residuals,
                                   std::size_t column);
 
-/// Factors that give residuals in units of noise, with √weight of columns and loss; 0 for columns that have
-/// no part in the fit.
-[[nodiscard]] Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution);
+/// Factors that give residuals in units of noise, with √weight of columns; 0 for columns that have no part in
+/// the fit. \param weights  of the values, such as those that the loss gives them
+[[nodiscard]] Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution,
+                                        const Eigen::VectorXd& weights);
 
 }  // namespace higherpair

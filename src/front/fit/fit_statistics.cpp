@@ -104,7 +104,7 @@ double variance_factor(const FitProblem& problem, const FitSolution& solution, i
 // The unknowns that are not held by a bound; notes which are.
 std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolution& solution,
                                         const Eigen::MatrixXd& jacobian, FitStatistics& statistics) {
-  const Eigen::VectorXd scales = scales_of(problem, solution);
+  const Eigen::VectorXd scales = scales_of(problem, solution, solution.weights);
   const Eigen::VectorXd slope = jacobian.transpose() * scales.cwiseAbs2().cwiseProduct(solution.residuals);
   std::vector<Eigen::Index> free;
   for (Eigen::Index k = 0; k < problem.size(); ++k) {
@@ -120,13 +120,7 @@ std::vector<Eigen::Index> free_unknowns(const FitProblem& problem, const FitSolu
 // loss is part of variance_factor.
 Eigen::MatrixXd noise_jacobian(const FitProblem& problem, const FitSolution& solution,
                                const Eigen::MatrixXd& jacobian, const std::vector<Eigen::Index>& free) {
-  Eigen::VectorXd plain(jacobian.rows());
-  for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    const std::size_t column = problem.values()[i].column;
-    plain(place(i)) = solution.constant[column]
-                          ? 0
-                          : std::sqrt(problem.data().columns[column].weight) / solution.noise[column];
-  }
+  const Eigen::VectorXd plain = scales_of(problem, solution, Eigen::VectorXd::Ones(jacobian.rows()));
   return plain.asDiagonal() * jacobian(Eigen::all, free);
 }
 

@@ -109,8 +109,8 @@ Result<MotionPlot> plot_of(const Model& model, const PlotSettings& settings) {
     return wrong(Place{"setting x " + x_name}, "this column holds words; a plot needs numbers");
   }
   MotionPlot plot;
-  plot.notes = analysis->notes();
   const Motion motion(*std::move(analysis));
+  plot.notes = motion.notes();
   plot.good = motion.good();
   plot.stopped = motion.stopped();
   if (motion.size() == 0 || plot.stopped) {

@@ -145,8 +145,8 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
     return tl::unexpected(std::move(analysis.error()));
   }
   Report report;
-  report.notes = analysis->notes();
   const ReportData data = collect(model, *analysis, settings);
+  report.notes = analysis->notes();
   report.events = data.events;
   report.good = data.good;
   report.size = data.size;

@@ -59,9 +59,9 @@ struct PathResults::Extreme {
 // All columns at equally spaced places of the path, to find where else they are large.
 class PathResults::Sampled {
 public:
-  explicit Sampled(PathColumns& columns) : columns_(columns) {
+  Sampled(PathColumns& columns, const DriverPath& path) : columns_(columns), path_(path) {
     PathWalk walk(columns);
-    const std::vector<double>& knots = columns.path().path.knots;
+    const std::vector<double>& knots = path.knots;
     std::vector<double> values;
     for (int k = 0; k <= kSamples && !is_stopped(columns.start()); ++k) {
       at_.push_back(std::lerp(knots.front(), knots.back(), static_cast<double>(k) / kSamples));
@@ -177,7 +177,7 @@ private:
     Run run = walk.go_to(columns_.place(at_[std::min(inside, outside)]));
     for (int i = 0; i < kEdgeHalvings; ++i) {
       const double middle = (in + out) / 2;
-      columns_.path().path.motion(middle, drivers);
+      path_.motion(middle, drivers);
       move_to(run, drivers);
       columns_.values(run, columns_.place(middle), values);
       (sign * values[column] >= value - fall ? in : out) = middle;
@@ -201,7 +201,7 @@ private:
     limits.noise = std::max(noise, kResultRounding * std::abs(peak.value));
     raise(
         [&](double at) {
-          columns_.path().path.motion(at, drivers);
+          path_.motion(at, drivers);
           move_to(run, drivers);
           columns_.values(run, columns_.place(at), values);
           return run.row.status == RowStatus::kNotAssemblable ? kNoValue : sign * values[column];
@@ -211,6 +211,7 @@ private:
   }
 
   PathColumns& columns_;
+  const DriverPath& path_;
   std::vector<double> at_;
   std::vector<std::vector<double>> values_;
   std::vector<bool> assembled_;
@@ -219,7 +220,7 @@ private:
 
 PathResults::PathResults(Analysis& analysis, PathColumns& columns, std::span<const Measure> measures,
                          bool ties)
-    : columns_(columns) {
+    : columns_(columns), path_(columns.path().path) {
   take_rows(analysis, measures);
   if (!is_stopped(columns.start())) take_extremes(measures, ties);
 }
@@ -280,20 +281,20 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
   if (!any) {
     return;
   }
+  end_ = cut_to_examined(columns_.start(), path_);
   std::vector<double> values;
   quantities.values = [&](const Run& run, double at, std::span<double> out) {
     columns_.values(run, columns_.place(at), values);
     std::copy(values.begin(), values.end(), out.begin());
   };
   const PathLook look =
-      look_at({columns_.data().profile, columns_.drivers().schedule(), columns_.start(), nullptr},
-              columns_.path().path);
-  const auto ranges = path_extremes(columns_.start(), columns_.path().path, {quantities}, look);
+      look_at({columns_.data().profile, columns_.drivers().schedule(), columns_.start(), nullptr}, path_);
+  const auto ranges = path_extremes(columns_.start(), path_, {quantities}, look);
   if (is_stopped(columns_.start())) {
     return;
   }
   std::optional<Sampled> sampled;
-  if (ties) sampled.emplace(columns_);
+  if (ties) sampled.emplace(columns_, path_);
   for (std::size_t m = 0; m < measures.size(); ++m) {
     if (!is_extreme(measures[m].of) || std::isnan(results_[m].value)) continue;
     PathResult result =
@@ -304,7 +305,7 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
     }
     const double spread = high_[result.column] - low_[result.column];
     result.rounding = rounding_of(columns_, result.column);
-    result.constant = columns_.path().path.knots.size() > 1 &&
+    result.constant = path_.knots.size() > 1 &&
                       spread <= std::max(result.rounding, kResultRounding * std::abs(high_[result.column]));
     results_[m] = std::move(result);
   }
@@ -398,7 +399,7 @@ PathResults::Extreme PathResults::extreme(std::size_t column, double sign,
 // Whether the column jumps or has a kink at an extreme. At the ends of the path the place is fixed; anywhere
 // else a smooth column is level there.
 bool PathResults::jumps_at(std::size_t column, const PathExtreme& found, double spread) {
-  const std::vector<double>& knots = columns_.path().path.knots;
+  const std::vector<double>& knots = path_.knots;
   const double beside = kBesideExtreme * (knots.back() - knots.front());
   const bool end = found.at - knots.front() <= beside || knots.back() - found.at <= beside;
   if (end || knots.size() == 1) {

@@ -51,6 +51,8 @@ public:
   PathResults(Analysis& analysis, PathColumns& columns, std::span<const Measure> measures, bool ties);
 
   [[nodiscard]] const std::vector<PathResult>& results() const { return results_; }
+  /// Where extremes are sought no further, as cut_to_examined() returns it.
+  [[nodiscard]] std::optional<double> end() const { return end_; }
 
 private:
   struct Extreme;
@@ -65,6 +67,8 @@ private:
   [[nodiscard]] bool jumps_at(std::size_t column, const PathExtreme& found, double spread);
 
   PathColumns& columns_;
+  DriverPath path_;  // as far as extremes are sought on it
+  std::optional<double> end_;
   std::vector<PathResult> results_;
   std::vector<double> low_, high_;  // of each column over the rows
 };

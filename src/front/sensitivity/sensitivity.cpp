@@ -4,6 +4,7 @@
 #include "exact_slopes.hpp"
 #include "front/analysis_impl.hpp"
 #include "front/arena.hpp"
+#include "front/check/check_parts.hpp"
 #include "front/run_settings.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/io/tasks.hpp"
@@ -48,6 +49,7 @@ public:
     report.notes = analysis->notes();
     report.where_unit = where_unit(*columns_);
     put_values(report);
+    if (results.end()) leave_open(*results.end(), report);
     if (auto error = make_models()) return error;
     for (std::size_t i = 0; i < models_.size(); ++i) report.numbers[i].scale = models_[i]->scale();
     ExactSlopes exact(*columns_, results_, measures_, slopes_, settings_.threads);
@@ -88,6 +90,18 @@ private:
       if (is_unbounded(from)) {
         to.remark = growth_text(from, report.where_unit) + ", towards a limit position or dead point";
       }
+    }
+  }
+
+  // Says that the rest of a path is not examined.
+  void leave_open(double end, SensitivityReport& report) const {
+    report.events.push_back(
+        end_of_examination(columns_->data().profile, columns_->drivers().schedule(), end));
+    report.good = false;
+    for (ResultSensitivity& result : report.results) {
+      if (!is_extreme(result.measure.of) || !result.remark.empty()) continue;
+      result.remark =
+          fmt::format("not examined beyond {:.6g} {}", where(columns_->place(end)), report.where_unit);
     }
   }
 

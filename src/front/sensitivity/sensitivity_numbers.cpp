@@ -2,6 +2,7 @@
 #include "sensitivity_numbers.hpp"
 
 #include "front/outputs.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/design_task.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
@@ -138,7 +139,17 @@ std::vector<NamedMeasure> default_results(const Model& model) {
   return results;
 }
 
-Result<NamedMeasure> measure_from(const std::string& text) {
+namespace {
+
+bool runs_in_time(const Model& model, const SensitivitySettings& settings) {
+  const auto& tolerances = model.profile().tolerances;
+  return settings.in_time || (tolerances && tolerances->in_time);
+}
+
+}  // namespace
+
+Result<NamedMeasure> measure_from(const Model& model, const std::string& text,
+                                  const SensitivitySettings& settings) {
   const Place place{"setting results " + text};
   const std::size_t colon = text.rfind(':');
   const std::vector<std::string> kinds(kMeasureNames.begin(), kMeasureNames.end());
@@ -160,20 +171,34 @@ Result<NamedMeasure> measure_from(const std::string& text) {
     return wrong(place, fmt::format("`{}` is no measure of a column; {}", of, suggestion(of, kinds)));
   }
   result.measure.of = static_cast<MeasureKind>(kind - kinds.begin());
-  const bool is_at = result.measure.of == MeasureKind::kAt;
-  const auto [end, status] = std::from_chars(at.data(), at.data() + at.size(), result.measure.at);
-  const bool number = !at.empty() && status == std::errc() && end == at.data() + at.size();
-  if (is_at != number || is_at == (equals == std::string::npos)) {
-    return wrong(place, is_at ? "expected COLUMN:at=X, X a position of the driver (in time: the time)"
-                              : fmt::format("only `at` has a place: leave out `={}`", at));
+  if (result.measure.of != MeasureKind::kAt) {
+    return equals == std::string::npos
+               ? Result<NamedMeasure>(std::move(result))
+               : wrong(place, fmt::format("only `at` has a place: leave out `={}`", at));
   }
+  const auto [end, status] = std::from_chars(at.data(), at.data() + at.size(), result.measure.at);
+  if (status == std::errc() && end == at.data() + at.size()) {
+    return result;
+  }
+  if (auto refusal = refuse_to_start(model.data())) {
+    return tl::unexpected(*std::move(refusal));
+  }
+  const Dimension wanted =
+      runs_in_time(model, settings) ? dimension::kTime : driver_dimension(model.mechanism());
+  const auto quantity = parse_quantity(at, wanted, model.units());
+  if (!quantity) {
+    return wrong(place, fmt::format("expected COLUMN:at=X, X a position of the driver (in time: the time); "
+                                    "`{}`: {}",
+                                    at, quantity.error()));
+  }
+  result.measure.at = quantity->profile;
   return result;
 }
 
 WantedResults results_for(const Model& model, const SensitivitySettings& settings) {
   const Profile& profile = model.profile();
   WantedResults wanted;
-  wanted.in_time = settings.in_time || (profile.tolerances && profile.tolerances->in_time);
+  wanted.in_time = runs_in_time(model, settings);
   wanted.results = settings.results;
   if (wanted.results.empty() && profile.tolerances) {
     for (const ToleranceResult& result : profile.tolerances->results) {

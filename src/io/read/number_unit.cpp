@@ -62,7 +62,11 @@ NumberUnit unit_of_paths(const Reading& reading, const std::vector<std::string>&
   return with_dimension(dimension.value_or(dimension::kNumber), paths.front());
 }
 
-NumberUnit unit_of_column(const Mechanism& mechanism, const std::string& column) {
+NumberUnit unit_of_column(const Reading& reading, const Mechanism& mechanism, const std::string& column) {
+  const bool is_jerk = column.ends_with(".jerk") || column.ends_with(".jerk_linkage");
+  if (is_jerk && !reading.mistakes.empty()) {
+    return {};  // a mechanism with mistakes cannot be planned
+  }
   return in_tables(column_dimension(mechanism, column), column);
 }
 

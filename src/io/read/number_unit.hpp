@@ -19,7 +19,8 @@ struct NumberUnit {
 };
 
 [[nodiscard]] NumberUnit unit_of_paths(const Reading& reading, const std::vector<std::string>& paths);
-[[nodiscard]] NumberUnit unit_of_column(const Mechanism& mechanism, const std::string& column);
+[[nodiscard]] NumberUnit unit_of_column(const Reading& reading, const Mechanism& mechanism,
+                                        const std::string& column);
 /// Of a figure of check().
 [[nodiscard]] NumberUnit unit_of_figure(const Mechanism& mechanism, const std::string& item,
                                         const std::string& quantity);

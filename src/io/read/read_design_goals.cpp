@@ -63,7 +63,7 @@ void follow_pairs(Reading& reading, const Item& follow, Measure measure, const M
     const auto pair = as_items(reading, item, "[driver, value], two numbers", 2, 2);
     if (!pair) return;
     const auto at = as_number_in(reading, (*pair)[0], unit_of_driver(mechanism));
-    const auto value = as_number_in(reading, (*pair)[1], unit_of_column(mechanism, measure.column));
+    const auto value = as_number_in(reading, (*pair)[1], unit_of_column(reading, mechanism, measure.column));
     if (!at || !value) return;
     measure.at = *at;
     objective.followed.push_back(measure);
@@ -110,16 +110,17 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
 }
 
 // Of the target of an objective, or the limits of a constraint.
-NumberUnit unit_of_goal(const std::optional<Measure>& measure,
+NumberUnit unit_of_goal(const Reading& reading, const std::optional<Measure>& measure,
                         const std::optional<DesignTask::Figure>& figure, const Mechanism& mechanism) {
-  if (measure) return unit_of_column(mechanism, measure->column);
+  if (measure) return unit_of_column(reading, mechanism, measure->column);
   return figure ? unit_of_figure(mechanism, figure->item, figure->quantity)
                 : NumberUnit{dimension::kLength, ""};
 }
 
-NumberUnit unit_of_limit(const DesignTask::Constraint& constraint, const Mechanism& mechanism) {
+NumberUnit unit_of_limit(const Reading& reading, const DesignTask::Constraint& constraint,
+                         const Mechanism& mechanism) {
   return constraint.transmission ? NumberUnit{dimension::kAngle, ""}
-                                 : unit_of_goal(constraint.measure, constraint.figure, mechanism);
+                                 : unit_of_goal(reading, constraint.measure, constraint.figure, mechanism);
 }
 
 std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& item,
@@ -192,8 +193,9 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     objective.measure = read_measure(table, unit_of_driver(profile.mechanism));
   }
   if (objective.figure || objective.extent || objective.measure) {
-    objective.target = table.take("target", as_number_in,
-                                  unit_of_goal(objective.measure, objective.figure, profile.mechanism));
+    objective.target =
+        table.take("target", as_number_in,
+                   unit_of_goal(reading, objective.measure, objective.figure, profile.mechanism));
   }
   if (const auto weight = table.take("weight")) {
     objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
@@ -234,10 +236,11 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     constraint.measure = read_measure(table, unit_of_driver(profile.mechanism));
   }
   const Mistakes mistakes(reading);
-  const NumberUnit unit = unit_of_limit(constraint, profile.mechanism);
+  const NumberUnit unit = unit_of_limit(reading, constraint, profile.mechanism);
   if (const auto below = table.take("below", as_number_in, unit)) constraint.below = below;
   if (const auto above = table.take("above", as_number_in, unit)) constraint.above = above;
-  if (!constraint.below && !constraint.above && mistakes.none()) {
+  const bool may_be_refused = !unit.dimension && unit.objection.empty();
+  if (!constraint.below && !constraint.above && mistakes.none() && !may_be_refused) {
     report_whole(table, "a limit is missing: below = … or above = …");
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     report_whole(table,

@@ -58,7 +58,7 @@ private:
     if (const auto name = table.need("column", "the name of a measured column, or a glob")) {
       column.column = as_text(reading_, *name).value_or("");
     }
-    column.deviation = positive(table, "deviation", unit_of_column(mechanism_, column.column));
+    column.deviation = positive(table, "deviation", unit_of_column(reading_, mechanism_, column.column));
     column.weight = positive(table, "weight", no_unit()).value_or(1);
     column.offset = table.flag("offset", false);
     task_.columns.push_back(std::move(column));

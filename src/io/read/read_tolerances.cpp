@@ -163,8 +163,9 @@ void read_results_of(TableReader& table, const Mechanism& mechanism, ToleranceTa
                  result.name = name;
                  result.measure = measure.value_or(Measure());
                  if (const auto within = entry.take("within")) {
-                   result.within = as_number_in(entry.reading(), *within,
-                                                unit_of_column(mechanism, result.measure.column));
+                   result.within =
+                       as_number_in(entry.reading(), *within,
+                                    unit_of_column(entry.reading(), mechanism, result.measure.column));
                    if (result.within && !(*result.within > 0))
                      report(entry.reading(), *within, "must be > 0");
                  }

@@ -3,6 +3,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -51,6 +52,14 @@ std::optional<Dimension> derivative_column(std::string_view last) {
   return is_one_of(of, {"x", "y"}) ? std::optional(rate_of(dimension::kLength, order)) : std::nullopt;
 }
 
+// Of the joint on which the contact moves a body; of an angle where it moves none by itself.
+std::optional<Dimension> contact_jerk(const Mechanism& mechanism, const Contact& contact) {
+  const auto plan = make_plan(mechanism);
+  if (!plan) return std::nullopt;
+  const auto joint = moved_joint(*plan, static_cast<int>(&contact - mechanism.contacts.data()));
+  return rate_of(joint ? coordinate_dimension(mechanism.joints[*joint]) : dimension::kAngle, 3);
+}
+
 // What the last part of a name alone says.
 std::optional<Dimension> column_by_last(std::string_view last) {
   if (is_one_of(last, {"x", "y", "rho1", "rho2", "c1x", "c1y", "c2x", "c2y", "r1", "r2", "r3", "r4", "arc1",
@@ -90,6 +99,10 @@ std::optional<Dimension> column_dimension(const Mechanism& mechanism, std::strin
   const std::string_view owner = column.substr(0, dot);
   const std::string_view last = column.substr(dot + 1);
   if (last == "jerk" && find_named(mechanism.bodies, owner) != nullptr) return rate_of(dimension::kAngle, 3);
+  if (is_one_of(last, {"jerk", "jerk_linkage"})) {
+    const Contact* contact = find_named(mechanism.contacts, owner);
+    return contact == nullptr ? std::nullopt : contact_jerk(mechanism, *contact);
+  }
   if (const Joint* joint = find_named(mechanism.joints, owner)) {
     if (const auto found = coordinate_column(coordinate_dimension(*joint), last)) return found;
   }

@@ -53,9 +53,9 @@ struct PathLook {
   double parts = 0;            ///< the whole path is sampled in at least this many equal parts
 };
 
-/// The parameter up to which path_extremes() can examine a path: a million samples, some 1400 turns of a
-/// driver, fill hundreds of megabytes. The end of the path if it has fewer.
-[[nodiscard]] double farthest_sample(const Run& start, const DriverPath& path);
+/// Cuts a path where path_extremes() can examine no more of it: a million samples, some 1400 turns of a
+/// driver, fill hundreds of megabytes. Returns the parameter at which it was cut; none if it has fewer.
+[[nodiscard]] std::optional<double> cut_to_examined(const Run& start, DriverPath& path);
 
 /// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
 /// degree of a turning driver, or more) show near which places they can lie; there the quantity is

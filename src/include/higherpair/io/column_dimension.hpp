@@ -9,8 +9,9 @@
 namespace higherpair {
 
 /// The dimension of a column of a table, by its name; of a glob if all that it can stand for has the same.
-/// None if no such column has numbers with one that is known before the mechanism is planned: the jerk of a
-/// contact is that of the joint on which it moves a body. Whether the run has the column is not looked at.
+/// None if no such column has numbers with one. Whether the run has the column is not looked at. The jerk of
+/// a contact is that of the joint on which it moves a body, which the plan of the mechanism knows.
+/// \pre all that the mechanism names is there
 [[nodiscard]] std::optional<Dimension> column_dimension(const Mechanism& mechanism, std::string_view column);
 
 /// The dimension of a figure of check(), by its item and the name of its quantity: "contacts.touch",

@@ -109,4 +109,13 @@ struct PlacingContact {
                              : std::optional(PlacingContact{touching->contact, &touching->follower});
 }
 
+/// The joint on which a contact moves a body by itself; none where more conditions place the body.
+[[nodiscard]] inline std::optional<int> moved_joint(const Plan& plan, int contact) {
+  for (const Group& group : plan.groups) {
+    const auto placing = placing_contact(group);
+    if (placing && placing->contact == contact) return group.joints.front();
+  }
+  return std::nullopt;
+}
+
 }  // namespace higherpair
