@@ -94,7 +94,7 @@ inline constexpr double kReachesLimit = 1e-9;
 inline constexpr double kNearLimit = 1e-6;
 /// The same for a pole, a limit at which bodies run off to infinity: there only its position is needed.
 inline constexpr double kNearPole = 1e-2;
-/// Share of the distance to a limit at which what else is lost before it can no longer be placed.
+/// At this share of the distance to a limit, a group that is lost before it can no longer be placed.
 inline constexpr double kNearlyAtLimit = 0.99;
 /// Length of the next step before a limit, as a fraction of what is left to the limit.
 inline constexpr double kShareToLimit = 0.5;
