@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -170,7 +171,10 @@ void ForceFitter::note_joints(double from, ForceFit& fit) const {
 std::optional<double> ForceFitter::place_of(const SmoothJoint& joint, const ForceFit& fit,
                                             Position before) const {
   double low = joint.from, high = joint.to;
-  while (high - low > kJointPlace * longest_ && !is_stopped(before.run)) {
+  // Far along the path its parameter does not resolve more.
+  const double resolved =
+      4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+  while (high - low > std::max(kJointPlace * longest_, resolved) && !is_stopped(before.run)) {
     const double middle = (low + high) / 2;
     move_to(before.run, path_.at(middle));
     (part_of(before.run, joint.contact, joint.side) == joint.before ? low : high) = middle;
