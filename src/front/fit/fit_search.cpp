@@ -182,10 +182,10 @@ Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution
   Eigen::VectorXd scales(place(problem.values().size()));
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
     const std::size_t column = problem.values()[i].column;
-    scales(place(i)) = solution.constant[column]
-                           ? 0
-                           : std::sqrt(problem.data().columns[column].weight * weights(place(i))) /
-                                 solution.noise[column];
+    scales(place(i)) =
+        solution.constant[column]
+            ? 0
+            : std::sqrt(problem.data().columns[column].weight * weights(place(i))) / solution.noise[column];
   }
   return scales;
 }
