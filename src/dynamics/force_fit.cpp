@@ -1,5 +1,6 @@
 #include "force_fit.hpp"
 
+#include "higherpair/contact/step_length.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "numeric/chebyshev.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace higherpair {
@@ -171,10 +171,7 @@ void ForceFitter::note_joints(double from, ForceFit& fit) const {
 std::optional<double> ForceFitter::place_of(const SmoothJoint& joint, const ForceFit& fit,
                                             Position before) const {
   double low = joint.from, high = joint.to;
-  // Far along the path its parameter does not resolve more.
-  const double resolved =
-      4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
-  while (high - low > std::max(kJointPlace * longest_, resolved) && !is_stopped(before.run)) {
+  while (high - low > shortest_step(longest_, high) && !is_stopped(before.run)) {
     const double middle = (low + high) / 2;
     move_to(before.run, path_.at(middle));
     (part_of(before.run, joint.contact, joint.side) == joint.before ? low : high) = middle;

@@ -31,9 +31,6 @@ inline constexpr double kLongestPieceSlide = 0.25;
 inline constexpr double kShortestForcePiece = 0x1p-16;
 /// Events nearer than this to the end of a piece, relative to the longest piece, are at its end.
 inline constexpr double kAtPieceEnd = 1e-9;
-/// Accuracy to which the place is located at which a contact passes a joint of its curve, relative to the
-/// longest piece.
-inline constexpr double kJointPlace = 1e-13;
 /// A series has converged when its last coefficients are below this, relative to the largest multiplier.
 inline constexpr double kSeriesConverged = 1e-13;
 /// Near crossings of branches rates have fewer digits: a series whose last coefficients are below

@@ -2,7 +2,6 @@
 // runs off to infinity, unless they coincide there: then the motion goes on, through a change point.
 #include "run_testing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

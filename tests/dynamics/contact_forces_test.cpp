@@ -19,6 +19,16 @@ using testing::Analysis;
 
 constexpr double kM = 0.31, kE = 0.011, kR = 0.032, kG = 9.81, kK = 830, kL = 0.083, kH = 0.107;
 
+// A cam that turns lifts a follower.
+const char* const kJoints = R"([joints.O]
+type = "revolute"
+between = ["ground.O", "cam.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.O", "follower.P"]
+direction = [0, 1]
+)";
+
 // All lengths are multiplied by `size`; the spring keeps its force in newtons.
 std::string cam(const std::string& springs, double gravity = -kG, double size = 1) {
   return fmt::format(R"(gravity = [0, {}]
@@ -35,19 +45,12 @@ curves.face = {{ type = "line", point = [0, 0], normal = [0, -1] }}
 mass = 0.31
 center_of_mass = [0, {}]
 inertia = 1e-4
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
+{}[contacts.touch]
 between = ["cam.disc", "follower.face"]
 [driver]
 joint = "O"
 {})",
-                     gravity, kH * size, kE * size, kR * size, kR * size, 0.02 * size, springs);
+                     gravity, kH * size, kE * size, kR * size, kR * size, 0.02 * size, kJoints, springs);
 }
 
 const char* const kSpring =
@@ -376,21 +379,14 @@ points.P = [0, 0]
 curves.roller = {{ type = "circle", center = [0, 0], radius = 0.009 }}
 mass = 0.31
 center_of_mass = [0, 0.02]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
-[contacts.touch]
+{}[contacts.touch]
 between = ["cam.outline", "follower.roller"]
 [driver]
 joint = "O"
 [springs]
 back = {{ joint = "guide", stiffness = 530, free_length = 0.055 }}
 {})",
-                     curve, more);
+                     curve, kJoints, more);
 }
 
 // Dwells, and joins at which the jerk of the law jumps.

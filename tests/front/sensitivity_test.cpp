@@ -620,7 +620,7 @@ TEST(SensitivityOfResults, AreTakenAtAPlaceInAnyUnit) {
 }
 
 // As check() does.
-TEST(SensitivityOfResults, OfMillionsOfTurnsLeaveOpenWhatIsNotExamined) {
+TEST(SensitivityOfResults, OfThousandsOfTurnsLeaveOpenWhatIsNotExamined) {
   const Model model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml",
                                   std::vector<std::string>{"driver.end=1e6", "driver.samples=3"})
                           .value();

@@ -218,8 +218,9 @@ private:
       return rest_beside_crossing();
     }
     limit_.look_how_far(at_.s);
-    const auto lost_before = limit_.is_near(at_.s) ? limit_.lost_before(at_.s) : std::nullopt;
-    const bool exhausted = limit_.is_near(at_.s) && !lost_before;
+    const bool near = limit_.is_near(at_.s);
+    const auto lost_before = near ? limit_.lost_before(at_.s) : std::nullopt;
+    const bool exhausted = near && !lost_before;
     if (exhausted && limit_.is_on_path()) {
       return lose(limit_.known());
     }
