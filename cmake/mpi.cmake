@@ -16,15 +16,11 @@ function(higherpair_add_mpi_sweep target)
     mpi/messages.cpp
     mpi/worker.cpp
     $<FILTER:$<TARGET_OBJECTS:${target}>,EXCLUDE,/main\\.cpp\\.o$>)
-  foreach(part ${target}-hdf5 ${target}-rsvg)
-    if(TARGET ${part})
-      target_sources(higherpair-sweep-mpi PRIVATE $<TARGET_OBJECTS:${part}>)
-    endif()
-  endforeach()
   target_include_directories(higherpair-sweep-mpi PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   # The list, not an expression for it: it contains one itself (precompiled.cmake), and CMake evaluates no nested ones.
   get_target_property(libraries ${target} LINK_LIBRARIES)
   target_link_libraries(higherpair-sweep-mpi PRIVATE ${libraries} MPI::MPI_CXX Threads::Threads)
+  higherpair_find_modules(higherpair-sweep-mpi)
   higherpair_set_warnings(higherpair-sweep-mpi)
   higherpair_optimise_less(higherpair-sweep-mpi -Og)
   install(TARGETS higherpair-sweep-mpi)

@@ -146,6 +146,19 @@ TEST_F(LongRun, RefusesHdf5WhereItCannotBe) {
   EXPECT_THAT(refusal("--threads 0"), HasSubstr("--threads"));
 }
 
+// Copied without the modules beside it.
+TEST_F(LongRun, RefusesHdf5WhereTheModuleIsMissing) {
+  fs::copy_file(HIGHERPAIR_PROGRAM, folder_ / "alone");
+  for (const char* command : {"analyze four_bar.toml --hdf5 t.h5", "sweep four_bar.toml -o t.h5"}) {
+    const Outcome outcome = run_script(fmt::format("./alone {}\n", command));
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("built without HDF5, or cannot load it (higherpair-hdf5.so: "))
+        << command;
+    EXPECT_FALSE(fs::exists(folder_ / "t.h5")) << command;
+  }
+  EXPECT_EQ(run_script("./alone analyze four_bar.toml --csv t.csv\n").code, 0);
+}
+
 TEST_F(LongRun, SaysThatADiskIsFull) {
   const int full =
       std::system(fmt::format("cd '{}' && trap '' XFSZ; ulimit -f 1000; {} analyze four_bar.toml "

@@ -98,6 +98,18 @@ TEST_F(PictureFiles, ArePdfAndPngWhereThatCanBe) {
   EXPECT_THAT(file("m.PNG"), StartsWith("\x89PNG"));
 }
 
+// Copied without the modules beside it.
+TEST_F(PictureFiles, AreSvgOnlyWhereTheModuleIsMissing) {
+  fs::copy_file(HIGHERPAIR_PROGRAM, folder_ / "alone");
+  const Outcome pdf = run_script("./alone draw four_bar.toml -o p.pdf\n");
+  EXPECT_EQ(pdf.code, 2);
+  EXPECT_THAT(pdf.err,
+              HasSubstr("p.pdf: this higherpair was built without librsvg and cairo, which .pdf needs, or "
+                        "cannot load them (higherpair-pictures.so: "));
+  EXPECT_FALSE(fs::exists(folder_ / "p.pdf"));
+  EXPECT_EQ(run_script("./alone draw four_bar.toml -o p.svg\n").code, 0);
+}
+
 TEST_F(PictureFiles, OfPolygonsHaveVelocitiesAccelerationsAndForces) {
   const Outcome outcome = run("polygon sixbar_slider.toml -o p.svg --at 45 --forces");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -52,7 +52,15 @@ if(NOT output MATCHES "^361 rows, the whole path is good\nhighest at driver = ")
   message(FATAL_ERROR "the second project printed: ${output}")
 endif()
 
-# If the program was built, it runs from its installed place.
+# If the program was built, it runs from its installed place, and finds its modules there.
 if(EXISTS ${work}/moved/bin/higherpair)
   run(${work}/moved/bin/higherpair --version)
+  set(profile ${higherpair_dir}/profiles/four_bar.toml)
+  file(GLOB_RECURSE modules RELATIVE ${work}/moved ${work}/moved/*.so)
+  if(modules MATCHES "higherpair-pictures.so")
+    run(${work}/moved/bin/higherpair draw ${profile} -o ${work}/four_bar.pdf)
+  endif()
+  if(modules MATCHES "higherpair-hdf5.so")
+    run(${work}/moved/bin/higherpair analyze ${profile} --hdf5 ${work}/four_bar.h5)
+  endif()
 endif()

@@ -5,14 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace higherpair::cli {
-
-/// Whether this program was built with HDF5.
-[[nodiscard]] bool has_hdf5();
 
 /// Datasets of equal length, each named after its column.
 struct Hdf5Columns {
@@ -26,39 +24,36 @@ struct Hdf5Columns {
 /// day. After the first failure (see error()) nothing more is written.
 class Hdf5File {
 public:
-  /// Creates the file, or empties an existing one.
-  explicit Hdf5File(const std::string& path);
-  ~Hdf5File();
-  Hdf5File(Hdf5File&&) noexcept;
-  Hdf5File& operator=(Hdf5File&&) noexcept;
+  virtual ~Hdf5File() = default;
 
   /// An attribute of the file.
-  void set_attribute(const std::string& name, const std::string& text);
+  virtual void set_attribute(const std::string& name, const std::string& text) = 0;
 
   /// Adds a table in a group of the file; empty: in the file itself.
   /// \return its index
-  std::size_t add_table(const std::string& group, const Hdf5Columns& columns);
+  virtual std::size_t add_table(const std::string& group, const Hdf5Columns& columns) = 0;
 
   /// Appends rows to a table.
   /// \param values  row after row, one for each of Hdf5Columns::columns; NaN where undefined
   /// \param texts   values for each of Hdf5Columns::texts
-  void append(std::size_t table, std::span<const double> values,
-              const std::vector<std::span<const std::string>>& texts);
+  virtual void append(std::size_t table, std::span<const double> values,
+                      const std::vector<std::span<const std::string>>& texts) = 0;
 
   /// To be called at the end: only then is everything in the file, unless error() is set.
-  void close();
+  virtual void close() = 0;
 
   /// The first failure; empty: none.
-  [[nodiscard]] const std::string& error() const { return error_; }
-
-private:
-  struct Impl;
-
-  template <class Work>
-  void attempt(const Work& work);
-
-  std::unique_ptr<Impl> impl_;
-  std::string error_;
+  [[nodiscard]] virtual const std::string& error() const = 0;
 };
 
+/// Why no HDF5 can be written: the module that does it cannot be loaded; none if it can.
+[[nodiscard]] std::optional<std::string> hdf5_objection();
+
+/// Creates a file, or empties an existing one. Without an objection it is never null.
+[[nodiscard]] std::unique_ptr<Hdf5File> create_hdf5(const std::string& path);
+
 }  // namespace higherpair::cli
+
+/// What the module higherpair-hdf5 exports: create_hdf5().
+extern "C" void higherpair_create_hdf5(const std::string& path,
+                                       std::unique_ptr<higherpair::cli::Hdf5File>& file);

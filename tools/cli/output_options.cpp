@@ -109,8 +109,8 @@ std::optional<Error> refused_output(const Model& model, const std::vector<NamedF
 namespace {
 
 void check_hdf5(const std::string& path) {
-  if (!has_hdf5()) {
-    throw CLI::ValidationError("--hdf5", "this higherpair was built without HDF5; choose --csv or --json");
+  if (const auto objection = hdf5_objection()) {
+    throw CLI::ValidationError("--hdf5", *objection + "; choose --csv or --json");
   }
   if (is_direct(path)) {
     throw CLI::ValidationError("--hdf5", path + ": HDF5 needs a regular file");

@@ -13,8 +13,9 @@ namespace higherpair::cli {
 /// check_picture() and check_files().
 void add_picture_option(CLI::App& command, const std::string& profile, std::string& path);
 
-/// Throws CLI::ValidationError if no picture can be written to `path`: its ending is not .svg, .pdf or .png
-/// or is not supported by this build. "-" is SVG on standard output.
+/// Throws CLI::ValidationError if no picture can be written to `path`: its ending is not .svg, .pdf or .png,
+/// or is one of the last two and the module that converts pictures cannot be loaded. "-" is SVG on standard
+/// output.
 void check_picture(const std::string& path);
 
 /// Converts an SVG picture to the format given by the ending of `path`; throws std::runtime_error on failure.
@@ -22,13 +23,5 @@ void check_picture(const std::string& path);
 
 /// Writes it; false on failure, or if interruption() occurs.
 [[nodiscard]] bool write_picture(const std::string& path, std::string svg);
-
-/// Whether this build writes PDF and PNG.
-[[nodiscard]] bool can_convert();
-
-/// The picture as PDF, with 1 px = 1/96 inch.
-[[nodiscard]] std::string pdf_of(const std::string& svg);
-/// The picture as PNG, with two pixels per px.
-[[nodiscard]] std::string png_of(const std::string& svg);
 
 }  // namespace higherpair::cli

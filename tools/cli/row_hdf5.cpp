@@ -26,28 +26,30 @@ std::string attribute_of(const std::vector<std::string>& lines) {
 
 RowHdf5::RowHdf5(const std::string& path, RowTitle title, const std::vector<Column>& columns,
                  std::int64_t rows)
-    : title_(std::move(title)), file_(std::make_unique<OutputFile>(path)), data_(file_->place()) {
-  data_.set_attribute("title", title_.title);
-  data_.set_attribute("profile", title_.profile);
-  rows_ = data_.add_table("", {columns, {}, {}, rows});
+    : title_(std::move(title)),
+      file_(std::make_unique<OutputFile>(path)),
+      data_(create_hdf5(file_->place())) {
+  data_->set_attribute("title", title_.title);
+  data_->set_attribute("profile", title_.profile);
+  rows_ = data_->add_table("", {columns, {}, {}, rows});
   check();
 }
 
 void RowHdf5::check() {
-  if (file_->good() && !data_.error().empty()) file_->fail_because(data_.error());
+  if (file_->good() && !data_->error().empty()) file_->fail_because(data_->error());
 }
 
 void RowHdf5::write(const RowBlock& block) {
-  data_.append(rows_, block.values, {});
+  data_->append(rows_, block.values, {});
   check();
 }
 
 void RowHdf5::end(const std::vector<Event>& events, const std::vector<std::string>& lines, bool good) {
-  data_.set_attribute("ok", good ? "yes" : "no");
-  data_.set_attribute("events", attribute_of(lines));
+  data_->set_attribute("ok", good ? "yes" : "no");
+  data_->set_attribute("events", attribute_of(lines));
   const std::vector<Column> columns = {
       {"driver", title_.driver_unit, {}}, {"time", title_.time_unit, {}}, {"row", "1", {}}};
-  const std::size_t table = data_.add_table(
+  const std::size_t table = data_->add_table(
       "events", {columns, {"row"}, {"type", "item", "cause"}, static_cast<std::int64_t>(events.size())});
   std::vector<double> values;
   std::vector<std::string> types;
@@ -60,8 +62,8 @@ void RowHdf5::end(const std::vector<Event>& events, const std::vector<std::strin
     items.push_back(event.item);
     causes.push_back(event.cause);
   }
-  data_.append(table, values, {types, items, causes});
-  data_.close();
+  data_->append(table, values, {types, items, causes});
+  data_->close();
   check();
   file_->finish();
 }

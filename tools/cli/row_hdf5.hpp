@@ -39,7 +39,7 @@ private:
 
   RowTitle title_;
   std::unique_ptr<OutputFile> file_;
-  Hdf5File data_;
+  std::unique_ptr<Hdf5File> data_;
   std::size_t rows_ = 0;  ///< index of their table
 };
 

@@ -61,10 +61,11 @@ void check_output(const SweepOptions& options) {
     }
     return;
   }
-  if (is_hdf5(path) && !has_hdf5()) {
-    throw CLI::ValidationError("--output", path + ": this higherpair was built without HDF5; choose a .csv");
-  }
-  if (!is_hdf5(path) && !path.ends_with(".csv")) {
+  if (is_hdf5(path)) {
+    if (const auto objection = hdf5_objection()) {
+      throw CLI::ValidationError("--output", path + ": " + *objection + "; choose a .csv");
+    }
+  } else if (!path.ends_with(".csv")) {
     throw CLI::ValidationError("--output", path + ": expected a name that ends in .csv, .h5 or .hdf5");
   }
 }

@@ -7,6 +7,7 @@
 #include <deque>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -70,13 +71,13 @@ std::optional<std::string> write_h5(const std::string& path, const Sweep& sweep,
   if (!file.good()) {
     return file.error();
   }
-  Hdf5File data(file.place());
-  data.set_attribute("title", title.title);
-  data.set_attribute("profile", title.profile);
-  const std::size_t table = data.add_table("", {sweep.columns(), {"variant"}, {"cause"}, sweep.size()});
-  const bool all = each([&](const SweepBlock& block) { data.append(table, block.values, {block.causes}); });
-  data.close();
-  if (!data.error().empty()) file.fail_because(data.error());
+  const std::unique_ptr<Hdf5File> data = create_hdf5(file.place());
+  data->set_attribute("title", title.title);
+  data->set_attribute("profile", title.profile);
+  const std::size_t table = data->add_table("", {sweep.columns(), {"variant"}, {"cause"}, sweep.size()});
+  const bool all = each([&](const SweepBlock& block) { data->append(table, block.values, {block.causes}); });
+  data->close();
+  if (!data->error().empty()) file.fail_because(data->error());
   return closed(file, all);
 }
 

@@ -1,4 +1,5 @@
-#include "picture.hpp"
+// All uses of librsvg and cairo are in this file.
+#include "picture_module.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -73,31 +74,25 @@ void render(const Picture& picture, cairo_surface_t* surface, double scale) {
 
 }  // namespace
 
-bool can_convert() {
-  return true;
-}
+}  // namespace higherpair::cli
 
-std::string pdf_of(const std::string& svg) {
+void higherpair_pdf_of(const std::string& svg, std::string& pdf) {
+  using namespace higherpair::cli;
   const Picture picture = read(svg);
-  std::string out;
-  const Surface surface(cairo_pdf_surface_create_for_stream(append, &out, picture.width * kPointsPerPx,
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &pdf, picture.width * kPointsPerPx,
                                                             picture.height * kPointsPerPx));
   render(picture, surface.get(), kPointsPerPx);
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
-  return out;
 }
 
-std::string png_of(const std::string& svg) {
+void higherpair_png_of(const std::string& svg, std::string& png) {
+  using namespace higherpair::cli;
   const Picture picture = read(svg);
-  std::string out;
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
                                                    static_cast<int>(picture.width * kPixelsPerPx + 0.5),
                                                    static_cast<int>(picture.height * kPixelsPerPx + 0.5)));
   check(cairo_surface_status(surface.get()));
   render(picture, surface.get(), kPixelsPerPx);
-  check(cairo_surface_write_to_png_stream(surface.get(), append, &out));
-  return out;
+  check(cairo_surface_write_to_png_stream(surface.get(), append, &png));
 }
-
-}  // namespace higherpair::cli
