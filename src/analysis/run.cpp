@@ -77,6 +77,15 @@ void mark_rates(const Run& run, MotionRow& row) {
   row.status = singular ? RowStatus::kSingular : RowStatus::kOk;
 }
 
+// What rounding leaves of the residual where bodies are far away, as near a pole.
+double rounding_of_positions(const MotionRow& row) {
+  double farthest = 0;
+  for (const BodyMotion& body : row.bodies) {
+    farthest = std::max(farthest, body.X_WB.p_WB.norm());
+  }
+  return kRoundingOfPosition * farthest;
+}
+
 void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
   MotionRow& row = run.row;
   if (drivers.size() == 1) {
@@ -94,7 +103,7 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
     row.status = run.at.watches[i].overlaps ? RowStatus::kOverlap : row.status;
   }
   row.residual = residual_of(run);
-  if (!(row.residual <= run.tolerance * run.plan().size)) {
+  if (!(row.residual <= run.tolerance * run.plan().size) && !(row.residual <= rounding_of_positions(row))) {
     row.status = RowStatus::kNotConverged;
   }
 }

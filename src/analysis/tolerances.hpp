@@ -105,6 +105,9 @@ inline constexpr double kTooFar = 1e4;
 /// Fraction of the size: a contact counts as at infinity if the rounding of its coordinates alone exceeds
 /// this, so that its gap cannot be closed.
 inline constexpr double kRoundingOfGap = 1e-10;
+/// Times the distance of the farthest body, the largest residual that rounding alone may leave: some sums of
+/// coordinates of that size.
+inline constexpr double kRoundingOfPosition = 8 * std::numeric_limits<double>::epsilon();
 /// Largest distance of a predicted follower from its limit position, in units of its coordinate [rad, of the
 /// size].
 inline constexpr double kNearFollowerLimit = 0.3;

@@ -70,6 +70,30 @@ TEST(ParallelSlides, APinRunsOffToInfinityHoweverFewRowsLeadPastIt) {
   }
 }
 
+// Next to the pole the driver's last digit decides where the pin is, and the residual is a rounding of its
+// distance: on a fixed line through the origin at 33 degrees.
+TEST(ParallelSlides, APinIsWhereItBelongsHoweverFarOut) {
+  const double u = std::cos(33 * kPi / 180);
+  const double v = std::sin(33 * kPi / 180);
+  for (const double beside : {1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10}) {  // [deg]
+    SCOPED_TRACE(beside);
+    const RunTable motion =
+        pin_at(7, {fmt::format("bodies.ground.points.A=[{:.17g}, {:.17g}]", 10 * u, 10 * v),
+                   "joints.guide.direction=33", "driver.start=133", "driver.end=283",
+                   fmt::format("driver.positions=[133, {:.17g}]", 213 - beside)});
+    ASSERT_EQ(motion.size(), 2U) << motion.failure();
+    EXPECT_EQ(motion.status(1), RowStatus::kOk);
+    const double angle = motion.radians(1, "driver") - 33 * kPi / 180;
+    const double x = -7 / std::sin(angle);
+    const double vx = 7 * std::cos(angle) / (std::sin(angle) * std::sin(angle)) * kPi / 180;
+    const double last_digits = 1e-13 / beside;
+    EXPECT_NEAR(motion.value(1, "slider.x") / (x * u), 1, last_digits);
+    EXPECT_NEAR(motion.value(1, "slider.y") / (x * v), 1, last_digits);
+    EXPECT_NEAR(motion.value(1, "slider.vx") / (vx * u), 1, 2 * last_digits);
+    EXPECT_NEAR(motion.value(1, "slider.vy") / (vx * v), 1, 2 * last_digits);
+  }
+}
+
 TEST(ParallelSlides, APinStaysWhereItIsIfTheLinesCoincide) {
   for (const double offset : {0.0, 1e-16}) {
     for (const int rows : {2, 7, 16, 61, 600}) {
