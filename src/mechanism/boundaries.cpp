@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/tolerances.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace higherpair {
@@ -73,13 +74,15 @@ bool needs_boundaries(const Mechanism& mechanism, const Contact& contact) {
 }
 
 void use_boundaries(Mechanism& mechanism) {
-  // Of the description alone: the boundaries made below are as long as this reach.
-  const double reach = kReachOfOpenCurves * size_with_boundaries(mechanism);
+  std::optional<double> reach;
   for (Contact& contact : mechanism.contacts) {
     if (!needs_boundaries(mechanism, contact)) {
       continue;
     }
-    const BoundaryRules rules{reach, !contact.both_sides};
+    if (!reach) {  // of the description alone: the boundaries made below are as long as this reach
+      reach = kReachOfOpenCurves * size_with_boundaries(mechanism);
+    }
+    const BoundaryRules rules{*reach, !contact.both_sides};
     make_own(mechanism, contact.first, rules);
     make_own(mechanism, contact.second, rules);
     contact.by_boundary = true;

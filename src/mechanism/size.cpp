@@ -5,32 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
-
-#include <boost/geometry/algorithms/append.hpp>
-#include <boost/geometry/algorithms/convex_hull.hpp>
-#include <boost/geometry/geometries/multi_point.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
 
 namespace higherpair {
 namespace {
 
-using HullPoint = boost::geometry::model::d2::point_xy<double>;
-
-// The two points that are farthest apart are on the convex hull.
 double largest_distance(const std::vector<Vector2d>& points) {
-  boost::geometry::model::multi_point<HullPoint> all;
-  for (const Vector2d& point : points) {
-    boost::geometry::append(all, HullPoint(point.x(), point.y()));
-  }
-  boost::geometry::model::polygon<HullPoint> hull;
-  boost::geometry::convex_hull(all, hull);
   double square = 0;
-  for (const HullPoint& a : hull.outer()) {
-    for (const HullPoint& b : hull.outer()) {
-      square = std::max(square, Vector2d(a.x() - b.x(), a.y() - b.y()).squaredNorm());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      square = std::max(square, (points[i] - points[k]).squaredNorm());
     }
   }
   return std::sqrt(square);

@@ -24,6 +24,14 @@ constexpr std::array<std::string_view, 4> kOnlyTopLevel = {"format", "title", "d
 
 constexpr std::string_view kMoveUp = "it belongs to the top level: move it above the first [table]";
 
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    if (!contains(once, name)) once.push_back(name);
+  }
+  return once;
+}
+
 bool is_top_level(std::string_view key) {
   return contains(kTopLevelKeys, key);
 }
@@ -31,19 +39,21 @@ bool is_top_level(std::string_view key) {
 }  // namespace
 
 std::optional<Item> TableReader::take(const std::string& key) {
-  if (!contains(known_, key)) {
-    known_.push_back(key);
-  }
+  known_.push_back(key);
   const Value* value = find(*table_, key);
-  return value == nullptr ? std::nullopt : std::optional(Item{value, path_of(key)});
+  return value == nullptr ? std::nullopt : std::optional(Item{value});
 }
 
 std::optional<Item> TableReader::need(const std::string& key, std::string_view what) {
   auto item = take(key);
   if (!item) {
-    reading_->mistakes.push_back({mark_, fmt::format("{} is missing: expected {}", path_of(key), what)});
+    report_missing(key, what);
   }
   return item;
+}
+
+void TableReader::report_missing(std::string_view key, std::string_view what) const {
+  reading_->mistakes.push_back({mark(), fmt::format("{} is missing: expected {}", path_to(key), what)});
 }
 
 std::optional<std::size_t> TableReader::need_type(std::string_view what,
@@ -62,7 +72,7 @@ std::optional<std::size_t> TableReader::need_type(std::string_view what,
 
 void TableReader::refuse(const std::string& key, std::string_view reason) {
   if (const Value* value = find(*table_, key)) {
-    report(*reading_, {value, path_of(key)}, reason);
+    report(*reading_, {value}, reason);
   }
   refused_.push_back(key);
 }
@@ -73,8 +83,10 @@ double TableReader::quantity(const std::string& key, const Expected& expected, d
 }
 
 double TableReader::need_quantity(const std::string& key, const Expected& expected) {
-  const auto quantity = need(key, what_number(expected.dimension, reading_->units), as_quantity, expected);
-  return quantity ? quantity->si : 0;
+  if (!take(key)) {
+    report_missing(key, what_number(expected.dimension, reading_->units));
+  }
+  return quantity(key, expected);
 }
 
 Vector2d TableReader::need_vector(const std::string& key, const Dimension& dimension) {
@@ -102,24 +114,26 @@ void TableReader::finish() const {
 }
 
 void TableReader::report_unknown(const Entry& entry) const {
-  const bool repeated = path_ == entry.key || path_.ends_with("." + entry.key);
+  const std::string& path = this->path();
+  const bool repeated = path == entry.key || path.ends_with("." + entry.key);
+  const std::vector<std::string> known = each_once(known_);
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
-  std::string own = is_table ? "" : did_you_mean(entry.key, known_);
+  std::string own = is_table ? "" : did_you_mean(entry.key, known);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
   const bool move_up =
-      !path_.empty() && (contains(kOnlyTopLevel, entry.key) || (is_top_level(entry.key) && own.empty()));
-  const bool is_of_driver = path_.empty() && own.empty() && contains(kDriverKeys, entry.key);
+      !path.empty() && (contains(kOnlyTopLevel, entry.key) || (is_top_level(entry.key) && own.empty()));
+  const bool is_of_driver = path.empty() && own.empty() && contains(kDriverKeys, entry.key);
   const std::string remedy =
       is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
-      : repeated ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path_, entry.key)
-      : move_up  ? std::string(kMoveUp)
-                 : (own.empty() ? suggestion(entry.key, known_) : own);
+      : repeated   ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path, entry.key)
+      : move_up    ? std::string(kMoveUp)
+                   : (own.empty() ? suggestion(entry.key, known) : own);
   reading_->mistakes.push_back(
-      {entry.key_mark, fmt::format("{}: unknown key; {}", path_of(entry.key), remedy)});
+      {entry.key_mark, fmt::format("{}: unknown key; {}", path_to(entry.key), remedy)});
 }
 
-std::string TableReader::path_of(std::string_view key) const {
-  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+std::string TableReader::path_to(std::string_view key) const {
+  return path().empty() ? std::string(key) : fmt::format("{}.{}", path(), key);
 }
 
 void report_whole(TableReader& table, std::string_view message) {
@@ -133,38 +147,45 @@ void note_whole(TableReader& table, std::string_view message) {
 std::optional<TableReader> as_reader(Reading& reading, const std::optional<Item>& item,
                                      std::string_view what) {
   const Table* table = item ? as_table(reading, *item, what) : nullptr;
-  return table == nullptr ? std::nullopt
-                          : std::optional(TableReader(reading, *table, item->value->mark, item->path));
+  return table == nullptr ? std::nullopt : std::optional(TableReader(reading, *item->value));
 }
 
 void for_each_named(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, const Item& item)>& read) {
-  const Table* table =
-      item ? as_table(reading, *item, fmt::format("a table of names, each with {}", what)) : nullptr;
+  if (!item) {
+    return;
+  }
+  const Table* table = std::get_if<Table>(&item->value->content);
   if (table == nullptr) {
+    (void)as_table(reading, *item, fmt::format("a table of names, each with {}", what));
     return;
   }
   for (const Entry& entry : *table) {
-    const std::string path = fmt::format("{}.{}", item->path, entry.key);
     if (is_name(entry.key)) {
-      read(entry.key, {&entry.value, path});
+      read(entry.key, {&entry.value});
     } else {
-      reading.mistakes.push_back({entry.key_mark, fmt::format("{}: {}", path, kNameRule)});
+      reading.mistakes.push_back(
+          {entry.key_mark, fmt::format("{}: {}", path_of(reading, {&entry.value}), kNameRule)});
     }
+  }
+}
+
+void read_named_table(Reading& reading, const std::string& name, const Item& item, std::string_view what,
+                      const std::function<void(const std::string& name, TableReader& table)>& read) {
+  if (std::holds_alternative<Table>(item.value->content)) {
+    TableReader reader(reading, *item.value);
+    read(name, reader);
+  } else if (is_top_level(name)) {
+    report(reading, item, kMoveUp);
+  } else {
+    report_kind(reading, item, what);
   }
 }
 
 void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read) {
   for_each_named(reading, item, what, [&](const std::string& name, const Item& entry) {
-    if (const auto* table = std::get_if<Table>(&entry.value->content)) {
-      TableReader reader(reading, *table, entry.value->mark, entry.path);
-      read(name, reader);
-    } else if (is_top_level(name)) {
-      report(reading, entry, kMoveUp);
-    } else {
-      report_kind(reading, entry, what);
-    }
+    read_named_table(reading, name, entry, what, read);
   });
 }
 
@@ -173,7 +194,8 @@ void for_each_in_list(TableReader& table, const std::string& key,
   Reading& reading = table.reading();
   const auto item = table.take(key);
   const auto items =
-      item ? as_items(reading, *item, fmt::format("a list of tables, [[{}]]", item->path)) : std::nullopt;
+      item ? as_items(reading, *item, fmt::format("a list of tables, [[{}]]", path_of(reading, *item)))
+           : std::nullopt;
   for (const Item& one : items.value_or(std::vector<Item>{})) {
     if (auto entry = as_reader(reading, one, "a table")) {
       read(*entry);

@@ -19,12 +19,15 @@ namespace higherpair::io_detail {
 /// Reads one table of a profile key by key. It remembers which keys were asked for: all others are unknown.
 class TableReader {
 public:
-  TableReader(Reading& reading, const Table& table, const Mark& mark, std::string path)
-      : reading_(&reading), table_(&table), mark_(mark), path_(std::move(path)) {}
+  /// \param table  a value of the document that is a table
+  TableReader(Reading& reading, const Value& table)
+      : reading_(&reading), value_(&table), table_(&std::get<Table>(table.content)) {
+    known_.reserve(table_->size() + 8);
+  }
 
   [[nodiscard]] Reading& reading() const { return *reading_; }
-  [[nodiscard]] const Mark& mark() const { return mark_; }
-  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const Mark& mark() const { return value_->mark; }
+  [[nodiscard]] const std::string& path() const { return path_of(*reading_, {value_}); }
 
   /// The item at `key`, or nothing if the table has no such key.
   [[nodiscard]] std::optional<Item> take(const std::string& key);
@@ -73,14 +76,14 @@ public:
   void finish() const;
 
 private:
-  [[nodiscard]] std::string path_of(std::string_view key) const;
+  [[nodiscard]] std::string path_to(std::string_view key) const;
   void report_unknown(const Entry& entry) const;
+  void report_missing(std::string_view key, std::string_view what) const;
 
   Reading* reading_;
+  const Value* value_;
   const Table* table_;
-  Mark mark_;
-  std::string path_;
-  std::vector<std::string> known_;    ///< keys that were asked for
+  std::vector<std::string> known_;    ///< keys that were asked for, some repeatedly
   std::vector<std::string> refused_;  ///< keys that must not be there
 };
 
@@ -143,6 +146,10 @@ void for_each_named(Reading& reading, const std::optional<Item>& item, std::stri
 /// The same where every entry is itself a table.
 void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read);
+
+/// Reads one such entry; otherwise reports that `what` was expected.
+void read_named_table(Reading& reading, const std::string& name, const Item& item, std::string_view what,
+                      const std::function<void(const std::string& name, TableReader& table)>& read);
 
 /// Calls `read` for every table of the list [[key]], which may be absent; reports keys that `read` has not
 /// asked for.

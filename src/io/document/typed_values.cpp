@@ -5,8 +5,10 @@
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -78,8 +80,8 @@ void report_sign(Reading& reading, const Item& item, const Expected& expected) {
     unit = fmt::format(" {}", unit_text(expected.dimension, reading.units));
   }
   reading.mistakes.push_back(
-      {item.value->mark, fmt::format("{} = {}{}: must be {} 0", item.path, text_of(*item.value), unit,
-                                     expected.sign == Sign::kPositive ? ">" : ">=")});
+      {item.value->mark, fmt::format("{} = {}{}: must be {} 0", path_of(reading, item), text_of(*item.value),
+                                     unit, expected.sign == Sign::kPositive ? ">" : ">=")});
 }
 
 // A unit vector. At multiples of 90° its sine or cosine differs from 0 only by the rounding of the angle.
@@ -95,7 +97,38 @@ Vector2d direction_of(double angle) {
   return direction;
 }
 
+// The paths of a value and of all that it contains.
+void add_paths(const Value& value, const std::string& path,
+               std::unordered_map<const Value*, std::string>& paths) {
+  paths.emplace(&value, path);
+  const std::string begin = path.empty() ? "" : path + ".";
+  if (const auto* table = std::get_if<Table>(&value.content)) {
+    for (const Entry& entry : *table) {
+      add_paths(entry.value, begin + entry.key, paths);
+    }
+  } else if (const auto* items = std::get_if<Array>(&value.content)) {
+    for (std::size_t i = 0; i < items->size(); ++i) {
+      add_paths((*items)[i], begin + std::to_string(i), paths);
+    }
+  }
+}
+
 }  // namespace
+
+const std::string& path_of(Reading& reading, const Item& item) {
+  if (reading.paths.empty()) {
+    add_paths(*reading.document, "", reading.paths);
+  }
+  const auto found = reading.paths.find(item.value);
+  assert(found != reading.paths.end());
+  return found->second;
+}
+
+std::optional<Dimension> varied_dimension(const Reading& reading, std::string_view path) {
+  const Value* value = end_of_path(std::get<Table>(reading.document->content), path).value;
+  const auto found = reading.varied.find(value);
+  return found == reading.varied.end() ? std::nullopt : found->second;
+}
 
 Place place_of(const Reading& reading, const Mark& mark) {
   return {reading.sources[mark.source], mark.line, mark.column};
@@ -105,8 +138,8 @@ std::vector<Item> items_of(const Item& item) {
   std::vector<Item> items;
   if (const auto* values = std::get_if<Array>(&item.value->content)) {
     items.reserve(values->size());
-    for (std::size_t i = 0; i < values->size(); ++i) {
-      items.push_back({&(*values)[i], fmt::format("{}.{}", item.path, i)});
+    for (const Value& value : *values) {
+      items.push_back({&value});
     }
   }
   return items;
@@ -114,7 +147,7 @@ std::vector<Item> items_of(const Item& item) {
 
 void report(Reading& reading, const Item& item, std::string_view rule) {
   reading.mistakes.push_back(
-      {item.value->mark, fmt::format("{} = {}: {}", item.path, text_of(*item.value), rule)});
+      {item.value->mark, fmt::format("{} = {}: {}", path_of(reading, item), text_of(*item.value), rule)});
 }
 
 void report_kind(Reading& reading, const Item& item, std::string_view what,
@@ -136,7 +169,7 @@ const Table* as_table(Reading& reading, const Item& item, std::string_view what)
   const auto* table = std::get_if<Table>(&item.value->content);
   const auto* items = std::get_if<Array>(&item.value->content);
   if (items != nullptr && !items->empty() && std::holds_alternative<Table>(items->front().content)) {
-    report(reading, item, fmt::format("a heading has one pair of brackets: [{}]", item.path));
+    report(reading, item, fmt::format("a heading has one pair of brackets: [{}]", path_of(reading, item)));
   } else if (table == nullptr) {
     report_kind(reading, item, what);
   }
@@ -191,7 +224,7 @@ std::optional<std::uint64_t> as_seed(Reading& reading, const Item& item) {
 }
 
 std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Expected& expected) {
-  if (const auto varied = reading.varied.find(item.path); varied != reading.varied.end()) {
+  if (const auto varied = reading.varied.find(item.value); varied != reading.varied.end()) {
     varied->second = expected.dimension;
   }
   const auto quantity = quantity_of_any_sign(reading, item, expected.dimension);
@@ -204,7 +237,7 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
     return std::nullopt;
   }
   if (quantity && reading.lists_quantities) {
-    reading.quantities.push_back({item.path, expected.dimension, quantity->profile});
+    reading.quantities.push_back({path_of(reading, item), expected.dimension, quantity->profile});
   }
   if (quantity && expected.dimension != dimension::kNumber && std::abs(quantity->si) > kLargestQuantity) {
     report(reading, item,
@@ -218,24 +251,24 @@ std::optional<Quantity> as_quantity(Reading& reading, const Item& item, const Ex
 std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item, const Expected& expected,
                                              std::size_t count) {
   const auto* items = std::get_if<Array>(&item.value->content);
-  const std::string what = count == 0 ? "a list" : fmt::format("a list of {} numbers", count);
+  const auto what = [&] { return count == 0 ? "a list" : fmt::format("a list of {} numbers", count); };
   if (items == nullptr) {
-    report_kind(reading, item, what);
+    report_kind(reading, item, what());
     return std::nullopt;
   }
   if (count != 0 && items->size() != count) {
     report(
         reading, item,
         fmt::format(
-            "expected {}, found {}{}", what, items->size(),
+            "expected {}, found {}{}", what(), items->size(),
             may_be_decimal_commas(*items, count) ? ": decimals are written with a point, not a comma" : ""));
     return std::nullopt;
   }
   std::vector<Quantity> list;
   list.reserve(items->size());
   bool complete = true;
-  for (const Item& one : items_of(item)) {
-    const auto quantity = as_quantity(reading, one, expected);
+  for (const Value& one : *items) {
+    const auto quantity = as_quantity(reading, {&one}, expected);
     complete = complete && quantity.has_value();
     list.push_back(quantity.value_or(Quantity{}));
   }

@@ -12,20 +12,22 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace higherpair::io_detail {
 
 /// What all readers share: the units of the profile and the mistakes found so far.
 struct Reading {
+  const Value* document = nullptr;   ///< a table, with all values that are read
   std::vector<std::string> sources;  ///< the names of the sources that marks refer to
   Units units;
   std::vector<Mistake> mistakes;
   std::vector<Mistake> notes;      ///< probable mistakes found while reading
   std::vector<std::string> files;  ///< paths of the files read besides the profile
-  /// For each number that a task varies, by its path: the dimension as which it was read; none if it was not
-  /// read as a quantity.
-  std::map<std::string, std::optional<Dimension>> varied;
+  /// For each number that a task varies: the dimension as which it was read; none if it was not read as a
+  /// quantity.
+  std::map<const Value*, std::optional<Dimension>> varied;
   bool lists_quantities = false;  ///< whether all quantities are listed as they are read
   /// Whether mistakes name remedies that have to be searched for; not in one of many variants.
   bool advises = true;
@@ -35,6 +37,8 @@ struct Reading {
     double profile = 0;  ///< in the profile's unit
   };
   std::vector<ReadQuantity> quantities;
+  std::unordered_map<const Value*, std::string>
+      paths;  ///< of all values, once path_of() has been asked for one
 };
 
 /// Detects whether mistakes were reported since its construction.
@@ -50,13 +54,20 @@ private:
 
 [[nodiscard]] Place place_of(const Reading& reading, const Mark& mark);
 
-/// A value of the document with its path ("bodies.cam.curves.disc.radius"), which names it in messages.
+/// A value of the document.
 struct Item {
   const Value* value = nullptr;
-  std::string path;
 };
 
-/// The items of a list, with their paths; empty for any other value.
+/// The path of an item, "bodies.cam.curves.disc.radius", which names it in messages. The first one takes as
+/// long as the paths of all values: most readings need none.
+[[nodiscard]] const std::string& path_of(Reading& reading, const Item& item);
+
+/// The dimension as which the number at this path was read; none if no task varies it, or if it was not read
+/// as a quantity.
+[[nodiscard]] std::optional<Dimension> varied_dimension(const Reading& reading, std::string_view path);
+
+/// The items of a list; empty for any other value.
 [[nodiscard]] std::vector<Item> items_of(const Item& item);
 
 /// Reports a mistake about an item: "PATH = VALUE: rule".

@@ -6,7 +6,7 @@ namespace higherpair::io_detail {
 namespace {
 
 std::optional<ReadLaw> read_item(Reading& reading, const Item& item, const LawQuantities& quantities) {
-  TableReader table(reading, std::get<Table>(item.value->content), item.value->mark, item.path);
+  TableReader table(reading, *item.value);
   auto law = read_law(table, quantities);
   if (law) {
     note_law(table, quantities, *law);
@@ -83,8 +83,9 @@ void LawBook::finish() {
     if (!right) {
       reading_->mistakes = std::move(first->mistakes);
     }
-    reading_->notes.push_back({entry.item.value->mark,
-                               entry.item.path + ": nothing uses this law; a driver does by its key `law`"});
+    reading_->notes.push_back(
+        {entry.item.value->mark,
+         path_of(*reading_, entry.item) + ": nothing uses this law; a driver does by its key `law`"});
   }
 }
 

@@ -45,10 +45,7 @@ Expected expected_in(const NumberUnit& unit) {
 }  // namespace
 
 NumberUnit unit_of_paths(const Reading& reading, const std::vector<std::string>& paths) {
-  const auto dimension_at = [&](const std::string& path) {
-    const auto found = reading.varied.find(path);
-    return found == reading.varied.end() ? std::nullopt : found->second;
-  };
+  const auto dimension_at = [&](const std::string& path) { return varied_dimension(reading, path); };
   const auto dimension = paths.empty() ? std::nullopt : dimension_at(paths.front());
   if (!dimension && !reading.mistakes.empty()) {
     return {};
@@ -96,12 +93,12 @@ NumberUnit no_unit() {
   return {std::nullopt, "this has no unit: write a plain number"};
 }
 
-std::optional<double> number_at_path(const Reading& reading, const std::string& path, const Value& value) {
+std::optional<double> number_read(const Reading& reading, const Value& value) {
   if (const auto number = number_in(value)) {
     return number;
   }
   const auto* text = std::get_if<std::string>(&value.content);
-  const auto known = reading.varied.find(path);
+  const auto known = reading.varied.find(&value);
   if (text == nullptr || known == reading.varied.end() || !known->second) {
     return std::nullopt;
   }

@@ -35,8 +35,7 @@ struct NumberUnit {
 
 /// The number that a value of the profile is, in the profile's unit, if it is a plain one or has a unit of
 /// the dimension that the path is known to have.
-[[nodiscard]] std::optional<double> number_at_path(const Reading& reading, const std::string& path,
-                                                   const Value& value);
+[[nodiscard]] std::optional<double> number_read(const Reading& reading, const Value& value);
 
 /// A number in the profile's unit: a plain one, or one with its own unit, which is converted.
 [[nodiscard]] std::optional<double> as_number_in(Reading& reading, const Item& item, const NumberUnit& unit);

@@ -92,8 +92,9 @@ Profile read_root(TableReader& root, const Table& document) {
 
 Profile read_document(const Value& document, Reading& reading) {
   const auto& table = std::get<Table>(document.content);
+  reading.document = &document;
   note_varied(table, reading);
-  TableReader root(reading, table, document.mark, "");
+  TableReader root(reading, document);
   return read_root(root, table);
 }
 

@@ -81,7 +81,7 @@ void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBo
   Measure measure;
   if (const auto column = table.need("column", "the name of a column, such as \"follower.angle\"")) {
     measure.place = place_of(reading, column->value->mark);
-    measure.path = column->path;
+    measure.path = path_of(reading, *column);
     measure.column = as_text(reading, *column).value_or("");
   }
   measure.of = MeasureKind::kAt;

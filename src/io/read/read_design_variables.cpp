@@ -73,12 +73,11 @@ private:
 
   // "bodies.crank.points.A.0", or { path = "bodies.coupler.points.A.0", times = -1 }.
   void read_path(const Item& item, DesignTask::Variable& variable, std::optional<double>& start) {
-    const auto* content = std::get_if<Table>(&item.value->content);
-    if (content == nullptr) {
+    if (!std::holds_alternative<Table>(item.value->content)) {
       add_path(item, 1, variable, start);
       return;
     }
-    TableReader table(reading_, *content, item.value->mark, item.path);
+    TableReader table(reading_, *item.value);
     const auto path = table.need("path", "the number's path, \"bodies.crank.points.A.0\"");
     const auto times = table.take("times");
     const double factor = times ? as_number_in(reading_, *times, no_unit()).value_or(1) : 1;
@@ -92,7 +91,7 @@ private:
     const auto path = as_text(reading_, item);
     if (!path) return;
     const Value* value = end_of_path(document_, *path).value;
-    const auto number = value == nullptr ? std::nullopt : number_at_path(reading_, *path, *value);
+    const auto number = value == nullptr ? std::nullopt : number_read(reading_, *value);
     if (!number || !is_designable(*path)) {
       report(reading_, item, no_number(*path, value, number.has_value()));
       return;

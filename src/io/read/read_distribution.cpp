@@ -88,8 +88,8 @@ std::string form_of(TableReader& table, const Item& item) {
   (void)table.take("max");
   table.reading().mistakes.push_back(
       {item.value->mark,
-       fmt::format("{}: expected {} `values`, `min` and `max`, `normal`, `triangular`, `uniform`", item.path,
-                   forms.empty() ? "one of" : "only one of")});
+       fmt::format("{}: expected {} `values`, `min` and `max`, `normal`, `triangular`, `uniform`",
+                   path_of(table.reading(), item), forms.empty() ? "one of" : "only one of")});
   return "";
 }
 

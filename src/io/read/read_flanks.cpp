@@ -145,7 +145,8 @@ private:
           {law.value->mark,
            fmt::format("{}: the law goes over {} of the cam, and the flank ends there; over {} it "
                        "would be closed",
-                       law.path, cam_coordinate(motion, over), cam_coordinate(motion, 2 * kPi))});
+                       path_of(reading_, law), cam_coordinate(motion, over),
+                       cam_coordinate(motion, 2 * kPi))});
     }
   }
 

@@ -105,7 +105,7 @@ void check_teeth(Reading& reading, const PendingGears& gears, const std::vector<
         {gears.module->value->mark,
          fmt::format("{}: makes wheels of {:.6g} and {:.6g} teeth; of a pair with profile shift give "
                      "`pressure_angle` as it is at the pitch circles, and no `module`",
-                     gears.module->path, teeth.first, teeth.second)});
+                     path_of(reading, *gears.module), teeth.first, teeth.second)});
   }
 }
 

@@ -163,16 +163,16 @@ private:
       report(reading_, *file, fmt::format("line {}: {}", law_.lines[*fault.point], fault.rule));
     } else if (fault.point) {
       const Value& value = std::get<Array>(points->value->content)[*fault.point];
-      report(reading_, {&value, fmt::format("{}.{}", points->path, *fault.point)}, fault.rule);
+      report(reading_, {&value}, fault.rule);
     } else if (fault.segment) {
       const Value& value = std::get<Array>(segments->value->content)[*fault.segment];
-      const Item segment{&value, fmt::format("{}.{}", segments->path, *fault.segment)};
       const Value* key = find(std::get<Table>(value.content), fault.key);
-      const std::string path = fault.key.empty() ? segment.path : segment.path + "." + fault.key;
       if (key != nullptr) {
-        report(reading_, {key, path}, fault.rule);
+        report(reading_, {key}, fault.rule);
       } else {
-        reading_.mistakes.push_back({value.mark, path + " " + fault.rule});
+        const std::string& path = path_of(reading_, {&value});
+        reading_.mistakes.push_back({value.mark, fmt::format("{}{}{} {}", path, fault.key.empty() ? "" : ".",
+                                                             fault.key, fault.rule)});
       }
     } else {
       reading_.mistakes.push_back(

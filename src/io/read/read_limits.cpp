@@ -89,7 +89,8 @@ LimitSet read_set(TableReader& table, const std::function<bool(const KeyRow&)>& 
       report(table.reading(), *item, objection);
     }
     limits[static_cast<std::size_t>(row.key)] =
-        GivenLimit{quantity->si, quantity->profile, item->path, place_of(table.reading(), item->value->mark)};
+        GivenLimit{quantity->si, quantity->profile, path_of(table.reading(), *item),
+                   place_of(table.reading(), item->value->mark)};
   }
   return limits;
 }

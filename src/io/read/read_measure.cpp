@@ -16,7 +16,7 @@ std::optional<std::string> read_column(TableReader& table, Measure& measure) {
     return std::nullopt;
   }
   measure.place = place_of(table.reading(), item->value->mark);
-  measure.path = item->path;
+  measure.path = path_of(table.reading(), *item);
   auto name = as_text(table.reading(), *item);
   if (name && (name->empty() || name->find_first_of("*?[,") != std::string::npos)) {
     report(table.reading(), *item, "expected the name of one column, without its unit");

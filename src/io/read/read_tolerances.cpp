@@ -51,6 +51,8 @@ VariantPlan ToleranceTask::variants() const {
 namespace io_detail {
 namespace {
 
+constexpr std::string_view kOneTolerance = "tolerance, NAME = { path = …, plus_minus = … }";
+
 // Keys of [tolerances] that name no tolerance.
 bool is_own_key(std::string_view key) {
   return key == "results" || key == "correlations" || key == "time";
@@ -84,21 +86,21 @@ private:
     const auto item = table.take("path");
     for (std::size_t i = 0; i < tolerance.paths.size(); ++i) {
       const std::string& path = tolerance.paths[i];
-      const auto varied = reading_.varied.find(path);
-      if (varied == reading_.varied.end() || !varied->second) {
+      const auto dimension = varied_dimension(reading_, path);
+      if (!dimension) {
         report(reading_, *item, fmt::format("{} is no dimension of the mechanism: it cannot scatter", path));
         return;
       }
-      const auto value = number_at_path(reading_, path, *end_of_path(document_, path).value);
+      const auto value = number_read(reading_, *end_of_path(document_, path).value);
       if (!value) return;  // reported where the number is read
-      if (i > 0 && (*value != tolerance.value || !(*varied->second == dimension_))) {
+      if (i > 0 && (*value != tolerance.value || *dimension != dimension_)) {
         report(reading_, *item,
                fmt::format("{} is {} and {} is {}: numbers with one tolerance are equal in the profile",
                            tolerance.paths.front(), tolerance.value, path, *value));
         return;
       }
       tolerance.value = *value;
-      dimension_ = *varied->second;
+      dimension_ = *dimension;
     }
   }
 
@@ -186,20 +188,18 @@ void read_tolerances(TableReader& root, const Table& document, Profile& profile)
     Reading& reading = table.reading();
     const Mistakes mistakes(reading);
     task.in_time = table.flag("time", false);
-    Table named;
-    const auto& keys = std::get<Table>(item.value->content);
-    std::copy_if(keys.begin(), keys.end(), std::back_inserter(named),
-                 [](const Entry& entry) { return !is_own_key(entry.key); });
-    const Value all = {named, item.value->mark};
     ToleranceReader reader(reading, document);
-    for_each_table(reading, Item{&all, item.path}, "a tolerance, NAME = { path = …, plus_minus = … }",
-                   [&](const std::string& name, TableReader& one) {
-                     task.tolerances.push_back(reader.read(name, one));
-                   });
+    const std::string what = fmt::format("a {}", kOneTolerance);
+    for_each_named(reading, item, what, [&](const std::string& name, const Item& entry) {
+      if (is_own_key(name)) return;
+      read_named_table(reading, name, entry, what, [&](const std::string&, TableReader& one) {
+        task.tolerances.push_back(reader.read(name, one));
+      });
+    });
     read_correlations_of(table, task);
     read_results_of(table, profile.mechanism, task);
     if (mistakes.none() && task.tolerances.empty()) {
-      report(reading, item, "expected at least one tolerance, NAME = { path = …, plus_minus = … }");
+      report(reading, item, fmt::format("expected at least one {}", kOneTolerance));
     }
   };
   profile.tolerances = read_task<ToleranceTask>(root, "tolerances", read);

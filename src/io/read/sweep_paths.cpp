@@ -93,7 +93,7 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
         {item.value->mark,
          fmt::format("{}: the profile gives {} as \"{}\", and plain values of a sweep are in the "
                      "profile's `units`: if that is not meant, give them a unit of their own, too",
-                     item.path, *path, text)});
+                     path_of(reading, item), *path, text)});
   }
   return path;
 }
@@ -106,8 +106,9 @@ void note_varied(const Table& document, Reading& reading) {
     return value == nullptr ? nullptr : std::get_if<Table>(&value->content);
   };
   const auto note = [&](const Value& value) {
-    if (const auto* path = std::get_if<std::string>(&value.content))
-      reading.varied.emplace(*path, std::nullopt);
+    const auto* path = std::get_if<std::string>(&value.content);
+    const Value* varied = path == nullptr ? nullptr : end_of_path(document, *path).value;
+    if (varied != nullptr) reading.varied.emplace(varied, std::nullopt);
   };
   for (const Table* variables :
        {table_at(table_at(&document, "sweep"), "variables"),

@@ -18,7 +18,8 @@ void check_lists(Reading& reading, const Item& item, const std::vector<SweepVari
       reading.mistakes.push_back(
           {item.value->mark,
            fmt::format("{}.{}.values: {} values, but {} has {}; in a list all variables have equally many",
-                       item.path, variable.name, count, first->name, first->distribution.values.size())});
+                       path_of(reading, item), variable.name, count, first->name,
+                       first->distribution.values.size())});
     }
   }
 }
@@ -38,9 +39,9 @@ bool has_plain_values(const Value& variable) {
 
 // The unit at the first path of a variable; its other paths may have other units.
 std::string unit_of(const Reading& reading, const SweepVariable& variable) {
-  const auto found =
-      variable.paths.empty() ? reading.varied.end() : reading.varied.find(variable.paths.front());
-  return found == reading.varied.end() || !found->second ? "1" : unit_text(*found->second, reading.units);
+  const auto dimension =
+      variable.paths.empty() ? std::nullopt : varied_dimension(reading, variable.paths.front());
+  return dimension ? unit_text(*dimension, reading.units) : "1";
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ void read_sweep_variables(TableReader& sweep, const Table& document, std::option
                    task.units.push_back(unit_of(sweep.reading(), variable));
                    const Value* value = find(std::get<Table>(item->value->content), name);
                    const NumberUnit unit = unit_of_paths(sweep.reading(), variable.paths);
-                   read_distribution(table, {value, table.path()}, method, unit, variable);
+                   read_distribution(table, {value}, method, unit, variable);
                    if (has_plain_values(*value)) {
                      notes.insert(notes.end(), paths.with_unit.begin(), paths.with_unit.end());
                    }
