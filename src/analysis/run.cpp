@@ -77,13 +77,13 @@ void mark_rates(const Run& run, MotionRow& row) {
   row.status = singular ? RowStatus::kSingular : RowStatus::kOk;
 }
 
-// What rounding leaves of the residual where bodies are far away, as near a pole.
-double rounding_of_positions(const MotionRow& row) {
+// What rounding leaves of the residual where a body is far away, as near a pole; 0 where none is.
+double rounding_of_far_positions(const Run& run) {
   double farthest = 0;
-  for (const BodyMotion& body : row.bodies) {
+  for (const BodyMotion& body : run.row.bodies) {
     farthest = std::max(farthest, body.X_WB.p_WB.norm());
   }
-  return kRoundingOfPosition * farthest;
+  return farthest > kFarAway * run.plan().size ? kRoundingOfPosition * farthest : 0;
 }
 
 void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
@@ -103,7 +103,9 @@ void fill_row(Run& run, const std::vector<DriverMotion>& drivers) {
     row.status = run.at.watches[i].overlaps ? RowStatus::kOverlap : row.status;
   }
   row.residual = residual_of(run);
-  if (!(row.residual <= run.tolerance * run.plan().size) && !(row.residual <= rounding_of_positions(row))) {
+  const bool within = row.residual <= run.tolerance * run.plan().size ||
+                      (std::isfinite(row.residual) && row.residual <= rounding_of_far_positions(run));
+  if (!within) {
     row.status = RowStatus::kNotConverged;
   }
 }

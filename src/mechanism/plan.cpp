@@ -88,10 +88,11 @@ std::vector<int> common(const std::vector<int>& some, const std::vector<int>& ot
 
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   const Structure structure = analyse_structure(mechanism);
+  const SizedMechanism sized{mechanism, size_of(mechanism)};
   Plan plan;
   std::vector<LooseBody> missing;
   for (const LooseBody& loose : structure.loose) {
-    if (loose.turning_only && turns_idly({mechanism, size_of(mechanism)}, loose.body)) {
+    if (loose.turning_only && turns_idly(sized, loose.body)) {
       plan.idle_bodies.push_back(loose.body);
     } else {
       missing.push_back(loose);

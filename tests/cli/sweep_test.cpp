@@ -244,9 +244,9 @@ TEST_F(SweepProgram, RefusesWhatIsWrong) {
   for (const char* round : {"round.csv", "round.h5"}) {
     fs::create_symlink(round, folder_ / round);
     const Outcome outcome = run(std::string("four_bar.toml --samples 7 -o ") + round);
-    const bool has_hdf5 = outcome.err.find("built without HDF5") == std::string::npos;
-    EXPECT_EQ(outcome.code, has_hdf5 ? 1 : 2);
-    EXPECT_EQ(outcome.err.find("leads round in a circle") != std::string::npos, has_hdf5);
+    const bool possible = HIGHERPAIR_HAS_HDF5 || round == std::string("round.csv");
+    EXPECT_EQ(outcome.code, possible ? 1 : 2);
+    EXPECT_THAT(outcome.err, HasSubstr(possible ? "leads round in a circle" : "built without HDF5"));
   }
   EXPECT_FALSE(fs::exists(folder_ / ".blocks"));
 }
@@ -266,10 +266,10 @@ variables.v = { path = "driver.velocity", values = [1, 2] }
 }
 
 TEST_F(SweepProgram, WritesHdf5TheSameWayEveryTime) {
-  const Outcome outcome = run("four_bar.toml -o one.h5 --quiet --samples 37 --threads 1");
-  if (outcome.err.find("built without HDF5") != std::string::npos) {
+  if (!HIGHERPAIR_HAS_HDF5) {
     GTEST_SKIP() << "built without HDF5";
   }
+  const Outcome outcome = run("four_bar.toml -o one.h5 --quiet --samples 37 --threads 1");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(run("four_bar.toml -o two.h5 --quiet --samples 37 --threads 3").code, 0);
   EXPECT_THAT(file("one.h5"), StartsWith("\x89HDF\r\n"));

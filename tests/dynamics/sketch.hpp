@@ -15,9 +15,7 @@ namespace higherpair::testing {
 /// that the mechanism is assembled with all joint coordinates 0.
 class Sketch {
 public:
-  explicit Sketch(unsigned seed) : random_(seed) {
-    mechanism.bodies.push_back({"ground", {}, 0, {}, {}, {}});
-  }
+  explicit Sketch(unsigned seed) : random_(seed) { mechanism.bodies.emplace_back().name = "ground"; }
 
   Mechanism mechanism;
 
@@ -32,7 +30,8 @@ public:
   }
 
   int body() {
-    mechanism.bodies.push_back({fmt::format("b{}", mechanism.bodies.size()), {}, 0, {}, {}, {}});
+    const std::string name = fmt::format("b{}", mechanism.bodies.size());
+    mechanism.bodies.emplace_back().name = name;
     return static_cast<int>(mechanism.bodies.size()) - 1;
   }
 

@@ -114,7 +114,7 @@ void TableReader::finish() const {
 }
 
 void TableReader::report_unknown(const Entry& entry) const {
-  const std::string& path = this->path();
+  const std::string path = this->path();
   const bool repeated = path == entry.key || path.ends_with("." + entry.key);
   const std::vector<std::string> known = each_once(known_);
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
@@ -133,7 +133,8 @@ void TableReader::report_unknown(const Entry& entry) const {
 }
 
 std::string TableReader::path_to(std::string_view key) const {
-  return path().empty() ? std::string(key) : fmt::format("{}.{}", path(), key);
+  const std::string own = path();
+  return own.empty() ? std::string(key) : fmt::format("{}.{}", own, key);
 }
 
 void report_whole(TableReader& table, std::string_view message) {
@@ -193,10 +194,13 @@ void for_each_in_list(TableReader& table, const std::string& key,
                       const std::function<void(TableReader& entry)>& read) {
   Reading& reading = table.reading();
   const auto item = table.take(key);
-  const auto items =
-      item ? as_items(reading, *item, fmt::format("a list of tables, [[{}]]", path_of(reading, *item)))
-           : std::nullopt;
-  for (const Item& one : items.value_or(std::vector<Item>{})) {
+  if (!item) {
+    return;
+  }
+  if (items_of(*item).empty()) {
+    report(reading, *item, fmt::format("expected a list of tables, [[{}]]", path_of(reading, *item)));
+  }
+  for (const Item& one : items_of(*item)) {
     if (auto entry = as_reader(reading, one, "a table")) {
       read(*entry);
       entry->finish();

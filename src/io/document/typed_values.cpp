@@ -5,12 +5,12 @@
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 namespace higherpair::io_detail {
 namespace {
@@ -97,31 +97,37 @@ Vector2d direction_of(double angle) {
   return direction;
 }
 
-// The paths of a value and of all that it contains.
-void add_paths(const Value& value, const std::string& path,
-               std::unordered_map<const Value*, std::string>& paths) {
-  paths.emplace(&value, path);
-  const std::string begin = path.empty() ? "" : path + ".";
+// Adds the places of all that a value contains.
+void add_places(const Value& value, ValuePlaces& places) {
   if (const auto* table = std::get_if<Table>(&value.content)) {
     for (const Entry& entry : *table) {
-      add_paths(entry.value, begin + entry.key, paths);
+      places[&entry.value] = {&value, &entry.key, 0};
+      add_places(entry.value, places);
     }
   } else if (const auto* items = std::get_if<Array>(&value.content)) {
     for (std::size_t i = 0; i < items->size(); ++i) {
-      add_paths((*items)[i], begin + std::to_string(i), paths);
+      places[&(*items)[i]] = {&value, nullptr, i};
+      add_places((*items)[i], places);
     }
   }
 }
 
 }  // namespace
 
-const std::string& path_of(Reading& reading, const Item& item) {
-  if (reading.paths.empty()) {
-    add_paths(*reading.document, "", reading.paths);
+std::string path_of(Reading& reading, const Item& item) {
+  if (reading.places == nullptr) {
+    ValuePlaces places;
+    add_places(*reading.document, places);
+    reading.places = std::make_shared<const ValuePlaces>(std::move(places));
   }
-  const auto found = reading.paths.find(item.value);
-  assert(found != reading.paths.end());
-  return found->second;
+  std::vector<std::string> parts;
+  for (const Value* value = item.value; value != reading.document;) {
+    const ValuePlace& place = reading.places->at(value);
+    parts.push_back(place.key != nullptr ? *place.key : std::to_string(place.index));
+    value = place.parent;
+  }
+  std::reverse(parts.begin(), parts.end());
+  return fmt::format("{}", fmt::join(parts, "."));
 }
 
 std::optional<Dimension> varied_dimension(const Reading& reading, std::string_view path) {

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,14 @@
 #include <vector>
 
 namespace higherpair::io_detail {
+
+/// Where a value of a document is: what it is in, and its key or its index there.
+struct ValuePlace {
+  const Value* parent = nullptr;
+  const std::string* key = nullptr;  ///< null: an item of a list
+  std::size_t index = 0;
+};
+using ValuePlaces = std::unordered_map<const Value*, ValuePlace>;
 
 /// What all readers share: the units of the profile and the mistakes found so far.
 struct Reading {
@@ -37,8 +46,7 @@ struct Reading {
     double profile = 0;  ///< in the profile's unit
   };
   std::vector<ReadQuantity> quantities;
-  std::unordered_map<const Value*, std::string>
-      paths;  ///< of all values, once path_of() has been asked for one
+  std::shared_ptr<const ValuePlaces> places;  ///< of all values, once path_of() has been asked for one
 };
 
 /// Detects whether mistakes were reported since its construction.
@@ -59,9 +67,9 @@ struct Item {
   const Value* value = nullptr;
 };
 
-/// The path of an item, "bodies.cam.curves.disc.radius", which names it in messages. The first one takes as
-/// long as the paths of all values: most readings need none.
-[[nodiscard]] const std::string& path_of(Reading& reading, const Item& item);
+/// The path of an item, "bodies.cam.curves.disc.radius", which names it in messages. The first call finds the
+/// places of all values: most readings need none.
+[[nodiscard]] std::string path_of(Reading& reading, const Item& item);
 
 /// The dimension as which the number at this path was read; none if no task varies it, or if it was not read
 /// as a quantity.

@@ -1,6 +1,5 @@
 #include "condition_notes.hpp"
 
-#include "higherpair/mechanism/plan.hpp"
 #include "io/tolerances.hpp"
 
 #include <cmath>
@@ -11,16 +10,15 @@
 namespace higherpair::io_detail {
 namespace {
 
-bool is_same_point(const Mechanism& mechanism, const PointRef& a, const PointRef& b) {
+bool is_same_point(const Mechanism& mechanism, double size, const PointRef& a, const PointRef& b) {
   const auto& points = mechanism.bodies[a.body].points;
-  return a.body == b.body && (points[a.point].p_B - mechanism.bodies[b.body].points[b.point].p_B).norm() <=
-                                 kSamePoint * size_of(mechanism);
+  return a.body == b.body && (points[a.point].p_B - points[b.point].p_B).norm() <= kSamePoint * size;
 }
 
 // Pins of the same two points, in either order, or slides and slots of them along the same line.
-bool is_same_condition(const Mechanism& mechanism, const Joint& a, const Joint& b) {
+bool is_same_condition(const Mechanism& mechanism, double size, const Joint& a, const Joint& b) {
   const auto same = [&](const PointRef& first, const PointRef& second) {
-    return is_same_point(mechanism, a.first, first) && is_same_point(mechanism, a.second, second);
+    return is_same_point(mechanism, size, a.first, first) && is_same_point(mechanism, size, a.second, second);
   };
   if (a.type != b.type || couples_turning(a.type)) {
     return false;
@@ -50,10 +48,10 @@ bool is_same_condition(const Mechanism& mechanism, const Contact& a, const Conta
   return a.approach == b.approach && (same(b.first, b.second) || same(b.second, b.first));
 }
 
-template <class Items>
-std::string note(const Mechanism& mechanism, const Items& items, std::size_t index, const char* room) {
+template <class Items, class IsSame>
+std::string note(const Items& items, std::size_t index, const char* room, const IsSame& is_same) {
   for (std::size_t i = 0; i < index; ++i) {
-    if (is_same_condition(mechanism, items[i], items[index])) {
+    if (is_same(items[i], items[index])) {
       return fmt::format(
           "gives the same condition as {}.{}, so how they share their force is undefined, and it is left "
           "empty: "
@@ -66,12 +64,14 @@ std::string note(const Mechanism& mechanism, const Items& items, std::size_t ind
 
 }  // namespace
 
-std::string repeated_joint_note(const Mechanism& mechanism, std::size_t joint) {
-  return note(mechanism, mechanism.joints, joint, "joints");
+std::string repeated_joint_note(const Mechanism& mechanism, double size, std::size_t joint) {
+  return note(mechanism.joints, joint, "joints",
+              [&](const Joint& a, const Joint& b) { return is_same_condition(mechanism, size, a, b); });
 }
 
 std::string repeated_contact_note(const Mechanism& mechanism, std::size_t contact) {
-  return note(mechanism, mechanism.contacts, contact, "contacts");
+  return note(mechanism.contacts, contact, "contacts",
+              [&](const Contact& a, const Contact& b) { return is_same_condition(mechanism, a, b); });
 }
 
 }  // namespace higherpair::io_detail

@@ -67,8 +67,11 @@ public:
         add("contacts." + contact.name, text, ".between");
       }
     }
-    repeated("joints", mechanism_.joints, repeated_joint_note);
-    repeated("contacts", mechanism_.contacts, repeated_contact_note);
+    repeated("joints", mechanism_.joints, [&, size = size_of(mechanism_)](std::size_t i) {
+      return repeated_joint_note(mechanism_, size, i);
+    });
+    repeated("contacts", mechanism_.contacts,
+             [&](std::size_t i) { return repeated_contact_note(mechanism_, i); });
     for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
       driver(i, profile_.programs[i]);
     }
@@ -200,7 +203,7 @@ private:
   template <class Items, class NoteOf>
   void repeated(const std::string& room, const Items& items, const NoteOf& note_of) {
     for (std::size_t i = 0; i < items.size(); ++i) {
-      if (const std::string text = note_of(mechanism_, i); !text.empty()) {
+      if (const std::string text = note_of(i); !text.empty()) {
         add(room + "." + items[i].name, text, ".between");
       }
     }

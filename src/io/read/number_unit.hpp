@@ -34,7 +34,7 @@ struct NumberUnit {
 [[nodiscard]] NumberUnit no_unit();
 
 /// The number that a value of the profile is, in the profile's unit, if it is a plain one or has a unit of
-/// the dimension that the path is known to have.
+/// the dimension as which it was read.
 [[nodiscard]] std::optional<double> number_read(const Reading& reading, const Value& value);
 
 /// A number in the profile's unit: a plain one, or one with its own unit, which is converted.

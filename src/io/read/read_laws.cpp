@@ -170,7 +170,7 @@ private:
       if (key != nullptr) {
         report(reading_, {key}, fault.rule);
       } else {
-        const std::string& path = path_of(reading_, {&value});
+        const std::string path = path_of(reading_, {&value});
         reading_.mistakes.push_back({value.mark, fmt::format("{}{}{} {}", path, fault.key.empty() ? "" : ".",
                                                              fault.key, fault.rule)});
       }

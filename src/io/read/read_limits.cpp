@@ -76,8 +76,9 @@ std::string objection_to(double value, Range range) {
   return value >= 0 && value <= 0.5 ? "" : "Poisson's ratio is from 0 to 0.5";
 }
 
-// Reads the keys that belong in one table.
-LimitSet read_set(TableReader& table, const std::function<bool(const KeyRow&)>& belongs) {
+// Reads the keys that belong in one table, which is at `path`.
+LimitSet read_set(TableReader& table, const std::string& path,
+                  const std::function<bool(const KeyRow&)>& belongs) {
   LimitSet limits;
   for (const KeyRow& row : kKeys) {
     const auto item = belongs(row) ? table.take(std::string(row.name)) : std::nullopt;
@@ -89,7 +90,7 @@ LimitSet read_set(TableReader& table, const std::function<bool(const KeyRow&)>& 
       report(table.reading(), *item, objection);
     }
     limits[static_cast<std::size_t>(row.key)] =
-        GivenLimit{quantity->si, quantity->profile, path_of(table.reading(), *item),
+        GivenLimit{quantity->si, quantity->profile, fmt::format("{}.{}", path, row.name),
                    place_of(table.reading(), item->value->mark)};
   }
   return limits;
@@ -108,8 +109,9 @@ std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std
                  [&](const std::string& name, TableReader& table) {
                    const auto index = named_thing(table, name, kind, things);
                    if (!index) return;
-                   sets[*index] = read_set(
-                       table, [&](const KeyRow& row) { return (row.scopes & scope(things[*index])) != 0; });
+                   sets[*index] =
+                       read_set(table, fmt::format("limits.{}.{}", key, name),
+                                [&](const KeyRow& row) { return (row.scopes & scope(things[*index])) != 0; });
                    table.finish();
                  });
   return sets;
@@ -174,7 +176,7 @@ void read_limits(TableReader& root, Profile& profile) {
   TableReader& table = *reader;
   const Mechanism& mechanism = profile.mechanism;
   auto limits = std::make_shared<CheckLimits>();
-  limits->all = read_set(table, [](const KeyRow&) { return true; });
+  limits->all = read_set(table, "limits", [](const KeyRow&) { return true; });
   limits->contacts =
       read_sets(table, "contacts", "contact", mechanism.contacts, [](const Contact&) { return kContact; });
   limits->joints = read_sets(table, "joints", "joint", mechanism.joints, scope_of);

@@ -74,7 +74,7 @@ NumberAtPath number_at(const Table& document, std::string_view path) {
 }
 
 std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPaths& paths) {
-  const auto path = as_text(reading, item);
+  auto path = as_text(reading, item);
   if (!path) {
     return std::nullopt;
   }
