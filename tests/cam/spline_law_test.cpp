@@ -210,7 +210,7 @@ TEST(SplineLaw, ManyPointsAreFitted) {
   EXPECT_NEAR(law.extremes(1).greatest, 1, 1e-9);
 }
 
-std::string spline_fault(LawDescription description) {
+std::string spline_fault(const LawDescription& description) {
   const auto law = MotionLaw::make(description);
   if (law) return "none";
   const LawFault& what = law.error();

@@ -26,7 +26,7 @@ private:
   Function function_;
 };
 
-DesignProblem problem_of(std::vector<DesignVariable> variables, Function function) {
+DesignProblem problem_of(std::vector<DesignVariable> variables, const Function& function) {
   DesignProblem problem;
   problem.variables = std::move(variables);
   problem.evaluator = [function] { return std::make_unique<ByFunction>(function); };

@@ -15,7 +15,6 @@ namespace higherpair::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 // Position, velocity and acceleration of a tappet at dθ/dt = 1.
 struct Lift {

@@ -8,7 +8,6 @@
 namespace higherpair {
 namespace {
 
-using testing::Worst;
 using Pieces = std::vector<ContourPiece>;
 
 Pieces polygon(const std::vector<Vector2d>& corners) {

@@ -15,7 +15,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Overrides;
-using testing::read;
 
 constexpr double kDegrees = 180 / kPi;
 

@@ -14,6 +14,7 @@ namespace {
 
 using testing::crank_profile;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using testing::read;
 using testing::slider_profile;
 using Samples = std::optional<std::int64_t>;

@@ -11,7 +11,6 @@ namespace higherpair {
 namespace {
 
 using testing::crank_profile;
-using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;

@@ -125,7 +125,7 @@ BoundaryCase checked_spline_cam(const Case& ellipse) {
     points += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", p.x(), p.y());
   }
   const std::string name = "spline_of_720_on_circle";
-  const BoundaryCase made{
+  BoundaryCase made{
       name, run_of(profile_with("{ type = \"spline\", points = [" + points + "] }", kSwingingRoller), name)};
   Run spline = made.run;
   Run conic = ellipse.run;
