@@ -1,6 +1,6 @@
 # Run after a test program is built: writes to OUTPUT one ctest entry for each suite of PROGRAM, named ROOM.suite.
-# The suites in LONG are started before the others.
-# One for each test would start the program 1,900 times, which takes longer than most of the tests.
+# One for each test would start the program 1,900 times, which takes longer than most of the tests. The suites in LONG
+# are started before the others.
 cmake_minimum_required(VERSION 3.25)
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)

@@ -44,12 +44,11 @@ std::string too_loose(const Mechanism& mechanism, const std::vector<LooseBody>& 
          "; add a driver, joint or contact that sets " + (loose.size() == 1 ? "it" : "them");
 }
 
-// Sets what depends on the dimensions: the groups, one for each set, and the size.
+// Sets what depends on the dimensions, but for the size: the groups, one for each set.
 void fill_in(Plan& plan, const Mechanism& mechanism, const std::vector<BodySet>& sets) {
   for (const BodySet& set : sets) {
     plan.groups.push_back(recognise(mechanism, set, plan.groups));
   }
-  plan.size = size_of(mechanism);
   plan.couples = std::any_of(plan.groups.begin(), plan.groups.end(),
                              [](const Group& group) { return traits_of(group).coupled; });
   for (Group& group : plan.groups) {
@@ -88,11 +87,11 @@ std::vector<int> common(const std::vector<int>& some, const std::vector<int>& ot
 
 tl::expected<Plan, std::string> make_plan(const Mechanism& mechanism) {
   const Structure structure = analyse_structure(mechanism);
-  const SizedMechanism sized{mechanism, size_of(mechanism)};
   Plan plan;
+  plan.size = size_of(mechanism);
   std::vector<LooseBody> missing;
   for (const LooseBody& loose : structure.loose) {
-    if (loose.turning_only && turns_idly(sized, loose.body)) {
+    if (loose.turning_only && turns_idly({mechanism, plan.size}, loose.body)) {
       plan.idle_bodies.push_back(loose.body);
     } else {
       missing.push_back(loose);
@@ -175,6 +174,7 @@ Plan redimensioned(const Plan& plan, const Mechanism& mechanism) {
   other.phase_bodies = plan.phase_bodies;
   other.surplus = plan.surplus;
   other.coincidences = plan.coincidences;
+  other.size = size_of(mechanism);
   fill_in(other, mechanism, {plan.groups.begin(), plan.groups.end()});
   return other;
 }

@@ -4,14 +4,8 @@
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${WORK_DIR})
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(JOIN " " command ${ARGN})
-    message(FATAL_ERROR "${command}\nfailed (${result}):\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+set(working_directory ${SOURCE_DIR})
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 run(${CMAKE_COMMAND}
     -S ${SOURCE_DIR}

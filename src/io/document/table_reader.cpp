@@ -83,10 +83,13 @@ double TableReader::quantity(const std::string& key, const Expected& expected, d
 }
 
 double TableReader::need_quantity(const std::string& key, const Expected& expected) {
-  if (!take(key)) {
+  const auto item = take(key);
+  if (!item) {
     report_missing(key, what_number(expected.dimension, reading_->units));
+    return 0;
   }
-  return quantity(key, expected);
+  const auto quantity = as_quantity(*reading_, *item, expected);
+  return quantity ? quantity->si : 0;
 }
 
 Vector2d TableReader::need_vector(const std::string& key, const Dimension& dimension) {
@@ -194,13 +197,11 @@ void for_each_in_list(TableReader& table, const std::string& key,
                       const std::function<void(TableReader& entry)>& read) {
   Reading& reading = table.reading();
   const auto item = table.take(key);
-  if (!item) {
-    return;
-  }
-  if (items_of(*item).empty()) {
+  const std::vector<Item> items = item ? items_of(*item) : std::vector<Item>{};
+  if (item && items.empty()) {
     report(reading, *item, fmt::format("expected a list of tables, [[{}]]", path_of(reading, *item)));
   }
-  for (const Item& one : items_of(*item)) {
+  for (const Item& one : items) {
     if (auto entry = as_reader(reading, one, "a table")) {
       read(*entry);
       entry->finish();

@@ -4,7 +4,6 @@
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
