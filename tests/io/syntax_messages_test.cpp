@@ -198,6 +198,13 @@ TEST(Encoding, AMarkTabsAndTheLineEndsOfWindowsAreFine) {
   EXPECT_THAT(messages(text), ::testing::IsEmpty());
 }
 
+TEST(SyntaxMessages, ADecimalCommaIsFoundBehindAsMuchTextAsThereIs) {
+  std::string points;
+  for (int i = 0; i < 20000; ++i) points += "[1, 2], ";
+  EXPECT_THAT(messages("face = { points = [" + points + "], radius = 30,5 }\n"),
+              ::testing::ElementsAre("test.toml:1:160032: a decimal number is written with a point: 30.5"));
+}
+
 // Whatever is cut off or inserted, the message is a single line with a position within the text.
 TEST(SyntaxMessages, AreOneLineForEveryProfileCutAnywhere) {
   const std::string text = testing::kCamProfile;

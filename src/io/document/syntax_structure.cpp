@@ -35,24 +35,31 @@ const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
   return around == end ? nullptr : &*around;
 }
 
+// The whole number, with its sign, at the end of a text; empty where the text ends otherwise.
+std::string_view last_whole_number(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t digits = text.find_last_not_of(kDigits) + 1;
+  const bool has_sign = digits > 0 && (text[digits - 1] == '-' || text[digits - 1] == '+');
+  const std::size_t begin = has_sign ? digits - 1 : digits;
+  const bool is_part =
+      begin > 0 && (text[begin - 1] == '+' || contains_text(kKeyCharacters, text.substr(begin - 1, 1)));
+  return digits == text.size() || is_part ? std::string_view() : text.substr(begin);
+}
+
 // A decimal comma, 30,5, within a table in braces: its second half is found where a key is expected.
 Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
-  static const std::regex kWhole(R"((?:^|.*[^\w.+-])([+-]?\d+),)");
   static const std::regex kDecimals(R"((\d+)\s*(?:[,}#A-Za-z°].*)?)");
-  if (!scan.in_table()) {
+  if (!scan.in_table() || scan.text[at - 1] != ',') {
     return std::nullopt;
   }
-  const std::string_view before = scan.text.substr(scan.open.back(), at - scan.open.back());
+  const std::string_view whole = last_whole_number(scan.text.substr(0, at - 1));
   const std::string_view behind = scan.line_from(at);
-  std::cmatch whole;
   std::cmatch decimals;
-  if (!std::regex_match(before.data(), before.data() + before.size(), whole, kWhole) ||
-      !std::regex_match(behind.data(), behind.data() + behind.size(), decimals, kDecimals)) {
+  if (whole.empty() || !std::regex_match(behind.data(), behind.data() + behind.size(), decimals, kDecimals)) {
     return std::nullopt;
   }
-  return Found{
-      at - 1 - static_cast<std::size_t>(whole[1].length()),
-      fmt::format("a decimal number is written with a point: {}.{}", whole[1].str(), decimals[1].str())};
+  return Found{at - 1 - whole.size(),
+               fmt::format("a decimal number is written with a point: {}.{}", whole, decimals[1].str())};
 }
 
 }  // namespace
