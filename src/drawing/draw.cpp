@@ -241,7 +241,8 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
   const std::size_t count = settings.strip ? scenes.size() : 1;
   const std::size_t columns = pictures_in_line(count, width, drawn);
   const double whole_width = width * static_cast<double>(columns);
-  const double whole_height = drawn * static_cast<double>((count + columns - 1) / columns);
+  const std::size_t lines = (count + columns - 1) / columns;
+  const double whole_height = drawn * static_cast<double>(lines);
   const DrawFoot foot(scenes.front(), fitted, layers, scale, whole_width);
   const Screen screen{scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
   SvgWriter svg({whole_width, whole_height + foot.height(), settings.title, kStyle},
@@ -253,9 +254,10 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings
       continue;
     }
     const std::size_t place = settings.strip ? i : 0;
+    const std::size_t line = place / columns;
     svg.open("svg", {{"class", ghost ? "ghost" : "scene"},
                      {"x", width * static_cast<double>(place % columns)},
-                     {"y", drawn * static_cast<double>(place / columns)},
+                     {"y", drawn * static_cast<double>(line)},
                      {"width", width},
                      {"height", drawn}});
     Picture picture(svg, screen, layers, settings.length);

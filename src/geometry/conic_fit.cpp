@@ -70,7 +70,7 @@ LeastSquaresFit least_distances(const std::vector<Vector2d>& points, const Famil
 // All conics near one: its coefficients and any change of them other than a common factor.
 Family near(const Coefficients& conic) {
   const SingularValues svd = singular_values(conic.transpose());
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> basis = svd.V.rightCols(5);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> basis = svd.V.rightCols(5);
   return {[=](const Eigen::VectorXd& x) -> Coefficients { return conic + basis * x; },
           [=](const Eigen::VectorXd&) { return basis; }};
 }

@@ -58,7 +58,9 @@ std::optional<Move> move_along(const SizedMechanism& sized, const MechanismPosit
     auto move = move_to(assemble_from(sized, {}, beside));
     if (!move || !move->leads_away()) {
       auto damped = move_to(assemble_beside(sized, std::move(beside)));
-      move = damped && damped->leads_away() ? std::move(damped) : std::move(move);
+      if (damped && damped->leads_away()) {
+        move = std::move(damped);
+      }
     }
     if (move) {
       return move;

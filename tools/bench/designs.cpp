@@ -62,7 +62,7 @@ DesignCase checked_design() {
   const auto evaluator = one.problem.evaluator();
   DesignValues values;
   evaluator->evaluate(start, one.problem.start_branch, values);
-  require(values.residuals.size() == 2 * kPlaces && values.residuals.norm() < 1e-12,
+  require(values.residuals.size() == Eigen::Index{2} * kPlaces && values.residuals.norm() < 1e-12,
           fmt::format("design: the known linkage misses its path by {}", values.residuals.norm()));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> near(-0.05, 0.05);

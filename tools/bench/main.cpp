@@ -204,7 +204,8 @@ void register_design(const DesignCase& design, double floor) {
         benchmark::DoNotOptimize(values.residuals.data());
         benchmark::DoNotOptimize(jacobian.residuals.data());
       }
-      const double positions = static_cast<double>(number) * static_cast<double>(values.residuals.size() / 2);
+      const Eigen::Index places = values.residuals.size() / 2;
+      const double positions = static_cast<double>(number) * static_cast<double>(places);
       state.counters["floors"] = nanoseconds_since(start) / positions / floor;
       state.SetItemsProcessed(static_cast<std::int64_t>(number));
     });

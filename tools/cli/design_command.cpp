@@ -154,8 +154,9 @@ int design_command(const DesignCommandOptions& options) {
   std::vector<DesignSearchEnd> known;
   const auto take = [&](std::string_view record) {
     auto end = search_of(record);
-    if (end) known.push_back(*std::move(end));
-    return end.has_value();
+    const bool readable = end.has_value();
+    if (readable) known.push_back(*std::move(end));
+    return readable;
   };
   if (!journal.path().empty() && !journal.open(identity_of(options, *model), options.resume, take)) {
     return report_journal(journal);

@@ -3,6 +3,7 @@
 
 #include <cairo-pdf.h>
 #include <cairo.h>
+#include <cmath>
 #include <librsvg/rsvg.h>
 #include <memory>
 #include <stdexcept>
@@ -89,9 +90,9 @@ void higherpair_pdf_of(const std::string& svg, std::string& pdf) {
 void higherpair_png_of(const std::string& svg, std::string& png) {
   using namespace higherpair::cli;
   const Picture picture = read(svg);
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
-                                                   static_cast<int>(picture.width * kPixelsPerPx + 0.5),
-                                                   static_cast<int>(picture.height * kPixelsPerPx + 0.5)));
+  const Surface surface(cairo_image_surface_create(
+      CAIRO_FORMAT_ARGB32, static_cast<int>(std::lround(picture.width * kPixelsPerPx)),
+      static_cast<int>(std::lround(picture.height * kPixelsPerPx))));
   check(cairo_surface_status(surface.get()));
   render(picture, surface.get(), kPixelsPerPx);
   check(cairo_surface_write_to_png_stream(surface.get(), append, &png));

@@ -117,7 +117,7 @@ private:
       if (traits_of(run_.plan().groups[g]).two_modes) {
         (void)position_.place(g, candidate.mode);
       }
-      const std::optional<Groups> beyond = search(g + 1, cost + candidate.cost);
+      std::optional<Groups> beyond = search(g + 1, cost + candidate.cost);
       if (beyond && !(*beyond)[g]) {
         return beyond;
       }

@@ -22,8 +22,8 @@ double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies
 }
 
 // Places the groups in their order and returns the gap of each, up to the first that cannot be placed.
-std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers, State from,
-                                           State state) {
+std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers,
+                                           const State& from, State state) {
   std::vector<std::optional<double>> gaps(run.plan().groups.size());
   const Planned model{run.mechanism(), run.plan()};
   for (std::size_t g = 0; g < gaps.size(); ++g) {

@@ -43,7 +43,7 @@ public:
     const bool halve_first = !one.is_place() && (two.is_place() || effect(a) > effect(b));
     CellLook all;
     for (const bool high : {false, true}) {
-      const CellLook part =
+      CellLook part =
           halve_first ? look(one.half(high), two, halvings + 1) : look(one, two.half(high), halvings + 1);
       if (part.place) {
         return part;

@@ -158,22 +158,22 @@ private:
   }
 
   void connect(const Rect& cell, const std::vector<Zero>& zeros, int depth) {
-    if (links_.size() > kMostSheetSteps || is_stopped(range_)) {
-      found_.complete = false;
-    } else if (zeros.empty()) {
+    const bool goes_on = links_.size() <= kMostSheetSteps && !is_stopped(range_);
+    if (goes_on && zeros.empty()) {
       StretchNode on1 = stretch1(cell.t1);
       StretchNode on2 = stretch2(cell.t2);
       find_within(cell, grid_.look_into(on1, on2), depth);
-    } else if (zeros.size() == 2 && (depth == kDeepest || (is_straight(zeros[0], zeros[1]) &&
-                                                           (depth >= kMostForGraph || is_graph(cell))))) {
+    } else if (goes_on && zeros.size() == 2 &&
+               (depth == kDeepest ||
+                (is_straight(zeros[0], zeros[1]) && (depth >= kMostForGraph || is_graph(cell))))) {
       const Zero& a = zeros[0];
       const Zero& b = zeros[1];
       found_.complete = found_.complete && depth < kDeepest;
       links_.push_back({a.id, b.id, step_between(polished(a), polished(b))});
-    } else if (depth == kDeepest) {
-      found_.complete = false;
-    } else {
+    } else if (goes_on && depth != kDeepest) {
       halve(cell, zeros, kOffMiddle, kOffMiddle, depth);
+    } else {
+      found_.complete = false;
     }
   }
 

@@ -60,12 +60,12 @@ char* put_shortest(double value, char* out) {
   if (decimal.exponent >= 0) {  // whole: rare, and with an exponent if that is shorter
     return put_standard(value, out);
   }
-  std::array<char, 2 * kMostDigits> all{};
+  std::array<char, std::size_t{2} * kMostDigits> all{};
   const int skipped = put_digits(decimal.significand, all.data());
   const char* const digits = all.data() + skipped;
   const int count = kMostDigits - skipped;
   const int point = count + decimal.exponent;  // number of digits before it
-  std::array<char, 3 * kMostDigits> text{};
+  std::array<char, std::size_t{3} * kMostDigits> text{};
   char* end = text.data();
   *end = '-';
   end += value < 0 ? 1 : 0;

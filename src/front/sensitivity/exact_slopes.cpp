@@ -201,7 +201,7 @@ bool ExactSlopes::vanishes(std::size_t measure) const {
 
 void ExactSlopes::add_means(std::size_t number, const Stop& stop, const std::vector<double>& values) {
   const PlaceSlopes slopes = slopes_at(number, stop);
-  means_diverge_[number] = means_diverge_[number] != 0 || slopes.diverges;
+  if (slopes.diverges) means_diverge_[number] = 1;
   for (std::size_t m = 0; m < measures_.size(); ++m) {
     const std::size_t column = results_[m].column;
     if (std::isnan(values[column])) continue;

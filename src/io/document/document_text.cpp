@@ -203,7 +203,7 @@ tl::expected<std::string, std::string> text_of_document(std::string text,
 }  // namespace
 
 tl::expected<std::string, std::string> ProfileDocument::text_with(std::span<const NewValue> values) const {
-  const auto text = text_of_document(content_->text, content_->overrides);
+  auto text = text_of_document(content_->text, content_->overrides);
   const auto document = text ? io_detail::parse_document(*text, "") : tl::unexpected(Diagnostic());
   if (!document) {
     return text;

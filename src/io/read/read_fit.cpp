@@ -89,7 +89,7 @@ private:
   std::optional<std::string> read_point(const Item& item) {
     const auto point = as_point(reading_, item, mechanism_);
     if (!point) return std::nullopt;
-    const auto name = as_text(reading_, item);
+    auto name = as_text(reading_, item);
     if (point->body == 0) report(reading_, item, "a point of ground does not move");
     for (const FitTask::Frame& other : task_.frames) {
       if (other.point == name) report(reading_, item, "this point has a frame already");

@@ -46,10 +46,11 @@ tl::expected<std::int64_t, Diagnostic> analyze_rows(const Profile& profile, std:
   };
   const DriverProgram& program = profile.programs[driver];
   if (!program.positions.empty()) {
-    if (option)
+    if (option) {
       return fail("positions",
                   "are given one by one, and each is a row: leave --samples out, or give `end` in place of "
                   "`positions`");
+    }
     return static_cast<std::int64_t>(program.positions.size());
   }
   const auto samples = option ? option : program.samples;

@@ -75,7 +75,7 @@ void Dispatcher::serve(const Received& message) {
 }
 
 // A second result of the same block is dropped.
-void Dispatcher::accept(SweepBlock block) {
+void Dispatcher::accept(SweepBlock&& block) {
   const std::int64_t number = block.number;
   issued_.erase(number);
   if (ended_ || !block.complete || number < taken_ || number >= next_) {

@@ -40,7 +40,7 @@ private:
 
   void serve(const Received& message);
   void hand_out();
-  void accept(SweepBlock block);
+  void accept(SweepBlock&& block);
   bool work_here();
   [[nodiscard]] std::int64_t choose(int rank);
 
