@@ -80,8 +80,8 @@ std::optional<OuterJoints> sort_joints(const Mechanism& mechanism, std::span<con
   OuterJoints sorted{-1, -1, -1};
   for (const int index : joints) {
     const Joint& joint = mechanism.joints[index];
-    const bool on_a = touches(joint, a);
-    const bool on_b = touches(joint, b);
+    const bool on_a = has_end_on(joint, a);
+    const bool on_b = has_end_on(joint, b);
     int& place = on_a && on_b ? sorted.inner : on_a ? sorted.on_a : sorted.on_b;
     if (place >= 0) {
       return std::nullopt;

@@ -182,7 +182,7 @@ std::vector<Condition> independent_conditions(const Mechanism& mechanism, const 
 
 bool is_rolling(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
-                     [&](const Contact& contact) { return contact.rolling && touches(contact, body); });
+                     [&](const Contact& contact) { return contact.rolling && has_end_on(contact, body); });
 }
 
 bool is_joined_to_ground(const Mechanism& mechanism, int body) {

@@ -9,7 +9,7 @@ namespace higherpair {
 namespace {
 
 // A joint of the contact's group, whose acceleration is reported where it jumps.
-std::optional<int> moved_joint(const Run& run, std::size_t contact) {
+std::optional<int> reported_joint(const Run& run, std::size_t contact) {
   const auto g = group_with_contact(run.plan(), static_cast<int>(contact));
   const bool moves = g && !run.plan().groups[*g].joints.empty();
   return moves ? std::optional(run.plan().groups[*g].joints.front()) : std::nullopt;
@@ -37,10 +37,8 @@ std::string cause_of(const Run& run, const JointPassage& passage, EventType type
   const bool onto_corner = boundary_at(run, passage.contact, passage.side).is_corner(passage.after);
   const std::string& body = body_of_side(run, passage.contact, passage.side);
   if (type == EventType::kEnd) {
-    return onto_corner
-               ? fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there",
-                             body)
-               : fmt::format("the contact leaves the edge at the end of the curve of {}", body);
+    return onto_corner ? onto_edge_text(run, passage.contact, passage.side)
+                       : fmt::format("the contact leaves the edge at the end of the curve of {}", body);
   }
   if (type == EventType::kCorner) {
     return fmt::format("the contact {} a corner of {}", onto_corner ? "goes onto" : "leaves", body);
@@ -74,7 +72,7 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
 }
 
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
-  const auto joint = moved_joint(run, passage.contact);
+  const auto joint = reported_joint(run, passage.contact);
   const double before = joint ? acceleration_of(run, *joint) : 0;
   set_place_of(run, passage, passage.after, run.at.state);
   path.motions(s, run.work.motions);

@@ -325,18 +325,16 @@ bool go_over_vertex(Run& run, const Path& path, double s, std::size_t g) {
   run.at.watches[i].interrupted = run.at.watches[i].interrupted || passage->notch;
   const std::string& body = body_of_side(run, i, passage->side);
   const auto& place = run.at.state.contacts[i].place[passage->side];
-  if (is_on_edge(run, i, passage->side, place) && !is_on_edge(run, i, passage->side, before[passage->side])) {
-    RunEvent& event = report_contact(
-        run, EventType::kEnd, path, s, i,
-        fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there", body));
-    add_rate_jump(run, path, touching->follower, *change, event);
-  } else {
-    RunEvent& event = report_contact(
-        run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
-        fmt::format("the contact {} of {}",
-                    passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body));
-    add_rate_jump(run, path, touching->follower, *change, event);
-  }
+  const bool onto_edge =
+      is_on_edge(run, i, passage->side, place) && !is_on_edge(run, i, passage->side, before[passage->side]);
+  RunEvent& event =
+      onto_edge
+          ? report_contact(run, EventType::kEnd, path, s, i, onto_edge_text(run, i, passage->side))
+          : report_contact(
+                run, passage->notch ? EventType::kSecondContact : EventType::kCorner, path, s, i,
+                fmt::format("the contact {} of {}",
+                            passage->notch ? "goes on beyond a concave corner" : "goes over a corner", body));
+  add_rate_jump(run, path, touching->follower, *change, event);
   return true;
 }
 

@@ -79,6 +79,11 @@ bool is_on_edge(const Run& run, std::size_t contact, std::size_t side, const Bou
   return is_edge(boundary_at(run, contact, side), place.span);
 }
 
+std::string onto_edge_text(const Run& run, std::size_t contact, std::size_t side) {
+  return fmt::format("the contact reaches the end of the curve of {} and goes on at the edge there",
+                     body_of_side(run, contact, side));
+}
+
 void note_edge(Run& run, const Path& path, double s, std::size_t contact,
                const std::array<BoundaryPlace, 2>& before) {
   for (std::size_t side = 0; side < 2; ++side) {

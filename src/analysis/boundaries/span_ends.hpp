@@ -32,6 +32,9 @@ namespace higherpair {
 [[nodiscard]] bool is_on_edge(const Run& run, std::size_t contact, std::size_t side,
                               const BoundaryPlace& place);
 
+/// The sentence of an event that the contact comes there along the curve.
+[[nodiscard]] std::string onto_edge_text(const Run& run, std::size_t contact, std::size_t side);
+
 /// After a contact has gone over to another place at s, in run.at.state: adds an event if that place is on
 /// the edge at an end of a curve and the place before was not.
 void note_edge(Run& run, const Path& path, double s, std::size_t contact,

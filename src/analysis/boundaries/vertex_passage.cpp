@@ -78,15 +78,16 @@ std::optional<VertexPassage> passage_over(const VertexSides& sides, bool high) {
 std::optional<VertexPassage> vertex_passage(const Run& run, std::size_t contact) {
   const Contact& touching = run.mechanism().contacts[contact];
   const auto& place = run.at.state.contacts[contact].place;
-  const auto boundary = [&](std::size_t side) -> const Boundary& {
-    return boundary_of(run.mechanism(), ref_of(touching, side));
-  };
   const auto pose = [&](std::size_t side) -> const Pose<double>& {
     return run.at.state.bodies[ref_of(touching, side).body].X_WB;
   };
   for (std::size_t side = 0; side < 2; ++side) {
-    const VertexSides sides{boundary(side), boundary(1 - side), pose(side),
-                            pose(1 - side), place[side],        place[1 - side]};
+    const VertexSides sides{boundary_at(run, contact, side),
+                            boundary_at(run, contact, 1 - side),
+                            pose(side),
+                            pose(1 - side),
+                            place[side],
+                            place[1 - side]};
     if (!sides.pointed.is_corner(sides.on_point)) {
       continue;
     }

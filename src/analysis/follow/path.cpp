@@ -156,19 +156,19 @@ private:
       case JointOutcome::kEnds:
         return lose({outcome.group, at_.s});
       case JointOutcome::kDiverted:
-        go_on_anew();
-        break;
+        return go_on_anew();
       case JointOutcome::kPassed:
         break;
     }
     return Outcome::kGoesOn;
   }
 
-  void go_on_anew() {
+  Outcome go_on_anew() {
     limit_.forget();
     refused_ = 0;
     first_refused_ = 0;
     length_ = StepLength(largest_);
+    return Outcome::kGoesOn;
   }
 
   Outcome take() {
@@ -176,8 +176,7 @@ private:
       return rest_beside_crossing();
     }
     if (meet_elsewhere(at_, step_)) {
-      go_on_anew();
-      return Outcome::kGoesOn;
+      return go_on_anew();
     }
     const StepTaken taken = take_step(at_, step_);
     if (taken.rather) {
@@ -188,8 +187,7 @@ private:
       at_.s = path_.length;
     }
     if (taken.gone_over) {
-      go_on_anew();
-      return Outcome::kGoesOn;
+      return go_on_anew();
     }
     length_.taken();
     if (limit_.is_known()) {
@@ -257,15 +255,13 @@ private:
   // Ends the motion, unless it goes on in another way.
   Outcome lose(const PathLimit& limit) {
     if (pass_vertex(at_, limit) || hand_over(at_, limit.group)) {
-      go_on_anew();
-      return Outcome::kGoesOn;
+      return go_on_anew();
     }
     if (const auto outcome = look_beyond(limit)) {
       return *outcome;
     }
     if (part_contact(at_, limit.group)) {
-      go_on_anew();
-      return Outcome::kGoesOn;
+      return go_on_anew();
     }
     const RunEvent event = limit_event(run_, limit.group, path_, limit.s);
     // A limit at infinity may have been passed by a rounding.

@@ -329,14 +329,11 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
   const auto& crossings = run.work.crossings;
   const auto own = std::find_if(crossings.begin(), crossings.end(),
                                 [&](const Crossing& crossing) { return crossing.group < end; });
-  if (own == crossings.end()) {
+  const double reach = own == crossings.end() ? 0 : crossing_reach(run, path, run.at.state);
+  if (reach == 0 || std::abs(s + x - own->s) >= reach) {
     return solve_groups(run, run.at.state, path, end, s, x);
   }
-  const double reach = crossing_reach(run, path, run.at.state);
   const double begin = own->s - reach;
-  if (std::abs(s + x - own->s) >= reach) {
-    return solve_groups(run, run.at.state, path, end, s, x);
-  }
   if (!solve_groups(run, run.at.state, path, end, s, begin - s)) {
     return false;
   }

@@ -2,30 +2,12 @@
 
 #include "group_solver.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
 #include <algorithm>
 
 namespace higherpair {
 namespace {
-
-// The joint between a body and ground; none if there is more than one, or if it leaves the
-// body more than one coordinate.
-std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
-  std::optional<int> found;
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    const bool joins = (joint.first.body == 0 && joint.second.body == body) ||
-                       (joint.second.body == 0 && joint.first.body == body);
-    if (joins && (found || !can_be_driven(joint.type))) {
-      return std::nullopt;
-    }
-    if (joins) {
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
-}
 
 std::optional<int> driver_of(const Mechanism& mechanism, int joint) {
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {

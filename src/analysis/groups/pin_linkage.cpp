@@ -73,8 +73,8 @@ bool PinLinkage::add_dyad(const Mechanism& mechanism, const Group& group, const 
   int found = 0;
   for (const int index : group.joints) {
     const Joint& joint = mechanism.joints[index];
-    const bool at_a = touches(joint, dyad.link_a);
-    const bool at_b = touches(joint, dyad.link_b);
+    const bool at_a = has_end_on(joint, dyad.link_a);
+    const bool at_b = has_end_on(joint, dyad.link_b);
     if (at_a && at_b) {
       added.a_C = end_of(end_on(joint, dyad.link_a));
       added.b_C = end_of(end_on(joint, dyad.link_b));

@@ -84,8 +84,8 @@ void add_speed(const Analysis& analysis, bool forces, CheckFigures& figures, con
   } else if (!value) {
     figure.remark = "no speed opens a contact";
   } else {
-    figure.remark =
-        *value > 0 ? "so many times the drivers' speed opens a contact" : "a contact opens at rest already";
+    figure.remark = *value > 0 ? "a contact opens at this multiple of the drivers' speed"
+                               : "a contact opens at rest already";
   }
 }
 

@@ -4,7 +4,7 @@
 #include "higherpair/cam/sizing.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
@@ -22,12 +22,7 @@ const NamedCurve& curve_named(const Mechanism& mechanism, const CurveRef& ref) {
 
 // Whether the only driver moves this body, the cam of a flank, on ground.
 bool drives(const Mechanism& mechanism, int body) {
-  if (mechanism.drivers.size() != 1) {
-    return false;
-  }
-  const Joint& joint = driven_joint(mechanism);
-  return (joint.first.body == 0 && joint.second.body == body) ||
-         (joint.second.body == 0 && joint.first.body == body);
+  return mechanism.drivers.size() == 1 && joins(driven_joint(mechanism), kGround, body);
 }
 
 struct ShapedFlank {

@@ -49,10 +49,7 @@ bool RowScout::leap_at_once(const DriverSchedule& schedule, std::int64_t to) {
 
 // The drivers turn back at most between row `to` and the row before it.
 void RowScout::step(const DriverSchedule& schedule, std::int64_t to) {
-  motions_.clear();
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    motions_.push_back(schedule.state(to, i).si);
-  }
+  motions_ = drivers_in(schedule, to);
   move_to_row(place_.run, schedule, to, motions_);
   row_ = to;
 }

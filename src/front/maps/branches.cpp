@@ -10,7 +10,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -79,9 +79,7 @@ std::string unit_of(const Profile& profile, bool turns) {
 // The joint of a follower on its carrier.
 std::string joint_name(const Mechanism& mechanism, const CarriedBody& carried) {
   for (const Joint& joint : mechanism.joints) {
-    const bool joins = (joint.first.body == carried.body && joint.second.body == carried.carrier) ||
-                       (joint.first.body == carried.carrier && joint.second.body == carried.body);
-    if (joins && can_be_driven(joint.type)) {
+    if (joins(joint, carried.body, carried.carrier) && can_be_driven(joint.type)) {
       return joint.name;
     }
   }

@@ -42,7 +42,7 @@ Moved farthest(const Body& body, const Pose<double>& X_WB) {
 
 bool is_driven_body(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(),
-                     [&](const Driver& driver) { return touches(mechanism.joints[driver.joint], body); });
+                     [&](const Driver& driver) { return has_end_on(mechanism.joints[driver.joint], body); });
 }
 
 // Whether all bodies are described in the frame of ground, with no pose of their own: such a description need
@@ -54,7 +54,7 @@ bool is_drawing(const Mechanism& mechanism) {
 
 bool slides(const Mechanism& mechanism, int body) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-    return joint.type == JointType::kPrismatic && touches(joint, body);
+    return joint.type == JointType::kPrismatic && has_end_on(joint, body);
   });
 }
 

@@ -142,7 +142,7 @@ private:
 
   // Whether a joint or a contact is on the body.
   [[nodiscard]] bool is_held(int body) const {
-    const auto concerns = [&](const auto& element) { return touches(element, body); };
+    const auto concerns = [&](const auto& element) { return has_end_on(element, body); };
     return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(), concerns) ||
            std::any_of(mechanism_.contacts.begin(), mechanism_.contacts.end(), concerns);
   }

@@ -3,7 +3,7 @@
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/tolerances.hpp"
 #include "numeric/joined_words.hpp"
@@ -18,23 +18,6 @@
 
 namespace higherpair::io_detail {
 namespace {
-
-// The driveable joint between a body and ground; none unless there is exactly one.
-std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
-  std::optional<int> found;
-  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    const Joint& joint = mechanism.joints[i];
-    const bool between = (joint.first.body == body && joint.second.body == 0) ||
-                         (joint.second.body == body && joint.first.body == 0);
-    if (between && can_be_driven(joint.type)) {
-      if (found) {
-        return std::nullopt;
-      }
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
-}
 
 class FlankMaker {
 public:

@@ -4,26 +4,42 @@
 #include "higherpair/mechanism/plan.hpp"
 
 #include <cstddef>
+#include <optional>
 
 // A joint or contact as seen from one of its bodies.
 
 namespace higherpair {
 
+/// Whether one end of a joint or contact is on a body.
 template <class Pair>
-[[nodiscard]] bool touches(const Pair& pair, int body) {
+[[nodiscard]] bool has_end_on(const Pair& pair, int body) {
   return pair.first.body == body || pair.second.body == body;
 }
 
+/// Whether a joint is between these two bodies.
 [[nodiscard]] inline bool joins(const Joint& joint, int one, int other) {
-  return one != other && touches(joint, one) && touches(joint, other);
+  return one != other && has_end_on(joint, one) && has_end_on(joint, other);
 }
 
 /// Whether a joint leaves a body one freedom relative to ground.
 [[nodiscard]] inline bool is_grounded(const Joint& joint) {
-  return touches(joint, kGround) && can_be_driven(joint.type);
+  return has_end_on(joint, kGround) && can_be_driven(joint.type);
 }
 
-/// The point or curve on a body. \pre touches(pair, body)
+/// The joint that leaves a body one freedom relative to ground; none unless there is exactly one.
+[[nodiscard]] inline std::optional<int> ground_joint(const Mechanism& mechanism, int body) {
+  std::optional<int> found;
+  for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
+    const Joint& joint = mechanism.joints[i];
+    if (is_grounded(joint) && joins(joint, kGround, body)) {
+      if (found) return std::nullopt;
+      found = static_cast<int>(i);
+    }
+  }
+  return found;
+}
+
+/// The point or curve on a body. \pre has_end_on(pair, body)
 template <class Pair>
 [[nodiscard]] const auto& end_on(const Pair& pair, int body) {
   return pair.first.body == body ? pair.first : pair.second;
@@ -45,6 +61,7 @@ template <class Pair>
   return point_of(mechanism, end_on(joint, body));
 }
 
+/// The point of a joint on the body other than this one.
 [[nodiscard]] inline BodyPoint known_end(const Mechanism& mechanism, const Joint& joint, int body) {
   const PointRef& end = end_off(joint, body);
   return {end.body, point_of(mechanism, end)};
