@@ -32,6 +32,7 @@ enum class MeasureKind {
 inline constexpr std::array<std::string_view, 9> kMeasureNames = {"max", "min",   "maxabs", "range", "mean",
                                                                   "rms", "first", "last",   "at"};
 
+/// As profiles write it: "max".
 [[nodiscard]] constexpr std::string_view name_of(MeasureKind kind) {
   return kMeasureNames[static_cast<std::size_t>(kind)];
 }

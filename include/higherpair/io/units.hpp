@@ -63,6 +63,7 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
+/// The dimension of a product, or of a quotient.
 [[nodiscard]] constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
   return {a.length + b.length, a.mass + b.mass, a.time + b.time, a.angle + b.angle, a.force + b.force};
 }

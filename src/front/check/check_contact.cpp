@@ -128,15 +128,15 @@ public:
   void read_curves(const PathRanges& ranges, CheckFigures& figures) const {
     for (const std::size_t side : {0U, 1U}) {
       figures.about("contacts." + contact_.name, names_[side]);
-      read_curvature(side, ranges[side == 0 ? kCurvature1 : kCurvature2],
-                     ranges[side == 0 ? kCorner1 : kCorner2], figures);
+      read_curvature(side, ranges[kCurvature1 + side], ranges[kCorner1 + side], figures);
       if (flat_[side]) {
-        read_face(ranges[side == 0 ? kFace1 : kFace2], figures);
+        read_face(ranges[kFace1 + side], figures);
       }
     }
   }
 
 private:
+  // Those of the two curves follow each other.
   enum Quantity : std::size_t {
     kOut,
     kBack,
@@ -175,12 +175,12 @@ private:
       if (flat_[side]) {
         const BodyMotion& body = row.bodies[ref.body];
         const Vector2d along = perp(named_curve(run.mechanism(), ref).curve.axis_B);
-        out[side == 0 ? kFace1 : kFace2] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
+        out[kFace1 + side] = along.dot(body.X_WB.inverse_times(motion.at.p_W()));
         continue;
       }
-      out[side == 0 ? kCorner1 : kCorner2] = rho == 0 ? 1 : 0;
+      out[kCorner1 + side] = rho == 0 ? 1 : 0;
       if (rho != 0) {
-        out[side == 0 ? kCurvature1 : kCurvature2] = 1 / rho;
+        out[kCurvature1 + side] = 1 / rho;
       }
     }
   }

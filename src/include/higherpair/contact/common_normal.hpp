@@ -66,6 +66,7 @@ struct EquivalentLink {
   return {rho2 * w, rho1 * w, w, rho1 * rho2 * w};
 }
 
+/// For any two curves of which at most one is a line, whose κ is 0.
 [[nodiscard]] inline EquivalentLink equivalent_link(bool line1, double rho1, bool line2, double rho2) {
   if (line2) {
     return {1, 0, 0, rho1};

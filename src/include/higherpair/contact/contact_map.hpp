@@ -53,6 +53,7 @@ enum class MapEndType {
   kLost,        ///< not followed further: the map is not complete
 };
 
+/// The name as results print it: "fold".
 [[nodiscard]] std::string_view name_of(MapEndType type);
 
 struct MapEnd {

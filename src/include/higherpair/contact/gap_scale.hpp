@@ -26,6 +26,7 @@ namespace higherpair {
   return arm2 + (least2 + std::numeric_limits<double>::min());
 }
 
+/// Whether ∂gap/∂q is small enough to vanish nearby: the contact may be at a limit position of its follower.
 [[nodiscard]] inline bool gap_q_may_vanish(const ContactPair& pair, const ContactPosition& at) {
   return at.gap_q * at.gap_q <= kGapQMayVanish * kGapQMayVanish * gap_q_scale2(pair, at);
 }

@@ -80,6 +80,7 @@ template <class T>
   return semi_latus * s * (rf_series(x, y, z) + (1.0 - q) / 3.0 * s * s * rd);
 }
 
+// With w² from c and s.
 template <class T>
 [[nodiscard]] T arc_from_vertex(const T& semi_latus, const T& q, const T& c, const T& s) {
   return arc_from_vertex(semi_latus, q, c, s, T(c * c + q * s * s));

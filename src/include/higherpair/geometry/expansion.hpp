@@ -168,6 +168,7 @@ template <class C, int N, Terms kTerms>
   return f;
 }
 
+/// The root, from root² = x term by term. \pre x.c[0] > 0
 template <class C, int N, Terms kTerms>
 [[nodiscard]] Expansion<C, N, kTerms> sqrt(const Expansion<C, N, kTerms>& x) {
   using std::sqrt;

@@ -35,6 +35,7 @@ struct InvoluteTooth {
   double backlash = 0;  ///< reduction of its thickness along the pitch circle, half of it on each flank [m]
 };
 
+/// m z cos α / 2 [m].
 [[nodiscard]] double base_radius(const InvoluteTooth& tooth);
 /// Angle from the centre line of the tooth to the start of its flanks on the base circle [rad]; the thickness
 /// at the pitch circle is m (π/2 + 2 x tan α) - backlash.

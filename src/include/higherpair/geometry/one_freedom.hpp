@@ -24,6 +24,7 @@ struct OneFreedom {
   return {freedom.R_WB, freedom.p_WO + q * freedom.direction_W - freedom.R_WB * freedom.p_BO};
 }
 
+/// The same; finds the rotation itself.
 [[nodiscard]] inline Pose<double> pose_at(const OneFreedom& freedom, double q) {
   return pose_at(freedom, q, freedom.turns ? Rotation<double>::from_angle(q) : Rotation<double>());
 }

@@ -22,6 +22,7 @@ struct Feature {
 
 using Features = std::vector<Feature>;
 
+/// The place at this share of the way from a to b, which are on one span.
 [[nodiscard]] inline BoundaryPlace between(const Feature& a, const Feature& b, double share) {
   return {a.place.span, a.place.t + share * (b.place.t - a.place.t)};
 }

@@ -31,6 +31,7 @@ template <class T>
           curve.piece};
 }
 
+/// With the pose of its body.
 template <class T>
 [[nodiscard]] inline PlacedCurve<T> place(const Curve& curve, const Pose<T>& X_WB) {
   return place(curve, X_WB * Vector2<T>(curve.vertex_B.template cast<T>()), X_WB.R_WB);

@@ -13,6 +13,7 @@ namespace higherpair {
   return turns ? dimension::kAngle : dimension::kLength;
 }
 
+/// Of the coordinate that a joint leaves its bodies.
 [[nodiscard]] constexpr Dimension coordinate_dimension(const Joint& joint) {
   return coordinate_dimension(has_angle(joint.type));
 }

@@ -42,6 +42,7 @@ void for_each_part(const DriverSchedule& schedule, std::int64_t row, const std::
 void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                  const std::vector<DriverMotion>& at_row);
 
+/// The whole path of a schedule, for searches between its rows.
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
 }  // namespace higherpair

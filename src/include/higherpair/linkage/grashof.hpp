@@ -21,6 +21,7 @@ enum class GrashofClass {
 /// "crank-rocker" and so on.
 [[nodiscard]] std::string_view name_of(GrashofClass grashof);
 
+/// By Grashof's law; lengths in any unit. A balance of four lengths to within rounding counts as exact.
 [[nodiscard]] GrashofClass classify_grashof(const FourBar& linkage);
 
 /// p + q - s - l [m]: positive if some link turns fully against another and never passes a change point, 0 if

@@ -36,6 +36,8 @@ struct PrpMotion {
   std::optional<Rates> rates;        ///< with kOk only
 };
 
+/// The position of the pin and, where the guides cross, its rates, from the motion of both guides in ground
+/// W.
 [[nodiscard]] PrpMotion prp_dyad(const GuideMotion& guide1, const GuideMotion& guide2);
 
 /// For an RPP group: the line through A that turns with `guide`, along u_G relative to it. With it as guide

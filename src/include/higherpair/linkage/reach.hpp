@@ -47,6 +47,7 @@ struct CosineLine {
   }
 };
 
+/// From its values at ψ = 0 and π, and half of their difference, which the caller knows without cancellation.
 template <class T>
 [[nodiscard]] CosineLine<T> make_cosine_line(T at_0, T at_pi, T half_swing) {
   return {at_0, T(0.5) * (at_0 + at_pi), at_pi, half_swing};

@@ -41,6 +41,7 @@ struct Reach {
   return slack >= -noise ? LinkageStatus::kSingular : LinkageStatus::kNotAssemblable;
 }
 
+/// Of the smaller slack of the two.
 [[nodiscard]] inline LinkageStatus status_of(const Reach<double>& reach) {
   return status_of(reach.slack(), reach.noise);
 }

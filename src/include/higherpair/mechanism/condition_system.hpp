@@ -51,13 +51,16 @@ template <class D, class F>
   return of;
 }
 
+/// The numbers alone.
 [[nodiscard]] inline JointDimensions<double> joint_dimensions(const Mechanism& mechanism,
                                                               const Joint& joint) {
   return joint_dimensions<double>(mechanism, joint, mechanism, joint, [](double x, double) { return x; });
 }
 
+/// All numbers of a mechanism that its conditions depend on.
 [[nodiscard]] Dimensions<double> dimensions_of(const Mechanism& mechanism);
 
+/// Those of one curve.
 [[nodiscard]] CurveDimensions<double> dimensions_of(const Curve& curve);
 
 /// With the derivative of every dimension with respect to a parameter.

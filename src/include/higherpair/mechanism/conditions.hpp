@@ -187,6 +187,9 @@ template <class T, class D>
   return support;
 }
 
+/// The points of both curves whose normals lie along φ, the angle of curve 1's outward normal in ground W
+/// [rad]: in contact where they coincide. A line prescribes the normal; `off` is then what φ exceeds its
+/// angle by.
 template <class T, class D>
 [[nodiscard]] FacingPoints<T> facing_points(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                             const CurveDimensions<D>& curve2, const BodyAt<T>& body2,

@@ -84,6 +84,7 @@ inline constexpr auto kTable = []<std::size_t... I>(std::index_sequence<I...>) {
 
 }  // namespace group_traits
 
+/// The traits of a group, by its kind.
 [[nodiscard]] inline const GroupTraits& traits_of(const Group& group) {
   return group_traits::kTable[group.kind.index()];
 }
