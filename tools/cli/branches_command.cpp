@@ -53,18 +53,16 @@ int branches_command(const BranchesOptions& options) {
 
 }  // namespace
 
-Command add_branches(CLI::App& app) {
+CommandRun add_branches(CLI::App& command) {
   const auto options = std::make_shared<BranchesOptions>();
-  CLI::App* command = app.add_subcommand(
-      "branches", "every contact of the two curves at the first driver position, free or not");
-  add_profile_options(*command, *options);
-  add_output_options(*command, options->profile, {"the list", options->csv}, {"the list", options->json});
-  add_unused_samples(*command, "the first driver position counts");
+  add_profile_options(command, *options);
+  add_output_options(command, options->profile, {"the list", options->csv}, {"the list", options->json});
+  add_unused_samples(command, "the first driver position counts");
   command
-      ->add_option("--tolerance", options->settings.tolerance, "largest closure error, relative to the size")
+      .add_option("--tolerance", options->settings.tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
-  command->add_flag("--certify", options->settings.certify, "decide every contact in exact arithmetic");
-  return {command, [options] { return branches_command(*options); }};
+  command.add_flag("--certify", options->settings.certify, "decide every contact in exact arithmetic");
+  return [options] { return branches_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -56,19 +56,16 @@ int check_command(const CheckOptions& options) {
 
 }  // namespace
 
-Command add_check(CLI::App& app) {
+CommandRun add_check(CLI::App& command) {
   const auto options = std::make_shared<CheckOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "check",
-      "pressure angles, radii of curvature, speeds, forces and sizes of cams and contacts, held to [limits]");
-  add_profile_options(*command, *options);
-  add_output_options(*command, options->profile, {"the figures, one to a row,", options->csv},
+  add_profile_options(command, *options);
+  add_output_options(command, options->profile, {"the figures, one to a row,", options->csv},
                      {"the figures", options->json});
-  add_tolerance_option(*command, options->settings.tolerance);
-  add_unused_samples(*command, "the whole path counts");
-  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
-  return {command, [options] { return check_command(*options); }};
+  add_tolerance_option(command, options->settings.tolerance);
+  add_unused_samples(command, "the whole path counts");
+  command.add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
+  return [options] { return check_command(*options); };
 }
 
 }  // namespace higherpair::cli

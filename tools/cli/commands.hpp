@@ -8,31 +8,28 @@ class App;
 
 namespace higherpair::cli {
 
-/// A command of the program with its options.
-struct Command {
-  CLI::App* arguments = nullptr;
-  std::function<int()> run;  ///< after the arguments have been parsed; returns the exit code
-};
+/// Runs a command whose arguments have been parsed; returns the exit code.
+using CommandRun = std::function<int()>;
 
-/// \name Add a command to the program.
+/// \name Give a command of the program its options.
 /// @{
-[[nodiscard]] Command add_analyze(CLI::App& app);
-[[nodiscard]] Command add_step(CLI::App& app);
-[[nodiscard]] Command add_forces(CLI::App& app);
-[[nodiscard]] Command add_branches(CLI::App& app);
-[[nodiscard]] Command add_mobility(CLI::App& app);
-[[nodiscard]] Command add_map(CLI::App& app);
-[[nodiscard]] Command add_draw(CLI::App& app);
-[[nodiscard]] Command add_export(CLI::App& app);
-[[nodiscard]] Command add_plot(CLI::App& app);
-[[nodiscard]] Command add_polygon(CLI::App& app);
-[[nodiscard]] Command add_report(CLI::App& app);
-[[nodiscard]] Command add_check(CLI::App& app);
-[[nodiscard]] Command add_sweep(CLI::App& app);
-[[nodiscard]] Command add_sensitivity(CLI::App& app);
-[[nodiscard]] Command add_design(CLI::App& app);
-[[nodiscard]] Command add_fit(CLI::App& app);
-[[nodiscard]] Command add_verify(CLI::App& app);
+[[nodiscard]] CommandRun add_analyze(CLI::App& command);
+[[nodiscard]] CommandRun add_step(CLI::App& command);
+[[nodiscard]] CommandRun add_forces(CLI::App& command);
+[[nodiscard]] CommandRun add_branches(CLI::App& command);
+[[nodiscard]] CommandRun add_mobility(CLI::App& command);
+[[nodiscard]] CommandRun add_map(CLI::App& command);
+[[nodiscard]] CommandRun add_draw(CLI::App& command);
+[[nodiscard]] CommandRun add_export(CLI::App& command);
+[[nodiscard]] CommandRun add_plot(CLI::App& command);
+[[nodiscard]] CommandRun add_polygon(CLI::App& command);
+[[nodiscard]] CommandRun add_report(CLI::App& command);
+[[nodiscard]] CommandRun add_check(CLI::App& command);
+[[nodiscard]] CommandRun add_sweep(CLI::App& command);
+[[nodiscard]] CommandRun add_sensitivity(CLI::App& command);
+[[nodiscard]] CommandRun add_design(CLI::App& command);
+[[nodiscard]] CommandRun add_fit(CLI::App& command);
+[[nodiscard]] CommandRun add_verify(CLI::App& command);
 /// @}
 
 }  // namespace higherpair::cli

@@ -170,37 +170,35 @@ int design_command(const DesignCommandOptions& options) {
 
 }  // namespace
 
-Command add_design(CLI::App& app) {
+CommandRun add_design(CLI::App& command) {
   const auto options = std::make_shared<DesignCommandOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "design", "the numbers that serve the profile's objectives best, written as a new profile");
-  add_profile_options(*command, *options, "profile of the mechanism with [design] (TOML)");
-  command->add_option("-o,--output", options->output, "the new profile; -: standard output")->required();
-  command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
-  command->add_option("--report", options->page, "a page with what was found, drawn before and after (HTML)");
+  add_profile_options(command, *options, "profile of the mechanism with [design] (TOML)");
+  command.add_option("-o,--output", options->output, "the new profile; -: standard output")->required();
+  command.add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
+  command.add_option("--report", options->page, "a page with what was found, drawn before and after (HTML)");
   command
-      ->add_option("--best", options->settings.best,
-                   "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
+      .add_option("--best", options->settings.best,
+                  "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
       ->check(CLI::Range(1, 10));
   command
-      ->add_option("--seed", options->settings.seed,
-                   "of the random starts (default 1): the same seed, the same result")
+      .add_option("--seed", options->settings.seed,
+                  "of the random starts (default 1): the same seed, the same result")
       ->check(not_negative());
   command
-      ->add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
+      .add_option("--time", options->settings.seconds, "seconds after which the best so far is the result")
       ->check(positive_number());
   command
-      ->add_option("--evaluations", options->settings.evaluations,
-                   "candidates after which no further search begins (default 2000000)")
+      .add_option("--evaluations", options->settings.evaluations,
+                  "candidates after which no further search begins (default 2000000)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}));
-  command->add_option("--starts", options->settings.starts, "searches (default 200)")
+  command.add_option("--starts", options->settings.starts, "searches (default 200)")
       ->check(CLI::Range(1, 100'000'000));
-  add_threads_option(*command, options->settings.threads);
-  command->add_flag("--resume", options->resume,
-                    "go on where an interrupted run of the same search has ended");
-  command->final_callback([options] { check_options(*options); });
-  return {command, [options] { return design_command(*options); }};
+  add_threads_option(command, options->settings.threads);
+  command.add_flag("--resume", options->resume,
+                   "go on where an interrupted run of the same search has ended");
+  command.final_callback([options] { check_options(*options); });
+  return [options] { return design_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -95,36 +95,34 @@ int draw_command(const DrawOptions& options) {
 
 }  // namespace
 
-Command add_draw(CLI::App& app) {
+CommandRun add_draw(CLI::App& command) {
   const auto options = std::make_shared<DrawOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "draw", "a picture of the mechanism with its equivalent linkage, as SVG, PDF or PNG");
-  add_profile_options(*command, *options);
-  add_picture_option(*command, options->profile, options->output);
-  auto* at = command->add_option("--at", options->settings.at, "position of the driver; otherwise the first")
+  add_profile_options(command, *options);
+  add_picture_option(command, options->profile, options->output);
+  auto* at = command.add_option("--at", options->settings.at, "position of the driver; otherwise the first")
                  ->check(finite_number());
   auto* every = command
-                    ->add_option("--every", options->settings.every,
-                                 "draw every so much of the driver, all in one picture")
+                    .add_option("--every", options->settings.every,
+                                "draw every so much of the driver, all in one picture")
                     ->excludes(at);
-  command->add_flag("--strip", options->strip, "with --every: side by side")->needs(every);
+  command.add_flag("--strip", options->strip, "with --every: side by side")->needs(every);
   command
-      ->add_option(
+      .add_option(
           "--layers", options->layers,
           "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
           "curvature, linkage, center, trace, velocity, acceleration, force, label")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--trace", options->settings.traces, "BODY.POINT: draw the path of this point; repeatable")
+      .add_option("--trace", options->settings.traces, "BODY.POINT: draw the path of this point; repeatable")
       ->allow_extra_args(false);
-  command->add_flag("--linkage", options->linkage, "the equivalent linkage alone");
+  command.add_flag("--linkage", options->linkage, "the equivalent linkage alone");
   command
-      ->add_option("--width", options->width, "width in px; otherwise 900, or less where the picture is high")
+      .add_option("--width", options->width, "width in px; otherwise 900, or less where the picture is high")
       ->check(CLI::Range(50.0, 10'000.0));
-  add_tolerance_option(*command, options->settings.tolerance);
-  return {command, [options] { return draw_command(*options); }};
+  add_tolerance_option(command, options->settings.tolerance);
+  return [options] { return draw_command(*options); };
 }
 
 }  // namespace higherpair::cli

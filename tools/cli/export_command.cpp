@@ -164,36 +164,32 @@ int export_command(const ExportOptions& options) {
 
 }  // namespace
 
-Command add_export(CLI::App& app) {
+CommandRun add_export(CLI::App& command) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command =
-      app.add_subcommand("export", "curves of a profile, or paths of cutters along them, as CSV, DXF or SVG");
-  add_profile_options(*command, *options);
+  add_profile_options(command, *options);
   command
-      ->add_option("-o,--output", options->output,
-                   "a file that ends in .csv, .dxf or .svg (-: CSV on standard output)")
+      .add_option("-o,--output", options->output,
+                  "a file that ends in .csv, .dxf or .svg (-: CSV on standard output)")
       ->required();
-  command->add_option("--curve", options->curves, "BODY.CURVE: this curve; repeatable but for CSV")
+  command.add_option("--curve", options->curves, "BODY.CURVE: this curve; repeatable but for CSV")
       ->allow_extra_args(false);
-  command->add_option("--body", options->body, "all curves of this body");
-  auto* pitch = command->add_flag("--pitch", options->pitch,
-                                  "instead the path of the centre of the roller that touches it");
+  command.add_option("--body", options->body, "all curves of this body");
+  auto* pitch = command.add_flag("--pitch", options->pitch,
+                                 "instead the path of the centre of the roller that touches it");
   command
-      ->add_option("--cutter", options->cutter,
-                   "instead the path of the centre of a round cutter of this radius")
+      .add_option("--cutter", options->cutter,
+                  "instead the path of the centre of a round cutter of this radius")
       ->excludes(pitch);
-  command->add_option(
-      "--tolerance", options->tolerance,
-      "largest distance of arcs and lines from the curve, as 0.01 or '5 um' (default: 1e-5 of "
-      "its size)");
+  command.add_option("--tolerance", options->tolerance,
+                     "largest distance of arcs and lines from the curve, as 0.01 or '5 um' (default: 1e-5 of "
+                     "its size)");
   command
-      ->add_option("--points", options->points, "of CSV: so many points at equal distances along the curve")
+      .add_option("--points", options->points, "of CSV: so many points at equal distances along the curve")
       ->check(CLI::Range(2, 10'000'000));
-  command->add_option("--reach", options->reach,
-                      "how far curves without ends are followed from their vertex");
-  command->add_option("--units", options->units, "unit of length of the file (default: the profile's)");
-  command->final_callback([options] { check_options(*options); });
-  return {command, [options] { return export_command(*options); }};
+  command.add_option("--reach", options->reach, "how far curves without ends are followed from their vertex");
+  command.add_option("--units", options->units, "unit of length of the file (default: the profile's)");
+  command.final_callback([options] { check_options(*options); });
+  return [options] { return export_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -146,48 +146,46 @@ int fit_command(const FitCommandOptions& options) {
 
 }  // namespace
 
-Command add_fit(CLI::App& app) {
+CommandRun add_fit(CLI::App& command) {
   const auto options = std::make_shared<FitCommandOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "fit", "numbers of the profile from its measured motion; curves from measured points");
-  add_profile_options(*command, *options,
+  add_profile_options(command, *options,
                       "profile with [design.variables] (TOML); with --curve the points (CSV)");
-  command->add_option("MEASURED", options->measured,
-                      "what was measured (CSV): driver or time, and columns of the profile's tables");
-  command->add_option("-o,--output", options->output, "the fitted profile, or curve; -: standard output");
-  command->add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
-  command->add_option("--csv", options->csv, "residuals as CSV, to this file; -: standard output");
-  command->add_option("--curve", options->curve, "fit this curve to points")
+  command.add_option("MEASURED", options->measured,
+                     "what was measured (CSV): driver or time, and columns of the profile's tables");
+  command.add_option("-o,--output", options->output, "the fitted profile, or curve; -: standard output");
+  command.add_option("--json", options->json, "what was found as JSON, to this file; -: standard output");
+  command.add_option("--csv", options->csv, "residuals as CSV, to this file; -: standard output");
+  command.add_option("--curve", options->curve, "fit this curve to points")
       ->check(CLI::IsMember(fitted_curve_names()));
-  command->add_option("--loss", options->loss, "how residuals count: by squares (default), huber or tukey")
+  command.add_option("--loss", options->loss, "how residuals count: by squares (default), huber or tukey")
       ->check(CLI::IsMember(fit_loss_names()));
-  command->add_option("--confidence", options->settings.confidence, "of the intervals (default 0.95)")
+  command.add_option("--confidence", options->settings.confidence, "of the intervals (default 0.95)")
       ->check(CLI::Validator(share_objection, "SHARE"));
   command
-      ->add_option("--columns", options->settings.columns,
-                   "GLOB[,GLOB]: only these measured columns; repeatable")
+      .add_option("--columns", options->settings.columns,
+                  "GLOB[,GLOB]: only these measured columns; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--offset", options->settings.offsets,
-                   "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
+      .add_option("--offset", options->settings.offsets,
+                  "COLUMN[,COLUMN]: their zero is not known; driver or time as well; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--starts", options->settings.starts,
-                   "searches (default 12 where all variables have bounds, else 1)")
+      .add_option("--starts", options->settings.starts,
+                  "searches (default 12 where all variables have bounds, else 1)")
       ->check(CLI::Range(1, 1'000'000));
   command
-      ->add_option("--seed", options->settings.seed,
-                   "of the random starts (default 1): the same seed, the same result")
+      .add_option("--seed", options->settings.seed,
+                  "of the random starts (default 1): the same seed, the same result")
       ->check(not_negative());
-  add_threads_option(*command, options->settings.threads);
-  command->final_callback([options] {
+  add_threads_option(command, options->settings.threads);
+  command.final_callback([options] {
     refuse_with_curve(*options);
     check_options(*options);
   });
-  return {command, [options] { return fit_command(*options); }};
+  return [options] { return fit_command(*options); };
 }
 
 }  // namespace higherpair::cli

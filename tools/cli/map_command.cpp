@@ -80,26 +80,22 @@ int map_command(const MapOptions& options) {
 
 }  // namespace
 
-Command add_map(CLI::App& app) {
+CommandRun add_map(CLI::App& command) {
   const auto options = std::make_shared<MapOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "map",
-      "every contact of the two curves over the driver's turn: branches, and where they begin and end");
-  add_profile_options(*command, *options);
-  add_output_options(*command, options->profile, {"the branches", options->csv}, {"the map", options->json},
+  add_profile_options(command, *options);
+  add_output_options(command, options->profile, {"the branches", options->csv}, {"the map", options->json},
                      {.picture = &options->output});
-  command->add_option("-o,--output", options->output,
-                      "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
+  command.add_option("-o,--output", options->output,
+                     "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
   command
-      ->add_option("--samples", options->settings.samples,
-                   "number of rows over the range, both ends included")
+      .add_option("--samples", options->settings.samples, "number of rows over the range, both ends included")
       ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
   command
-      ->add_option("--tolerance", options->settings.tolerance,
-                   "largest overlap of a contact that counts as free, relative to the size")
+      .add_option("--tolerance", options->settings.tolerance,
+                  "largest overlap of a contact that counts as free, relative to the size")
       ->check(positive_number());
-  return {command, [options] { return map_command(*options); }};
+  return [options] { return map_command(*options); };
 }
 
 }  // namespace higherpair::cli

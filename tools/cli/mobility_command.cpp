@@ -45,18 +45,15 @@ int mobility_command(const MobilityOptions& options) {
 
 }  // namespace
 
-Command add_mobility(CLI::App& app) {
+CommandRun add_mobility(CLI::App& command) {
   const auto options = std::make_shared<MobilityOptions>();
-  CLI::App* command = app.add_subcommand("mobility",
-                                         "degree of freedom by count and by rank, idle freedoms, order of "
-                                         "solution, Grashof class of every four-bar");
-  add_profile_options(*command, *options);
-  add_output_options(*command, options->profile, {"the findings, one to a row,", options->csv},
+  add_profile_options(command, *options);
+  add_output_options(command, options->profile, {"the findings, one to a row,", options->csv},
                      {"the findings", options->json});
-  command->add_option("--tolerance", options->tolerance, "largest closure error, relative to the size")
+  command.add_option("--tolerance", options->tolerance, "largest closure error, relative to the size")
       ->check(positive_number());
-  add_unused_samples(*command, "the first driver position counts");
-  return {command, [options] { return mobility_command(*options); }};
+  add_unused_samples(command, "the first driver position counts");
+  return [options] { return mobility_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -40,26 +40,25 @@ int plot_command(const PlotOptions& options) {
 
 }  // namespace
 
-Command add_plot(CLI::App& app) {
+CommandRun add_plot(CLI::App& command) {
   const auto options = std::make_shared<PlotOptions>();
   options->settings.run.stop = &interruption();
-  CLI::App* command = app.add_subcommand("plot", "columns of the table as a picture");
-  add_profile_options(*command, *options);
-  add_picture_option(*command, options->profile, options->output);
+  add_profile_options(command, *options);
+  add_picture_option(command, options->profile, options->output);
   command
-      ->add_option("--y", options->settings.y,
-                   "COLUMN[,COLUMN]: what is plotted, names or globs such as follower.*; repeatable")
+      .add_option("--y", options->settings.y,
+                  "COLUMN[,COLUMN]: what is plotted, names or globs such as follower.*; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->required();
-  command->add_option("--x", options->settings.x, "COLUMN: what it is plotted against (default: driver)");
-  command->add_flag("--time", options->settings.run.in_time, "the motion in time, as step has it");
-  command->add_option("--samples", options->settings.run.samples,
-                      "number of rows, in place of driver.samples");
-  add_tolerance_option(*command, options->settings.run.tolerance);
-  command->add_option("--width", options->width, "width of the picture in px (default: 720)")
+  command.add_option("--x", options->settings.x, "COLUMN: what it is plotted against (default: driver)");
+  command.add_flag("--time", options->settings.run.in_time, "the motion in time, as step has it");
+  command.add_option("--samples", options->settings.run.samples,
+                     "number of rows, in place of driver.samples");
+  add_tolerance_option(command, options->settings.run.tolerance);
+  command.add_option("--width", options->width, "width of the picture in px (default: 720)")
       ->check(CLI::Range(200.0, 10'000.0));
-  return {command, [options] { return plot_command(*options); }};
+  return [options] { return plot_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -49,21 +49,19 @@ int polygon_command(const PolygonOptions& options) {
 
 }  // namespace
 
-Command add_polygon(CLI::App& app) {
+CommandRun add_polygon(CLI::App& command) {
   const auto options = std::make_shared<PolygonOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "polygon", "velocity and acceleration polygons of one position, to scale, with their equations");
-  add_profile_options(*command, *options);
-  add_picture_option(*command, options->profile, options->output);
-  command->add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
+  add_profile_options(command, *options);
+  add_picture_option(command, options->profile, options->output);
+  command.add_option("--at", options->settings.at, "position of the driver, in the profile's unit")
       ->required()
       ->check(finite_number());
-  command->add_flag("--forces", options->settings.forces, "also the force polygon of every body");
-  add_tolerance_option(*command, options->settings.tolerance);
-  command->add_option("--width", options->width, "width of the picture in px (default: 860)")
+  command.add_flag("--forces", options->settings.forces, "also the force polygon of every body");
+  add_tolerance_option(command, options->settings.tolerance);
+  command.add_option("--width", options->width, "width of the picture in px (default: 860)")
       ->check(CLI::Range(500.0, 10'000.0));
-  return {command, [options] { return polygon_command(*options); }};
+  return [options] { return polygon_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -80,18 +80,16 @@ int report_command(const ReportOptions& options) {
 
 }  // namespace
 
-Command add_report(CLI::App& app) {
+CommandRun add_report(CLI::App& command) {
   const auto options = std::make_shared<ReportOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "report", "an interactive page: the moving mechanism, plots, the equivalent linkage, events");
-  add_profile_options(*command, *options);
-  command->add_option("-o,--output", options->output, "the page to be written, F.html")->required();
-  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
-  add_tolerance_option(*command, options->settings.tolerance);
-  command->add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
-  command->final_callback([options] { check_output(*options); });
-  return {command, [options] { return report_command(*options); }};
+  add_profile_options(command, *options);
+  command.add_option("-o,--output", options->output, "the page to be written, F.html")->required();
+  command.add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
+  add_tolerance_option(command, options->settings.tolerance);
+  command.add_flag("--time", options->settings.in_time, "the motion in time, as `step` has it");
+  command.final_callback([options] { check_output(*options); });
+  return [options] { return report_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -208,48 +208,43 @@ int sensitivity_command(const SensitivityOptions& options) {
 
 }  // namespace
 
-Command add_sensitivity(CLI::App& app) {
+CommandRun add_sensitivity(CLI::App& command) {
   const auto options = std::make_shared<SensitivityOptions>();
   options->settings.stop = &interruption();
-  CLI::App* command = app.add_subcommand(
-      "sensitivity",
-      "how results change with every dimension, exactly; with [tolerances] how far they scatter, and which "
-      "tolerance to tighten");
-  add_profile_options(*command, *options);
-  add_forms(*command, {"the derivatives", options->csv}, {"the derivatives and bands", options->json});
+  add_profile_options(command, *options);
+  add_forms(command, {"the derivatives", options->csv}, {"the derivatives and bands", options->json});
   command
-      ->add_option("--results", options->results,
-                   "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
-                   "slider.x:at=30 or 'slider.x:at=0.5 rad'; repeatable")
+      .add_option("--results", options->results,
+                  "COLUMN:OF[,COLUMN:OF]: instead of those of the profile, such as follower.alpha:maxabs or "
+                  "slider.x:at=30 or 'slider.x:at=0.5 rad'; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option(
-          "--by", options->settings.by,
-          "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
+      .add_option("--by", options->settings.by,
+                  "GLOB[,GLOB]: paths of the numbers to differentiate by, such as bodies.crank.*; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--rows", options->rows,
-                      "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
-                      "output)");
+  command.add_option("--rows", options->rows,
+                     "write the derivatives of whole columns, row by row, as CSV to this file (-: standard "
+                     "output)");
   command
-      ->add_option("--columns", options->columns,
-                   "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
+      .add_option("--columns", options->columns,
+                  "GLOB[,GLOB]: the columns of --rows; otherwise those of the results; repeatable")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--variants", options->variants,
-                   "check the bands of [tolerances] by so many random variants, such as 100000")
+      .add_option("--variants", options->variants,
+                  "check the bands of [tolerances] by so many random variants, such as 100000")
       ->check(CLI::Range(kFewestVariants, kMostToleranceVariants));
-  command->add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
-  command->add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
+  command.add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
+  command.add_option("--top", options->top, "so many dimensions of each result are printed (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  command->add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
-  add_tolerance_option(*command, options->settings.tolerance);
-  add_threads_option(*command, options->settings.threads);
-  command->add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
-  command->final_callback([options] { check_outputs(*options); });
-  return {command, [options] { return sensitivity_command(*options); }};
+  command.add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
+  add_tolerance_option(command, options->settings.tolerance);
+  add_threads_option(command, options->settings.threads);
+  command.add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
+  command.final_callback([options] { check_outputs(*options); });
+  return [options] { return sensitivity_command(*options); };
 }
 
 }  // namespace higherpair::cli

@@ -207,17 +207,14 @@ int sweep_command(const SweepOptions& options, const SweepRunner& run) {
   return finish(options, opened->model, sweep, journal, summary);
 }
 
-Command add_sweep(CLI::App& app) {
+CommandRun add_sweep(CLI::App& command) {
   const auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand(
-      "sweep", "many variants of the mechanism, as [sweep] of the profile says, on all cores");
-  add_sweep_options(*command, *options);
-  return {command, [options] {
-            return sweep_command(*options,
-                                 [&](const OpenedSweep& opened, std::int64_t first, const auto& take) {
-                                   run_sweep(opened.sweep, first, options->threads, take);
-                                 });
-          }};
+  add_sweep_options(command, *options);
+  return [options] {
+    return sweep_command(*options, [&](const OpenedSweep& opened, std::int64_t first, const auto& take) {
+      run_sweep(opened.sweep, first, options->threads, take);
+    });
+  };
 }
 
 }  // namespace higherpair::cli

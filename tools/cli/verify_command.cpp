@@ -101,24 +101,22 @@ int verify_command(const VerifyOptions& options) {
 
 }  // namespace
 
-Command add_verify(CLI::App& app) {
+CommandRun add_verify(CLI::App& command) {
   const auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand(
-      "verify", "works out mechanisms whose motion is published or has a closed form, and compares");
-  command->add_option("PROFILE", options->profile, "check this profile instead of the shipped references");
-  command->add_option("TABLE", options->table,
-                      "CSV of what is right for it: the rows of analyze or step, all columns or some");
-  command->add_option("--json", options->json, "write values, errors and times as JSON to this file");
-  command->add_option("--bound", options->bound, "largest error, relative to a column's largest value")
+  command.add_option("PROFILE", options->profile, "check this profile instead of the shipped references");
+  command.add_option("TABLE", options->table,
+                     "CSV of what is right for it: the rows of analyze or step, all columns or some");
+  command.add_option("--json", options->json, "write values, errors and times as JSON to this file");
+  command.add_option("--bound", options->bound, "largest error, relative to a column's largest value")
       ->check(positive_number());
-  command->add_flag("--quiet", options->quiet, "print only what fails");
-  command->final_callback([options] {
+  command.add_flag("--quiet", options->quiet, "print only what fails");
+  command.final_callback([options] {
     std::vector<NamedFile> inputs;
     if (options->profile) inputs.push_back({"PROFILE", *options->profile});
     if (options->table) inputs.push_back({"TABLE", *options->table});
     if (options->json) check_files(inputs, {{"--json", *options->json}});
   });
-  return {command, [options] { return verify_command(*options); }};
+  return [options] { return verify_command(*options); };
 }
 
 }  // namespace higherpair::cli
