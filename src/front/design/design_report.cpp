@@ -97,7 +97,7 @@ private:
   }
 
   [[nodiscard]] Result<std::string> text_of(std::span<const double> x, int branch) const {
-    return text_of_design(setup_, x, searched(branch));
+    return text_of_design(setup_.numbers, setup_.settings, x, searched(branch));
   }
 
   struct Reread {
@@ -112,23 +112,16 @@ private:
     if (!model) {
       return tl::unexpected(model.error());
     }
-    DesignSetup read{DesignNumbers(*model, *model->profile().design),
-                     setup_.quantities,
-                     setup_.measures,
-                     setup_.settings,
-                     setup_.schedule,
-                     setup_.branches,
-                     {},
-                     setup_.size,
-                     setup_.scales,
-                     setup_.cost_scale};
+    DesignSetup read = setup_;
+    read.numbers = DesignNumbers(*model, *model->profile().design);
     const DesignScore found = score_of(setup_, x, searched(branch));
     const auto start = model->start(setup_.settings);
     if (!start) {
       return Reread{nothing(), !found.started};
     }
     Reread after{score_of(read, x, branch_of(start->impl().run))};
-    after.as_found = starts_as_designed(setup_, x, searched(branch), *model) && same(found, after.score);
+    after.as_found = starts_as_designed(setup_.numbers, setup_.settings, x, searched(branch), *model) &&
+                     same(found, after.score);
     return after;
   }
 

@@ -25,8 +25,8 @@ struct DesignSetup {
   RunSettings settings;           ///< of a run with the columns of the measures
   DriverSchedule schedule;        ///< of the start values
   int branches = 1;
-  std::optional<int> start_branch;  ///< none where the start values cannot be assembled
-  double size = 1;                  ///< of the mechanism with the start values [m]
+  std::optional<int> start_branch = {};  ///< none where the start values cannot be assembled
+  double size = 1;                       ///< of the mechanism with the start values [m]
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};
   double cost_scale = 1;  ///< order of magnitude of the cost, in the unit of tables

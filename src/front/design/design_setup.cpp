@@ -279,16 +279,14 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   if (const auto text = model.data().document->text_with({}); !text) {
     return wrong(model, text.error());
   }
-  auto setup = std::make_shared<DesignSetup>(DesignSetup{DesignNumbers(model, *task),
-                                                         std::move(quantities.all),
-                                                         std::move(quantities.measures),
-                                                         *std::move(settings),
-                                                         *std::move(schedule),
-                                                         1,
-                                                         {},
-                                                         1});
-  setup->branches = branch_count(*model.data().plan);
-  setup->size = model.data().plan->size;
+  const Plan& plan = *model.data().plan;
+  auto setup = std::make_shared<DesignSetup>(DesignSetup{.numbers = DesignNumbers(model, *task),
+                                                         .quantities = std::move(quantities.all),
+                                                         .measures = std::move(quantities.measures),
+                                                         .settings = *std::move(settings),
+                                                         .schedule = *std::move(schedule),
+                                                         .branches = branch_count(plan),
+                                                         .size = plan.size});
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
   }

@@ -28,12 +28,13 @@ struct LimitPlaces {
 
 /// The text of the model's profile with the design x written into it, and with the poses needed to assemble
 /// it on the branch, as far as they are estimates: those from which something else is taken are kept.
-[[nodiscard]] Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x,
-                                                 int branch);
+/// \param settings  of the run that is to start from these poses
+[[nodiscard]] Result<std::string> text_of_design(const DesignNumbers& numbers, const RunSettings& settings,
+                                                 std::span<const double> x, int branch);
 
 /// Whether such a text, read again and started from its poses, has the poses of the design x on the branch,
 /// in the same turn of each angle.
-[[nodiscard]] bool starts_as_designed(const DesignSetup& setup, std::span<const double> x, int branch,
-                                      const Model& read);
+[[nodiscard]] bool starts_as_designed(const DesignNumbers& numbers, const RunSettings& settings,
+                                      std::span<const double> x, int branch, const Model& read);
 
 }  // namespace higherpair

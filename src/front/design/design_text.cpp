@@ -163,10 +163,11 @@ private:
   std::map<std::string, double> present_;  // with their values, in the profile's units
 };
 
-std::optional<Run> run_of(const DesignSetup& setup, std::span<const double> x, int branch) {
-  const auto data = setup.numbers.data_of(x);
+std::optional<Run> run_of(const DesignNumbers& numbers, const RunSettings& settings,
+                          std::span<const double> x, int branch) {
+  const auto data = numbers.data_of(x);
   if (!data || !data->plan) return std::nullopt;
-  const auto schedule = schedule_of(*data, setup.settings);
+  const auto schedule = schedule_of(*data, settings);
   if (!schedule) return std::nullopt;
   return start_on_branch(run_model(*data), schedule->first_positions(), branch);
 }
@@ -178,13 +179,14 @@ bool starts_like(const Run& run, const Model& read, const RunSettings& settings)
 
 }  // namespace
 
-Result<std::string> text_of_design(const DesignSetup& setup, std::span<const double> x, int branch) {
-  const Model::Data& model = setup.numbers.model().data();
+Result<std::string> text_of_design(const DesignNumbers& numbers, const RunSettings& settings,
+                                   std::span<const double> x, int branch) {
+  const Model::Data& model = numbers.model().data();
   std::vector<NewValue> values;
-  const std::vector<std::string> paths = setup.numbers.paths();
-  const std::vector<double> numbers = setup.numbers.values_of(x);
+  const std::vector<std::string> paths = numbers.paths();
+  const std::vector<double> at = numbers.values_of(x);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    values.push_back({paths[i], fmt::format("{}", numbers[i] == 0 ? 0.0 : numbers[i])});
+    values.push_back({paths[i], fmt::format("{}", at[i] == 0 ? 0.0 : at[i])});
   }
   const auto written = [&]() -> Result<std::string> {
     auto text = model.document->text_with(values);
@@ -197,8 +199,8 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   }
   // If the profile's poses lead to another assembly, those of the design are written.
   const auto read = Model::from_text(*text, model.name);
-  const auto run = run_of(setup, x, branch);
-  if (!read || !run || starts_like(*run, *read, setup.settings)) {
+  const auto run = run_of(numbers, settings, x, branch);
+  if (!read || !run || starts_like(*run, *read, settings)) {
     return text;
   }
   Poses(*model.document, *read, *run, values).replace();
@@ -206,9 +208,10 @@ Result<std::string> text_of_design(const DesignSetup& setup, std::span<const dou
   return posed ? posed : text;
 }
 
-bool starts_as_designed(const DesignSetup& setup, std::span<const double> x, int branch, const Model& read) {
-  const auto run = run_of(setup, x, branch);
-  return run && starts_like(*run, read, setup.settings);
+bool starts_as_designed(const DesignNumbers& numbers, const RunSettings& settings, std::span<const double> x,
+                        int branch, const Model& read) {
+  const auto run = run_of(numbers, settings, x, branch);
+  return run && starts_like(*run, read, settings);
 }
 
 }  // namespace higherpair

@@ -16,11 +16,15 @@
 namespace higherpair {
 namespace {
 
-// The branch on which the profile starts.
-Result<int> branch_of_model(const Model& model) {
+RunSettings status_alone() {
   RunSettings settings;
   settings.columns = {"status"};
-  auto run = model.start(settings);
+  return settings;
+}
+
+// The branch on which the profile starts.
+Result<int> branch_of_model(const Model& model) {
+  auto run = model.start(status_alone());
   if (!run) {
     return tl::unexpected(std::move(run.error()));
   }
@@ -70,17 +74,8 @@ void unwrap_angles(FitData& data, const FitProblem& problem, const Eigen::Vector
 // The text of the new profile, verified by reading it again and running it through the rows.
 Result<std::string> verified_text(const FitProblem& problem, const FitSolution& solution, FitReport& report) {
   const FitData& data = problem.data();
-  const auto schedule = first_schedule(data.model.data());
-  if (!schedule) {
-    return tl::unexpected(schedule.error());
-  }
-  RunSettings settings;
-  settings.columns = {"status"};
-  const DesignSetup setup{
-      problem.motion().numbers(),  {}, {}, settings, *schedule, 1, problem.motion().branch(),
-      data.model.data().plan->size};
   const std::vector<double> x(solution.x.data(), solution.x.data() + data.variables->variables.size());
-  auto text = text_of_design(setup, x, problem.motion().branch());
+  auto text = text_of_design(problem.motion().numbers(), status_alone(), x, problem.motion().branch());
   if (!text) {
     return text;
   }
