@@ -123,6 +123,64 @@ Seen compare(const Model& model, int candidates, double closeness, unsigned seed
   return seen;
 }
 
+// Four-bars side by side on one crank, so many that a branch cannot say the modes of all.
+std::string many_four_bars(int count) {
+  std::string ground = "[bodies.ground]\npoints.O = [0, 0]\n", bodies, joints;
+  for (int i = 0; i < count; ++i) {
+    const double x = 60 + 3 * i, y = 5 * i % 17, rod = 55 + 2.5 * i, rocker = 30 + i;
+    const double far = std::hypot(x - 10, y), bearing = std::atan2(y, x - 10);
+    const double rod_angle = bearing + std::acos((rod * rod + far * far - rocker * rocker) / (2 * rod * far));
+    const double rocker_angle = std::atan2(rod * std::sin(rod_angle) - y, 10 + rod * std::cos(rod_angle) - x);
+    const std::string n = std::to_string(i);
+    std::ostringstream text;
+    text << "[bodies.rod" << n << "]\npose = { x = 10, y = 0, angle = " << rod_angle * 180 / kPi
+         << " }\npoints.A = [0, 0]\npoints.C = [" << rod << ", 0]\n[bodies.rocker" << n
+         << "]\npose = { x = " << x << ", y = " << y << ", angle = " << rocker_angle * 180 / kPi
+         << " }\npoints.B = [0, 0]\npoints.C = [" << rocker << ", 0]\n";
+    bodies += text.str();
+    ground += "points.B" + n + " = [" + std::to_string(x) + ", " + std::to_string(y) + "]\n";
+    for (const auto& [name, first, second] : {std::array{"a" + n, std::string("crank.A"), "rod" + n + ".A"},
+                                              std::array{"b" + n, "ground.B" + n, "rocker" + n + ".B"},
+                                              std::array{"c" + n, "rod" + n + ".C", "rocker" + n + ".C"}}) {
+      joints +=
+          "[joints." + name + "]\ntype = \"revolute\"\nbetween = [\"" + first + "\", \"" + second + "\"]\n";
+    }
+  }
+  return ground + "[bodies.crank]\npoints.O = [0, 0]\npoints.A = [10, 0]\n" + bodies +
+         "[joints.O]\ntype = \"revolute\"\nbetween = [\"ground.O\", \"crank.O\"]\n" + joints + R"(
+[driver]
+joint = "O"
+samples = 37
+[design.variables]
+rod = { path = "bodies.rod16.points.C.0", min = 90, max = 100 }
+rocker = { path = "bodies.rocker0.points.C.0", min = 28, max = 34 }
+[[design.objectives]]
+column = "rocker0.angle"
+of = "range"
+target = 30
+[[design.constraints]]
+column = "rocker16.angle"
+of = "max"
+below = 200
+)";
+}
+
+TEST(ManyDyads, EachHaveAConstraintOnTheirClosure) {
+  const Model model = model_of(many_four_bars(19));
+  const DesignProblem problem = design_problem(model).value();
+  EXPECT_EQ(problem.constraints, 19 + 1 + 1);
+  const auto evaluator = problem.evaluator();
+  DesignValues values;
+  DesignJacobian jacobian;
+  evaluator->evaluate(std::array{95.0, 30.0}, problem.start_branch, values);
+  ASSERT_TRUE(evaluator->differentiate(std::array{95.0, 30.0}, problem.start_branch, jacobian));
+  EXPECT_EQ(values.constraints.size(), problem.constraints);
+  EXPECT_EQ(jacobian.constraints.rows(), problem.constraints);
+  const Seen seen = compare(model, 4, 0.1, 17);
+  EXPECT_EQ(seen.candidates, 4);
+  EXPECT_EQ(seen.off, 0);
+}
+
 class Gradients : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Gradients, AreThoseOfDifferencesFarAndNear) {

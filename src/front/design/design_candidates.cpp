@@ -153,7 +153,7 @@ void DesignCandidates::add_extents(std::span<const double> x, int branch) {
 void DesignCandidates::fail() {
   rows_.restart();
   rows_.missing = 1;
-  for (int branches = setup_->branches; branches > 1; branches /= 2) rows_.gaps.push_back(setup_->size);
+  rows_.gaps.assign(setup_->closures, setup_->size);
 }
 
 std::optional<DesignCandidate> DesignCandidates::candidate_of(std::span<const double> x,

@@ -219,14 +219,8 @@ private:
 
 }  // namespace
 
-Eigen::Index closure_count(const DesignSetup& setup) {
-  Eigen::Index modes = 0;
-  for (int branches = setup.branches; branches > 1; branches /= 2) ++modes;
-  return modes;
-}
-
 Eigen::Index constraint_count(const DesignSetup& setup) {
-  Eigen::Index count = closure_count(setup) + 1;
+  Eigen::Index count = static_cast<Eigen::Index>(setup.closures) + 1;
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
     count += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
   }

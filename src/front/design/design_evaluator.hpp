@@ -29,9 +29,6 @@ struct DesignScore {
 /// The evaluator that problem_of uses.
 [[nodiscard]] std::unique_ptr<DesignEvaluator> evaluator_of(std::shared_ptr<const DesignSetup> setup);
 
-/// Number of groups of the mechanism with two modes; each has a constraint on its closure.
-[[nodiscard]] Eigen::Index closure_count(const DesignSetup& setup);
-
 /// Number of constraints of the problem: those on closure, one for a good path, and one for each limit of the
 /// task.
 [[nodiscard]] Eigen::Index constraint_count(const DesignSetup& setup);

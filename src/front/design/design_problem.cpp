@@ -7,7 +7,7 @@ namespace higherpair {
 
 std::vector<LimitPlaces> limit_places(const DesignSetup& setup) {
   std::vector<LimitPlaces> places;
-  Eigen::Index next = closure_count(setup) + 1;
+  Eigen::Index next = static_cast<Eigen::Index>(setup.closures) + 1;
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
     LimitPlaces& limits = places.emplace_back();
     if (constraint.above) limits.above = next++;

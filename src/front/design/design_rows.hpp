@@ -25,6 +25,7 @@ struct DesignSetup {
   RunSettings settings;           ///< of a run with the columns of the measures
   DriverSchedule schedule;        ///< of the start values
   int branches = 1;
+  std::size_t closures = 0;  ///< number of groups with two modes, each with a constraint on its closure
   std::optional<int> start_branch = {};  ///< none where the start values cannot be assembled
   double size = 1;                       ///< of the mechanism with the start values [m]
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.

@@ -2,6 +2,7 @@
 
 #include "front/analysis_impl.hpp"
 #include "front/tolerances.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -86,6 +87,11 @@ Diagnostics mistakes_in(const Model& model, const DesignTask& task, const Driver
 // Whether all numbers are equal.
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a.array() == b.array()).all();
+}
+
+std::size_t closure_count(const Plan& plan) {
+  return static_cast<std::size_t>(std::count_if(
+      plan.groups.begin(), plan.groups.end(), [](const Group& group) { return traits_of(group).two_modes; }));
 }
 
 // Openings of contacts are found from forces, which the run has to compute then.
@@ -286,6 +292,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
                                                          .settings = *std::move(settings),
                                                          .schedule = *std::move(schedule),
                                                          .branches = branch_count(plan),
+                                                         .closures = closure_count(plan),
                                                          .size = plan.size});
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
