@@ -63,7 +63,7 @@ struct DesignProblem {
   int branches = 1;       ///< discrete alternatives for the same variables, such as assemblies; nothing is
                           ///< continuous between them
   int start_branch = 0;   ///< branch of the start
-  /// Makes a new evaluator; may be called from any thread.
+  /// Makes a new evaluator, which needs this problem; may be called from any thread.
   std::function<std::unique_ptr<DesignEvaluator>()> evaluator;
 };
 

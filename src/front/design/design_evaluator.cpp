@@ -41,21 +41,21 @@ double sine_of(double angle, const Units& units) {
   return std::sin(to_si(dimension::kAngle, units).apply(angle));
 }
 
-class ModelEvaluator : public DesignEvaluator {
+class ModelEvaluator : public ScoringEvaluator {
 public:
-  explicit ModelEvaluator(std::shared_ptr<const DesignSetup> setup)
-      : setup_(std::move(setup)),
-        task_(setup_->numbers.task()),
-        unit_(to_si(dimension::kLength, setup_->numbers.model().units()).apply(1)),
-        candidates_(*setup_) {
+  explicit ModelEvaluator(const DesignSetup& setup)
+      : setup_(setup),
+        task_(setup.numbers.task()),
+        unit_(to_si(dimension::kLength, setup.numbers.model().units()).apply(1)),
+        candidates_(setup) {
     for (const DesignTask::Objective& objective : task_.objectives) {
-      if (objective.path) timed_rows_.push_back(timed_rows(*setup_, *objective.path));
+      if (objective.path) timed_rows_.push_back(timed_rows(setup, *objective.path));
     }
     misses_.resize(timed_rows_.size());
   }
 
   void evaluate(std::span<const double> x, int branch, DesignValues& values) override {
-    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
+    go_to(x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
     values.cost = 0;
     numbers_.clear();
     std::size_t path = 0;
@@ -78,7 +78,7 @@ public:
       if (objective.target) {
         numbers_.push_back(root * (std::isfinite(value) ? value - *objective.target : kMissing));
       } else {
-        values.cost += objective.weight * (std::isfinite(value) ? value : kMissing * setup_->cost_scale);
+        values.cost += objective.weight * (std::isfinite(value) ? value : kMissing * setup_.cost_scale);
       }
     }
     values.residuals =
@@ -90,11 +90,11 @@ public:
   }
 
   bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian) override {
-    go_to(x, task_.keep_branch ? setup_->start_branch.value_or(0) : branch);
-    return add_gradient(*setup_, candidates_, {x_, branch_, *rows_, places_}, unit_, jacobian);
+    go_to(x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
+    return add_gradient(setup_, candidates_, {x_, branch_, *rows_, places_}, unit_, jacobian);
   }
 
-  DesignScore score(std::span<const double> x, int branch) {
+  DesignScore score(std::span<const double> x, int branch) override {
     go_to(x, branch);
     DesignScore score;
     score.started = rows_->started;
@@ -123,7 +123,7 @@ public:
     for (const DesignTask::Constraint& constraint : task_.constraints) {
       if (constraint.transmission) {
         score.constraints.push_back(
-            rows_->started ? angle_of(rows_->transmissions[transmission], setup_->numbers.model().units())
+            rows_->started ? angle_of(rows_->transmissions[transmission], setup_.numbers.model().units())
                            : kNoValue);
         ++transmission;
       } else {
@@ -175,7 +175,7 @@ private:
   // Appends the constraints to numbers_.
   void add_constraints(std::size_t measure) {
     for (const double gap : rows_->gaps) {
-      numbers_.push_back(std::isfinite(gap) ? (gap + setup_->spare()) / setup_->size : 0.0);
+      numbers_.push_back(std::isfinite(gap) ? (gap + setup_.spare()) / setup_.size : 0.0);
     }
     numbers_.push_back(rows_->missing > 0 ? rows_->missing : kGoodPath);
     std::size_t transmission = 0;
@@ -183,7 +183,7 @@ private:
       const DesignTask::Constraint& constraint = task_.constraints[k];
       // For transmission angles, sines are used in place of angles: they are smooth everywhere.
       const auto add = [&](double off) {
-        const bool idle = k < setup_->idle.size() && setup_->idle[k];
+        const bool idle = k < setup_.idle.size() && setup_.idle[k];
         numbers_.push_back(std::isfinite(off) ? tightened(off, idle) : kViolated);
       };
       if (constraint.transmission) {
@@ -191,18 +191,18 @@ private:
                                 ? rows_->transmissions[transmission]
                                 : kNoValue;
         ++transmission;
-        const Units& units = setup_->numbers.model().units();
+        const Units& units = setup_.numbers.model().units();
         if (constraint.above) add(sine_of(*constraint.above, units) - sine);
         if (constraint.below) add(sine - sine_of(*constraint.below, units));
         continue;
       }
       const double value = measured(measure++);
-      if (constraint.above) add((*constraint.above - value) / setup_->scales[k]);
-      if (constraint.below) add((value - *constraint.below) / setup_->scales[k]);
+      if (constraint.above) add((*constraint.above - value) / setup_.scales[k]);
+      if (constraint.below) add((value - *constraint.below) / setup_.scales[k]);
     }
   }
 
-  std::shared_ptr<const DesignSetup> setup_;
+  const DesignSetup& setup_;
   const DesignTask& task_;
   double unit_;
   DesignCandidates candidates_;
@@ -241,7 +241,7 @@ std::optional<std::size_t> row_at(const DriverSchedule& schedule, double positio
 void set_scales(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
   setup.scales.assign(task.constraints.size(), 1);
-  const DesignScore start = score_of(setup, start_values(task), setup.start_branch.value_or(0));
+  const DesignScore& start = setup.start_score;
   for (std::size_t k = 0; k < task.constraints.size(); ++k) {
     const DesignTask::Constraint& constraint = task.constraints[k];
     const double limit =
@@ -256,11 +256,11 @@ void set_scales(DesignSetup& setup) {
 }
 
 DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch) {
-  return ModelEvaluator(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup)).score(x, branch);
+  return ModelEvaluator(setup).score(x, branch);
 }
 
-std::unique_ptr<DesignEvaluator> evaluator_of(std::shared_ptr<const DesignSetup> setup) {
-  return std::make_unique<ModelEvaluator>(std::move(setup));
+std::unique_ptr<ScoringEvaluator> evaluator_of(const DesignSetup& setup) {
+  return std::make_unique<ModelEvaluator>(setup);
 }
 
 }  // namespace higherpair

@@ -7,27 +7,21 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace higherpair {
 
-/// Values of a task's objectives and constraints for one candidate, in the units of tables.
-struct DesignScore {
-  bool started = false;
-  std::vector<double> objectives;  ///< for each of DesignTask::objectives: a path's sum of squares or a
-                                   ///< measure's value; NaN where undefined
-  /// For each objective that is a free path: a point p of the path is placed at first · p + second [m].
-  std::vector<std::optional<std::pair<PathPlacement::Complex, PathPlacement::Complex>>> placements;
-  std::vector<double> constraints;  ///< for each of DesignTask::constraints: the value that is limited
-  double missing = 0;               ///< DesignRows::missing
+/// Evaluates candidates for the optimiser, and in the units of tables. The same candidate again costs little.
+class ScoringEvaluator : public DesignEvaluator {
+public:
+  [[nodiscard]] virtual DesignScore score(std::span<const double> x, int branch) = 0;
 };
+
+/// The evaluator that problem_of uses. \param setup  must outlive it
+[[nodiscard]] std::unique_ptr<ScoringEvaluator> evaluator_of(const DesignSetup& setup);
 
 /// The score of x on a branch.
 [[nodiscard]] DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch);
-
-/// The evaluator that problem_of uses.
-[[nodiscard]] std::unique_ptr<DesignEvaluator> evaluator_of(std::shared_ptr<const DesignSetup> setup);
 
 /// Number of constraints of the problem: those on closure, one for a good path, and one for each limit of the
 /// task.

@@ -54,7 +54,7 @@ public:
       : setup_(setup), task_(setup.numbers.task()), units_(setup.numbers.model().units()) {}
 
   Diagnostics notes() {
-    const DesignScore score = score_of(setup_, start_values(task_), *setup_.start_branch);
+    const DesignScore& score = setup_.start_score;
     if (!score.started) return {};
     std::size_t quantity = 0;
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {

@@ -28,7 +28,7 @@ DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
   problem.constraints = constraint_count(*setup);
   problem.branches = task.keep_branch ? 1 : setup->branches;
   problem.start_branch = setup->start_branch.value_or(0);
-  problem.evaluator = [setup] { return evaluator_of(setup); };
+  problem.evaluator = [setup] { return evaluator_of(*setup); };
   return problem;
 }
 

@@ -61,7 +61,10 @@ double total(const DesignTask& task, const std::vector<double>& objectives) {
 class Reporter {
 public:
   Reporter(const DesignSetup& setup, const DesignOutcome& outcome)
-      : setup_(setup), task_(setup.numbers.task()), outcome_(outcome) {}
+      : setup_(setup),
+        task_(setup.numbers.task()),
+        outcome_(outcome),
+        before_(setup.start_branch ? setup.start_score : nothing()) {}
 
   Result<DesignReport> report() {
     const std::vector<double> x = as_made(outcome_.best.x);
@@ -155,7 +158,6 @@ private:
   }
 
   void add_objectives(const DesignScore& after, DesignReport& report) const {
-    const DesignScore before = score_before();
     const std::string length =
         unit_text(dimension::kLength * dimension::kLength, setup_.numbers.model().units());
     std::size_t measure = 0;
@@ -167,13 +169,13 @@ private:
       if (!objective.followed.empty()) line.unit = fmt::format("({})^2", line.unit);
       measure += quantity_count(objective);
       line.target = objective.target;
-      line.before = before.objectives[k];
+      line.before = before_.objectives[k];
       line.after = after.objectives[k];
       if (after.placements[k]) add_placement(*after.placements[k], line);
     }
-    report.before = total(task_, before.objectives);
+    report.before = total(task_, before_.objectives);
     report.after = total(task_, after.objectives);
-    report.starts_good = before.started && before.missing == 0;
+    report.starts_good = before_.started && before_.missing == 0;
     report.path_good = after.started && after.missing == 0;
   }
 
@@ -188,18 +190,7 @@ private:
     line.angle_unit = unit_text(dimension::kAngle, units);
   }
 
-  [[nodiscard]] DesignScore score_before() const {
-    DesignScore score = score_of(setup_, start_values(task_), setup_.start_branch.value_or(0));
-    if (!setup_.start_branch) {
-      score.started = false;
-      std::fill(score.objectives.begin(), score.objectives.end(), kNoValue);
-      std::fill(score.constraints.begin(), score.constraints.end(), kNoValue);
-    }
-    return score;
-  }
-
   void add_constraints(const DesignScore& after, DesignReport& report) const {
-    const DesignScore before = score_before();
     const std::vector<LimitPlaces> places = limit_places(setup_);
     report.holds = report.path_good && report.as_found;
     std::size_t measure = 0;
@@ -218,7 +209,7 @@ private:
         line.what = fmt::format("{} {} {}", what, side, limit);
         line.unit = unit;
         line.limit = limit;
-        line.before = before.constraints[k];
+        line.before = before_.constraints[k];
         line.after = after.constraints[k];
         line.margin = sign * (limit - line.after);
         line.cost = cost_of(k, limit, place);
@@ -280,6 +271,7 @@ private:
   const DesignSetup& setup_;
   const DesignTask& task_;
   const DesignOutcome& outcome_;
+  const DesignScore before_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "design_columns.hpp"
 #include "design_extents.hpp"
 #include "design_numbers.hpp"
+#include "design_placement.hpp"
 #include "design_quantities.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/analysis/branch_run.hpp"
@@ -13,9 +14,21 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
+
+/// Values of a task's objectives and constraints for one candidate, in the units of tables.
+struct DesignScore {
+  bool started = false;
+  std::vector<double> objectives;  ///< for each of DesignTask::objectives: a path's sum of squares or a
+                                   ///< measure's value; NaN where undefined
+  /// For each objective that is a free path: a point p of the path is placed at first · p + second [m].
+  std::vector<std::optional<std::pair<PathPlacement::Complex, PathPlacement::Complex>>> placements;
+  std::vector<double> constraints;  ///< for each of DesignTask::constraints: the value that is limited
+  double missing = 0;               ///< DesignRows::missing
+};
 
 /// What a task asks of every candidate; made once.
 struct DesignSetup {
@@ -27,6 +40,7 @@ struct DesignSetup {
   int branches = 1;
   std::size_t closures = 0;  ///< number of groups with two modes, each with a constraint on its closure
   std::optional<int> start_branch = {};  ///< none where the start values cannot be assembled
+  DesignScore start_score = {};          ///< on that branch, else on the first
   double size = 1;                       ///< of the mechanism with the start values [m]
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};

@@ -123,17 +123,18 @@ std::vector<double> spread_values(const DesignTask& task, int k) {
 class IdleParts {
 public:
   // \param x  values with which the mechanism assembles, and their score
-  IdleParts(const DesignSetup& setup, std::vector<double> x, const DesignScore& start)
+  IdleParts(const DesignSetup& setup, ScoringEvaluator& evaluator, std::vector<double> x,
+            const DesignScore& start)
       : setup_(setup),
         task_(setup.numbers.task()),
-        problem_(problem_of(std::shared_ptr<const DesignSetup>(std::shared_ptr<void>(), &setup))),
-        evaluator_(problem_.evaluator()),
+        evaluator_(evaluator),
+        branch_(setup.start_branch.value_or(0)),
         places_(limit_places(setup)),
         start_(start),
         x_(std::move(x)),
         works_(x_.size(), false),
         changed_(task_.objectives.size(), false) {
-    evaluator_->evaluate(x_, problem_.start_branch, before_);
+    evaluator_.evaluate(x_, branch_, before_);
     for (const double constraint : start.constraints) idle_.push_back(std::isfinite(constraint));
   }
 
@@ -194,10 +195,10 @@ private:
   bool vary(std::size_t i, double value) {
     std::vector<double> other = x_;
     other[i] = value;
-    evaluator_->evaluate(other, problem_.start_branch, after_);
+    evaluator_.evaluate(other, branch_, after_);
     works_[i] = works_[i] || before_.cost != after_.cost || !same(before_.residuals, after_.residuals) ||
                 !same(before_.constraints, after_.constraints);
-    const DesignScore score = score_of(setup_, other, problem_.start_branch);
+    const DesignScore score = evaluator_.score(other, branch_);
     for (std::size_t k = 0; k < changed_.size(); ++k) {
       changed_[k] = changed_[k] || !(score.objectives[k] == start_.objectives[k]);
     }
@@ -246,8 +247,8 @@ private:
 
   const DesignSetup& setup_;
   const DesignTask& task_;
-  const DesignProblem problem_;
-  const std::unique_ptr<DesignEvaluator> evaluator_;
+  ScoringEvaluator& evaluator_;
+  const int branch_;
   const std::vector<LimitPlaces> places_;
   const DesignScore& start_;
   const std::vector<double> x_;
@@ -305,6 +306,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
       !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }
+  setup->start_score = score_of(*setup, start_values(*task), setup->start_branch.value_or(0));
   set_scales(*setup);
   if (Diagnostics mistakes = idle_parts(*setup); !mistakes.empty()) {
     return wrong(std::move(mistakes));
@@ -314,13 +316,15 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
 
 Diagnostics idle_parts(DesignSetup& setup) {
   const DesignTask& task = setup.numbers.task();
+  const auto evaluator = evaluator_of(setup);
   for (int k = 0; k <= kMostIdleStarts; ++k) {
     const std::vector<double> x = k == 0 ? start_values(task) : spread_values(task, k);
-    const DesignScore start = score_of(setup, x, setup.start_branch.value_or(0));
+    const DesignScore start =
+        k == 0 ? setup.start_score : evaluator->score(x, setup.start_branch.value_or(0));
     if (!start.started || start.missing > 0) {
       continue;
     }
-    IdleParts parts(setup, x, start);
+    IdleParts parts(setup, *evaluator, x, start);
     parts.vary();
     setup.idle = parts.idle_constraints();
     Diagnostics mistakes = k == 0 ? parts.without_effect() : Diagnostics();
