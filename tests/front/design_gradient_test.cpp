@@ -284,6 +284,25 @@ size   = "height"
 bodies = ["coupler", "rocker"]
 below  = 3
 )"},
+        Kind{"four_bar",
+             R"(a = { path = "bodies.crank.points.A.0", min = 1.8, max = 2.2 }
+b = { path = "bodies.coupler.points.B.0", min = 3.4, max = 3.7 }
+)",
+             R"([[design.objectives]]
+column = "rocker.angle"
+follow = [[90, 70], [0, 60], [270, 250]]
+change = true
+[[design.objectives]]
+column = "coupler.omega"
+follow = [[0, 300], [40, 500]]
+[[design.objectives]]
+column = "coupler.E.x"
+of     = "max"
+[[design.constraints]]
+column = "rocker.omega"
+of     = "max"
+below  = 900
+)"},
         Kind{"flat_faced_translating",
              R"(e = { path = "bodies.cam.curves.disc.center.0", min = 5, max = 15 }
 r = { path = "bodies.cam.curves.disc.radius", min = 15, max = 30 }

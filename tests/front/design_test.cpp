@@ -146,6 +146,31 @@ samples = 37
 e = { path = "bodies.cam.curves.disc.center.0", min = 2, max = 25 }
 )";
 
+// The positions are in no order, and another objective has its numbers after these.
+TEST(Design, AColumnIsFollowedInTheRowsOfItsPositions) {
+  const Model model = model_of(text_of_profile("four_bar") + R"(
+[design.variables]
+a = { path = "bodies.crank.points.A.0", min = 1.8, max = 2.2 }
+[[design.objectives]]
+column = "rocker.angle"
+follow = [[90, 70], [0, 60], [270, 250]]
+change = true
+[[design.objectives]]
+column = "coupler.E.x"
+of     = "max"
+)",
+                               {"driver.samples=37"});
+  const Motion motion = model.run().value();
+  const auto angle = [&](double driver) {
+    return motion.column("rocker.angle")[static_cast<std::size_t>(driver / 10)];
+  };
+  const double misses[] = {angle(0) - angle(90) - (60 - 70), angle(270) - angle(90) - (250 - 70)};
+  const DesignReport report = designed(model, few(1));
+  EXPECT_NEAR(report.objectives[0].before, misses[0] * misses[0] + misses[1] * misses[1], 1e-6);
+  const auto xs = motion.column("coupler.E.x").values;
+  EXPECT_NEAR(report.objectives[1].before, *std::max_element(xs.begin(), xs.end()), 1e-12);
+}
+
 TEST(Design, AMeasureMeetsItsTarget) {
   const DesignReport report = designed(
       model_of(kEccentric + "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\ntarget = 33\n"),

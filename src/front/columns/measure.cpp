@@ -13,6 +13,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -84,21 +85,14 @@ PlaceOfRow place_in_units(const DriverSchedule& schedule, const Profile& profile
 }
 
 // The objection to the place of a measure; empty where there is a row at that place.
-std::string place_objection(const DriverSchedule& schedule, const Measure& measure,
-                            const PlaceOfRow& place_of_row, bool in_time) {
-  double low = -kInf;  // the rows on both sides of the place
-  double high = kInf;
-  double first = kInf;
-  double last = -kInf;
-  for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    const double place = place_of_row(k);
-    low = place <= measure.at ? std::max(low, place) : low;
-    high = place >= measure.at ? std::min(high, place) : high;
-    first = std::min(first, place);
-    last = std::max(last, place);
-  }
+// \param places  of all rows, in ascending order
+std::string place_objection(const std::vector<double>& places, const Measure& measure, bool in_time) {
+  const auto below = std::upper_bound(places.begin(), places.end(), measure.at);
+  const auto above = std::lower_bound(places.begin(), places.end(), measure.at);
+  const double low = below == places.begin() ? -kInf : *std::prev(below);
+  const double high = above == places.end() ? kInf : *above;
   const double nearest = std::min(measure.at - low, high - measure.at);
-  if (nearest <= kAtPlace * std::max(last - first, std::abs(measure.at))) {
+  if (nearest <= kAtPlace * std::max(places.back() - places.front(), std::abs(measure.at))) {
     return "";
   }
   const std::string next = std::isinf(low) ? fmt::format("the rows begin at {}", high)
@@ -118,11 +112,13 @@ std::string path_of_at(const Measure& measure) {
 Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures,
                            const Profile& profile, const RunSettings& settings) {
   const PlaceOfRow place_of_row = place_in_units(schedule, profile, settings);
+  std::vector<double> places;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) places.push_back(place_of_row(k));
+  std::sort(places.begin(), places.end());
   Diagnostics mistakes;
   for (const Measure& measure : measures) {
-    std::string objection = measure.of == MeasureKind::kAt
-                                ? place_objection(schedule, measure, place_of_row, settings.in_time)
-                                : std::string();
+    std::string objection =
+        measure.of == MeasureKind::kAt ? place_objection(places, measure, settings.in_time) : std::string();
     if (!objection.empty()) {
       mistakes.push_back(
           {measure.place, fmt::format("{} = {}: {}", path_of_at(measure), measure.at, objection)});

@@ -103,12 +103,12 @@ std::optional<Mechanism> DesignCandidates::mechanism_of(std::span<const double> 
 // Adds the quantities other than measures and events: figures, extents and Grashof margins.
 void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
   const std::vector<DesignQuantity>& quantities = setup_->quantities;
-  rows_.measured.resize(quantities.size(), kNoValue);
+  rows_.measured.resize(setup_->numbers_measured, kNoValue);
   if (setup_->needs_check() && rows_.missing == 0) {
     const auto model = model_of(x, branch);
     const std::vector<double> figures = model ? figures_of(*model, quantities) : std::vector<double>();
     for (std::size_t k = 0; k < figures.size(); ++k) {
-      if (quantities[k].figure) rows_.measured[k] = figures[k];
+      if (quantities[k].figure) rows_.measured[quantities[k].first] = figures[k];
     }
   }
   const Scaling length = from_si(dimension::kLength, setup_->numbers.model().units());
@@ -117,7 +117,7 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
     double sum = 0;
     for (const ExtentTerm& term : terms_that_count(*quantities[k].extent, rows_.extents[extent]))
       sum += term.far;
-    rows_.measured[k] = length.apply(sum);
+    rows_.measured[quantities[k].first] = length.apply(sum);
     ++extent;
   }
   std::optional<Mechanism> mechanism;
@@ -127,7 +127,7 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
     if (!mechanism) return;
     const auto room = grashof_room(*mechanism, *quantities[k].grashof);
     if (room) {
-      rows_.measured[k] = length.apply(*room);
+      rows_.measured[quantities[k].first] = length.apply(*room);
     }
   }
 }

@@ -1,10 +1,14 @@
 #include "design_columns.hpp"
 
+#include "front/tolerances.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -147,14 +151,9 @@ std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double>
     case MeasureKind::kLast:
       add(values.size() - 1, 1);
       break;
-    case MeasureKind::kAt: {
-      std::size_t nearest = 0;
-      for (std::size_t k = 1; k < places.size(); ++k) {
-        if (std::abs(places[k] - measure.at) < std::abs(places[nearest] - measure.at)) nearest = k;
-      }
-      add(nearest, 1);
+    case MeasureKind::kAt:
+      add(rows_at(std::span(&measure.at, 1), places).front(), 1);
       break;
-    }
     case MeasureKind::kMean:
       for (std::size_t k = 0; k < values.size(); ++k) add(k, 1 / defined);
       break;
@@ -165,6 +164,24 @@ std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double>
       for (std::size_t k = 0; k < values.size() && rms > 0; ++k) add(k, values[k] / (defined * rms));
       break;
     }
+  }
+  return rows;
+}
+
+std::vector<std::optional<std::size_t>> rows_at(std::span<const double> positions,
+                                                std::span<const double> places) {
+  std::map<double, std::size_t> first_there;
+  for (std::size_t k = 0; k < places.size(); ++k) first_there.try_emplace(first_there.end(), places[k], k);
+  std::vector<std::optional<std::size_t>> rows(positions.size());
+  if (places.empty()) return rows;
+  const double span = std::prev(first_there.end())->first - first_there.begin()->first;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double at = positions[i];
+    const auto above = first_there.lower_bound(at);
+    const auto off = [&](const auto& row) { return std::pair(std::abs(row.first - at), row.second); };
+    auto nearest = above == first_there.end() ? off(*std::prev(above)) : off(*above);
+    if (above != first_there.begin()) nearest = std::min(nearest, off(*std::prev(above)));
+    if (nearest.first <= kAtPlace * std::max(span, std::abs(at))) rows[i] = nearest.second;
   }
   return rows;
 }

@@ -43,4 +43,8 @@ struct WeightedRow {
 [[nodiscard]] std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double> values,
                                                std::span<const double> places);
 
+/// For each position of the driver, the first of the rows nearest to it; none where no row is there.
+[[nodiscard]] std::vector<std::optional<std::size_t>> rows_at(std::span<const double> positions,
+                                                              std::span<const double> places);
+
 }  // namespace higherpair

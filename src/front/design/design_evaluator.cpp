@@ -66,12 +66,12 @@ public:
         for (const double miss : misses_[path++]) numbers_.push_back(root * miss);
         continue;
       }
-      if (!objective.followed.empty()) {
-        for (std::size_t k = 0; k < objective.values.size(); ++k) {
-          const double off = off_of(objective, measure, k);
+      if (objective.followed) {
+        for (std::size_t k = 0; k < objective.followed->values.size(); ++k) {
+          const double off = off_of(*objective.followed, measure, k);
           numbers_.push_back(root * (std::isfinite(off) ? off : kMissing));
         }
-        measure += objective.values.size();
+        measure += objective.followed->values.size();
         continue;
       }
       const double value = measured(measure++);
@@ -107,12 +107,12 @@ public:
         const PathPlacement placement = placement_of(*objective.path, places_[path]);
         score.placements.back() = {placement.turn_and_scale(), placement.shift()};
       }
-      if (!objective.values.empty()) {
+      if (objective.followed) {
         double sum = 0;
-        for (std::size_t k = 0; k < objective.values.size(); ++k) {
-          sum += std::pow(off_of(objective, measure, k), 2);
+        for (std::size_t k = 0; k < objective.followed->values.size(); ++k) {
+          sum += std::pow(off_of(*objective.followed, measure, k), 2);
         }
-        measure += objective.values.size();
+        measure += objective.followed->values.size();
         score.objectives.push_back(sum);
         continue;
       }
@@ -162,10 +162,9 @@ private:
   }
 
   // By how much a column that is to follow given values misses the k-th of them.
-  [[nodiscard]] double off_of(const DesignTask::Objective& objective, std::size_t first,
-                              std::size_t k) const {
-    const double off = measured(first + k) - objective.values[k];
-    return objective.follow_change ? off - (measured(first) - objective.values[0]) : off;
+  [[nodiscard]] double off_of(const DesignTask::Followed& followed, std::size_t first, std::size_t k) const {
+    const double off = measured(first + k) - followed.values[k];
+    return followed.change ? off - (measured(first) - followed.values[0]) : off;
   }
 
   [[nodiscard]] double measured(std::size_t k) const {

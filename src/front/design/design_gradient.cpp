@@ -81,9 +81,9 @@ private:
       if (objective.path) {
         if (rows_.started) add_path(*objective.path, path, root / unit_, row);
         ++path;
-      } else if (!objective.followed.empty()) {
-        add_followed(objective, quantity, root, row);
-        quantity += static_cast<Eigen::Index>(objective.followed.size());
+      } else if (objective.followed) {
+        add_followed(*objective.followed, quantity, root, row);
+        quantity += residual_count(objective);
       } else {
         if (slopes_ && objective.target)
           jacobian_.residuals.row(row) = root * slopes_->measured.row(quantity);
@@ -97,12 +97,11 @@ private:
     objective_quantities_ = quantity;
   }
 
-  void add_followed(const DesignTask::Objective& objective, Eigen::Index first, double root,
-                    Eigen::Index row) {
+  void add_followed(const DesignTask::Followed& followed, Eigen::Index first, double root, Eigen::Index row) {
     if (!slopes_) return;
-    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(objective.followed.size()); ++k) {
+    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(followed.values.size()); ++k) {
       jacobian_.residuals.row(row + k) = root * slopes_->measured.row(first + k);
-      if (objective.follow_change) {
+      if (followed.change) {
         jacobian_.residuals.row(row + k) -= root * slopes_->measured.row(first);
       }
     }
@@ -194,8 +193,9 @@ private:
 }  // namespace
 
 Eigen::Index residual_count(const DesignTask::Objective& objective) {
-  return objective.path ? miss_count(*objective.path)
-                        : static_cast<Eigen::Index>(objective.values.size()) + (objective.target ? 1 : 0);
+  if (objective.path) return miss_count(*objective.path);
+  if (objective.followed) return static_cast<Eigen::Index>(objective.followed->values.size());
+  return objective.target ? 1 : 0;
 }
 
 bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates, const EvaluatedCandidate& candidate,

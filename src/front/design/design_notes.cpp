@@ -64,10 +64,9 @@ public:
         note_path(objective);
         continue;
       }
-      const std::string& unit = setup_.quantities[quantity].unit;
-      quantity += quantity_count(objective);
+      const std::string& unit = setup_.quantities[quantity++].unit;
       if (objective.target) note_target(objective, score.objectives[k], unit);
-      if (!objective.followed.empty()) note_followed(objective, unit);
+      if (objective.followed) note_followed(objective, unit);
     }
     return std::move(notes_);
   }
@@ -138,8 +137,8 @@ private:
   }
 
   void note_followed(const DesignTask::Objective& objective, const std::string& unit) {
-    const std::string& name = objective.followed.front().column;
-    const double wanted = spread_of(objective.values), present = spread_of(column(name));
+    const std::string& name = objective.followed->measure.column;
+    const double wanted = spread_of(objective.followed->values), present = spread_of(column(name));
     if (const auto other = meant_unit(wanted, present, unit, units_)) {
       notes_.push_back(
           {objective.place,

@@ -51,6 +51,7 @@ DesignQuantities quantities_of(const DesignTask& task) {
     DesignQuantity& quantity = quantities.all.emplace_back();
     quantity.place = entry.place;
     quantity.path_of_key = entry.path_of_key;
+    quantity.first = quantities.numbers++;
     return quantity;
   };
   const auto add_measure = [&](const auto& entry, const Measure& measure) {
@@ -61,7 +62,11 @@ DesignQuantities quantities_of(const DesignTask& task) {
     if (objective.measure) add_measure(objective, *objective.measure);
     if (objective.figure) add(objective).figure = objective.figure;
     if (objective.extent) add(objective).extent = objective.extent;
-    for (const Measure& measure : objective.followed) add_measure(objective, measure);
+    if (objective.followed) {
+      add_measure(objective, objective.followed->measure);
+      quantities.all.back().at = objective.followed->at;
+      quantities.numbers += objective.followed->at.size() - 1;
+    }
   }
   for (const DesignTask::Constraint& constraint : task.constraints) {
     if (constraint.measure) add_measure(constraint, *constraint.measure);
@@ -73,8 +78,15 @@ DesignQuantities quantities_of(const DesignTask& task) {
   return quantities;
 }
 
-std::size_t quantity_count(const DesignTask::Objective& objective) {
-  return objective.path ? 0 : std::max<std::size_t>(1, objective.followed.size());
+std::vector<Measure> DesignQuantities::measures_at_all_places() const {
+  std::vector<Measure> places = measures;
+  for (const DesignQuantity& quantity : all) {
+    for (std::size_t k = 1; k < quantity.at.size(); ++k) {
+      places.push_back(measures[*quantity.measure]);
+      places.back().at = quantity.at[k];
+    }
+  }
+  return places;
 }
 
 // A link turns fully relative to all others iff its length plus that of any other one is at most the sum of

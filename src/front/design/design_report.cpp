@@ -33,8 +33,7 @@ std::string words_of(const DesignTask::Objective& objective) {
   if (objective.path) return "path of " + objective.path->point;
   if (objective.figure) return words_of(*objective.figure);
   if (objective.extent) return objective.extent->words;
-  return objective.followed.empty() ? words_of(*objective.measure)
-                                    : objective.followed.front().column + " followed";
+  return objective.followed ? objective.followed->measure.column + " followed" : words_of(*objective.measure);
 }
 
 std::string words_of(const DesignTask::Constraint& constraint) {
@@ -165,9 +164,8 @@ private:
       const DesignTask::Objective& objective = task_.objectives[k];
       DesignReport::Objective& line = report.objectives.emplace_back();
       line.what = words_of(objective);
-      line.unit = objective.path ? length : setup_.quantities[measure].unit;
-      if (!objective.followed.empty()) line.unit = fmt::format("({})^2", line.unit);
-      measure += quantity_count(objective);
+      line.unit = objective.path ? length : setup_.quantities[measure++].unit;
+      if (objective.followed) line.unit = fmt::format("({})^2", line.unit);
       line.target = objective.target;
       line.before = before_.objectives[k];
       line.after = after.objectives[k];
@@ -195,7 +193,7 @@ private:
     report.holds = report.path_good && report.as_found;
     std::size_t measure = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
-      measure += quantity_count(objective);
+      measure += objective.path ? 0 : 1;
     }
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];

@@ -34,9 +34,10 @@ struct DesignScore {
 struct DesignSetup {
   DesignNumbers numbers;
   std::vector<DesignQuantity> quantities;
-  std::vector<Measure> measures;  ///< of the quantities that are measures
-  RunSettings settings;           ///< of a run with the columns of the measures
-  DriverSchedule schedule;        ///< of the start values
+  std::vector<Measure> measures;     ///< of the quantities that are measures
+  std::size_t numbers_measured = 0;  ///< of all quantities
+  RunSettings settings;              ///< of a run with the columns of the measures
+  DriverSchedule schedule;           ///< of the start values
   int branches = 1;
   std::size_t closures = 0;  ///< number of groups with two modes, each with a constraint on its closure
   std::optional<int> start_branch = {};  ///< none where the start values cannot be assembled
@@ -71,7 +72,7 @@ struct DesignRows {
   bool started = false;
   double missing = 0;  ///< fraction of rows that are not ok, plus half a row for each limit; 0: all is good
   std::vector<double> gaps;      ///< for each group with two modes, the largest over all rows [m]
-  std::vector<double> measured;  ///< for each of DesignSetup::quantities, NaN where undefined
+  std::vector<double> measured;  ///< of DesignSetup::quantities, NaN where undefined
   std::vector<std::vector<ExtentTerm>> extents;  ///< for each of DesignSetup::quantities that is an extent
   std::vector<double> transmissions;             ///< for each transmission constraint: the least |sine|
   std::vector<std::vector<Vector2d>> points;     ///< for each path: the position of the point in each row, in

@@ -77,6 +77,15 @@ void take_rows(Analysis& analysis, WhenLost when_lost, RowReader& reader, Measur
   }
 }
 
+// The numbers of a column that is followed.
+void take_followed(const DesignQuantity& quantity, DesignRows& rows) {
+  const std::size_t slot = rows.table_slots[*quantity.measure];
+  const auto at = rows_at(quantity.at, rows.places);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at[k]) rows.measured[quantity.first + k] = rows.table[*at[k] * rows.table_columns + slot];
+  }
+}
+
 bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run, WhenLost when_lost,
              RowReader& reader, DesignRows& rows) {
   std::optional<Analysis> analysis = analysis_of(setup, candidate, std::move(run));
@@ -89,11 +98,16 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
   }
   rows.table_columns = analysis->columns().size();
   take_rows(*analysis, when_lost, reader, measures, rows);
-  rows.measured.assign(setup.quantities.size(), kNoValue);
-  for (std::size_t k = 0; k < setup.quantities.size(); ++k) {
-    const DesignQuantity& quantity = setup.quantities[k];
-    if (quantity.measure) rows.measured[k] = measures.value(*quantity.measure).value;
-    if (!quantity.without.empty()) rows.measured[k] = count_of(quantity.without, analysis->events());
+  rows.measured.assign(setup.numbers_measured, kNoValue);
+  for (const DesignQuantity& quantity : setup.quantities) {
+    double& number = rows.measured[quantity.first];
+    if (!quantity.at.empty()) {
+      take_followed(quantity, rows);
+    } else if (quantity.measure) {
+      number = measures.value(*quantity.measure).value;
+    } else if (!quantity.without.empty()) {
+      number = count_of(quantity.without, analysis->events());
+    }
   }
   const auto ends = std::count_if(
       analysis->events().begin(), analysis->events().end(),

@@ -272,7 +272,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
     return tl::unexpected(*std::move(refusal));
   }
   DesignQuantities quantities = quantities_of(*task);
-  auto settings = settings_for(model, quantities.measures, run_wanted_by(*task));
+  auto settings = settings_for(model, quantities.measures_at_all_places(), run_wanted_by(*task));
   if (!settings) {
     return tl::unexpected(std::move(settings.error()));
   }
@@ -290,6 +290,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
   auto setup = std::make_shared<DesignSetup>(DesignSetup{.numbers = DesignNumbers(model, *task),
                                                          .quantities = std::move(quantities.all),
                                                          .measures = std::move(quantities.measures),
+                                                         .numbers_measured = quantities.numbers,
                                                          .settings = *std::move(settings),
                                                          .schedule = *std::move(schedule),
                                                          .branches = branch_count(plan),

@@ -123,20 +123,21 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
 void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
   std::size_t k = 0;
-  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
-    if (!setup.quantities[q].extent) continue;
-    const DesignTask::Extent& extent = *setup.quantities[q].extent;
+  for (const DesignQuantity& quantity : setup.quantities) {
+    if (!quantity.extent) continue;
+    const DesignTask::Extent& extent = *quantity.extent;
     for (const ExtentTerm& term : terms_that_count(extent, rows.extents[k++])) {
-      tasks[term.row].add(RatesAsked::kAll, [&, q, unit, term](const SlopeRun& run, const auto& of_row) {
-        const auto far = [&](const Run& displaced) {
-          return far_along(extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
-        };
-        for (std::size_t v = 0; v < of_row.size(); ++v) {
-          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-              unit * run.slope_of(v, of_row[v], far);
-        }
-        return true;
-      });
+      tasks[term.row].add(
+          RatesAsked::kAll, [&, q = quantity.first, unit, term](const SlopeRun& run, const auto& of_row) {
+            const auto far = [&](const Run& displaced) {
+              return far_along(extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
+            };
+            for (std::size_t v = 0; v < of_row.size(); ++v) {
+              slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+                  unit * run.slope_of(v, of_row[v], far);
+            }
+            return true;
+          });
     }
   }
 }
@@ -145,13 +146,13 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
 void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
                const std::vector<MechanismDerivative>& derivatives, DesignSlopes& slopes) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
-  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
-    const auto& grashof = setup.quantities[q].grashof;
+  for (const DesignQuantity& quantity : setup.quantities) {
+    const auto& grashof = quantity.grashof;
     for (std::size_t v = 0; grashof && v < derivatives.size(); ++v) {
       const auto room = [&](double h) {
         return grashof_room(displaced(*candidate.mechanism, derivatives[v].numbers, h), *grashof).value_or(0);
       };
-      slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) =
+      slopes.measured(static_cast<Eigen::Index>(quantity.first), static_cast<Eigen::Index>(v)) =
           unit * eighth_order_difference(room, kGrashofStep * setup.size);
     }
   }
@@ -171,49 +172,70 @@ DesignSlopes no_slopes(std::size_t variables, const DesignRows& rows,
   return slopes;
 }
 
-// The quantities that have to be differentiated along a displaced row, and their weights there.
-using AlongRows = std::map<std::size_t, std::vector<std::pair<std::size_t, WeightedRow>>>;
+// A share of a measured number: a column in one row.
+struct WeightedColumn {
+  std::size_t number = 0;  // index in DesignRows::measured
+  std::size_t measure = 0;
+  double weight = 1;
+};
+// Those that have to be differentiated along a displaced row, for each row.
+using AlongRows = std::map<std::size_t, std::vector<WeightedColumn>>;
+
+// Calls f(row, share) for every share of the quantity.
+template <class F>
+void for_each_share(const DesignSetup& setup, const DesignQuantity& quantity, const DesignRows& rows, F f) {
+  const std::size_t measure = *quantity.measure;
+  std::vector<double> values;
+  for (std::size_t k = rows.table_slots[measure]; k < rows.table.size(); k += rows.table_columns) {
+    values.push_back(rows.table[k]);
+  }
+  if (quantity.at.empty()) {
+    for (const WeightedRow& at : rows_of(setup.measures[measure], values, rows.places)) {
+      f(at.row, WeightedColumn{quantity.first, measure, at.weight});
+    }
+    return;
+  }
+  const auto followed = rows_at(quantity.at, rows.places);
+  for (std::size_t k = 0; k < followed.size(); ++k) {
+    const auto row = followed[k];
+    if (row && !std::isnan(values[*row])) f(*row, WeightedColumn{quantity.first + k, measure, 1});
+  }
+}
 
 // Quantities that are columns of bodies have slopes in closed form. \return the others
 AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::optional<BodyColumn>>& columns,
                            const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   AlongRows along;
-  for (std::size_t q = 0; q < setup.quantities.size(); ++q) {
-    const DesignQuantity& quantity = setup.quantities[q];
+  for (const DesignQuantity& quantity : setup.quantities) {
     if (!quantity.measure) continue;
-    std::vector<double> values;
-    for (std::size_t k = rows.table_slots[*quantity.measure]; k < rows.table.size();
-         k += rows.table_columns) {
-      values.push_back(rows.table[k]);
-    }
-    for (const WeightedRow& at : rows_of(setup.measures[*quantity.measure], values, rows.places)) {
-      const auto& column = columns[*quantity.measure];
+    const auto& column = columns[*quantity.measure];
+    for_each_share(setup, quantity, rows, [&](std::size_t row, const WeightedColumn& share) {
       if (!column) {
-        along[at.row].push_back({q, at});
-        continue;
+        along[row].push_back(share);
+        return;
       }
-      tasks[at.row].add(RatesAsked::kAll, [&slopes, q, at, &column](const SlopeRun& run, const auto& of_row) {
+      tasks[row].add(RatesAsked::kAll, [&slopes, share, &column](const SlopeRun& run, const auto& of_row) {
         for (std::size_t v = 0; v < of_row.size(); ++v) {
-          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-              at.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
+          slopes.measured(static_cast<Eigen::Index>(share.number), static_cast<Eigen::Index>(v)) +=
+              share.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
         }
         return true;
       });
-    }
+    });
   }
   return along;
 }
 
 // \param like  the candidate's data; outlives the tasks
-void add_along_tasks(const DesignSetup& setup, const AlongRows& along, std::optional<Model::Data>& like,
-                     const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
+void add_along_tasks(const AlongRows& along, std::optional<Model::Data>& like, const DesignRows& rows,
+                     DesignSlopes& slopes, Tasks& tasks) {
   for (const auto& [row, wanted] : along) {
     tasks[row].add(RatesAsked::kAll, [&, wanted = wanted](const SlopeRun& run, const auto& of_row) {
       for (std::size_t v = 0; v < of_row.size(); ++v) {
         const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
-        for (const auto& [q, at] : wanted) {
-          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-              at.weight * table[rows.table_slots[*setup.quantities[q].measure]];
+        for (const WeightedColumn& share : wanted) {
+          slopes.measured(static_cast<Eigen::Index>(share.number), static_cast<Eigen::Index>(v)) +=
+              share.weight * table[rows.table_slots[share.measure]];
         }
       }
       return true;
@@ -268,7 +290,7 @@ std::optional<DesignSlopes> RunSlopes::of_candidate(std::span<const double> x,
   }
   std::optional<Model::Data> like;
   if (!along.empty()) like = *candidate.data;
-  add_along_tasks(*setup_, along, like, rows, slopes, tasks);
+  add_along_tasks(along, like, rows, slopes, tasks);
   add_path_tasks(places, slopes, tasks);
   if (groups) add_group_tasks(*setup_, rows, slopes, tasks);
   auto run = SlopeRun::start(*setup_, candidate, branch, *derivatives);

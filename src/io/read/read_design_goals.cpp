@@ -24,9 +24,9 @@ std::optional<Dimension> lawful_dimension(const Measure& measure, const Mechanis
 }
 
 // `follow = "LAW"`: the change of the column since the first row is compared with the law at every row.
-void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& profile, LawBook& laws,
-                DesignTask::Objective& objective) {
-  const auto value = lawful_dimension(measure, profile.mechanism);
+void follow_law(Reading& reading, const Item& follow, Profile& profile, LawBook& laws,
+                DesignTask::Followed& followed) {
+  const auto value = lawful_dimension(followed.measure, profile.mechanism);
   if (!value) {
     report(reading, follow,
            "a law is of an angle or of a coordinate: BODY.angle, BODY.POINT.x, JOINT.position");
@@ -45,40 +45,38 @@ void follow_law(Reading& reading, const Item& follow, Measure measure, Profile& 
   const auto schedule = DriverSchedule::analyze(profile);
   if (!index || !schedule) return;
   const MotionLaw& law = laws.made(*index);
-  objective.follow_change = true;
+  followed.change = true;
   for (std::int64_t k = 0; k < schedule->size(); ++k) {
-    measure.at = schedule->state(k).profile.position;
-    double s = 0;
-    law.expand(measure.at, LawSide::kBefore, std::span(&s, 1));
-    objective.followed.push_back(measure);
-    objective.values.push_back(s);
+    followed.at.push_back(schedule->state(k).profile.position);
+    law.expand(followed.at.back(), LawSide::kBefore, std::span(&followed.values.emplace_back(), 1));
   }
 }
 
-void follow_pairs(Reading& reading, const Item& follow, Measure measure, const Mechanism& mechanism,
-                  DesignTask::Objective& objective) {
+void follow_pairs(Reading& reading, const Item& follow, const Mechanism& mechanism,
+                  DesignTask::Followed& followed) {
   const auto items = as_items(reading, follow,
                               "a list of at least two pairs, [[driver, value], …], or the name of a law", 2);
   for (const Item& item : items.value_or(std::vector<Item>{})) {
     const auto pair = as_items(reading, item, "[driver, value], two numbers", 2, 2);
     if (!pair) return;
     const auto at = as_number_in(reading, (*pair)[0], unit_of_driver(mechanism));
-    const auto value = as_number_in(reading, (*pair)[1], unit_of_column(reading, mechanism, measure.column));
+    const auto value =
+        as_number_in(reading, (*pair)[1], unit_of_column(reading, mechanism, followed.measure.column));
     if (!at || !value) return;
-    measure.at = *at;
-    objective.followed.push_back(measure);
-    objective.values.push_back(*value);
+    followed.at.push_back(*at);
+    followed.values.push_back(*value);
   }
 }
 
 // `follow`: the values wanted of a column at given positions of the driver.
-void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBook& laws,
-                 DesignTask::Objective& objective) {
+std::optional<DesignTask::Followed> read_follow(TableReader& table, const Item& follow, Profile& profile,
+                                                LawBook& laws) {
   Reading& reading = table.reading();
   table.refuse("of", "the column is followed at the positions in `follow`");
   table.refuse("at", "the positions are those in `follow`");
   table.refuse("target", "the values are those in `follow`");
-  Measure measure;
+  DesignTask::Followed followed;
+  Measure& measure = followed.measure;
   if (const auto column = table.need("column", "the name of a column, such as \"follower.angle\"")) {
     measure.place = place_of(reading, column->value->mark);
     measure.path = path_of(reading, *column);
@@ -86,11 +84,14 @@ void read_follow(TableReader& table, const Item& follow, Profile& profile, LawBo
   }
   measure.of = MeasureKind::kAt;
   if (std::holds_alternative<std::string>(follow.value->content)) {
-    follow_law(reading, follow, std::move(measure), profile, laws, objective);
-    return;
+    follow_law(reading, follow, profile, laws, followed);
+  } else {
+    followed.change = table.flag("change", false);
+    follow_pairs(reading, follow, profile.mechanism, followed);
   }
-  objective.follow_change = table.flag("change", false);
-  follow_pairs(reading, follow, std::move(measure), profile.mechanism, objective);
+  if (followed.at.empty()) return std::nullopt;
+  measure.at = followed.at.front();
+  return followed;
 }
 
 // `figure`: one of the values that `check` computes, "contacts.touch.contact_pressure".
@@ -184,7 +185,7 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
       reader->finish();
     }
   } else if (const auto follow = table.take("follow")) {
-    read_follow(table, *follow, profile, laws, objective);
+    objective.followed = read_follow(table, *follow, profile, laws);
   } else if (const auto figure = table.take("figure")) {
     objective.figure = read_figure(table, *figure);
   } else if (is_extent(table)) {
@@ -201,8 +202,8 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
     objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
-  const bool complete = objective.path || objective.measure || objective.figure || objective.extent ||
-                        !objective.followed.empty();
+  const bool complete =
+      objective.path || objective.measure || objective.figure || objective.extent || objective.followed;
   return complete ? std::optional(std::move(objective)) : std::nullopt;
 }
 

@@ -78,16 +78,21 @@ struct DesignTask {
     std::string words;        ///< "reach of coupler.E from ground.O", "width"
   };
 
+  /// A column is wanted to have given values where the driver has given positions.
+  struct Followed {
+    Measure measure;             ///< of kind kAt, at the first of these positions
+    std::vector<double> at;      ///< at least one
+    std::vector<double> values;  ///< wanted there, in the unit of tables
+    bool change = false;         ///< only the change from the first of them on counts
+  };
+
   struct Objective {
     std::string path_of_key;  ///< "design.objectives.0"
     std::optional<PointPath> path;
     std::optional<Measure> measure;
     std::optional<Figure> figure;
     std::optional<Extent> extent;
-    /// A column that should follow given values: measures of kAt, and the values.
-    std::vector<Measure> followed;
-    std::vector<double> values;
-    bool follow_change = false;  ///< only its change from the first of them on counts
+    std::optional<Followed> followed;
     std::optional<double>
         target;         ///< of a measure, figure or extent, in the unit of tables; none: it is minimised
     double weight = 1;  ///< > 0; for a path and for a target it multiplies the square
