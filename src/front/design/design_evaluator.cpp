@@ -57,36 +57,26 @@ public:
   void evaluate(std::span<const double> x, int branch, DesignValues& values) override {
     go_to(x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
     values.cost = 0;
-    numbers_.clear();
-    std::size_t path = 0;
-    std::size_t measure = 0;
-    for (const DesignTask::Objective& objective : task_.objectives) {
+    values.residuals.resize(setup_.residuals);
+    for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
+      const DesignTask::Objective& objective = task_.objectives[k];
+      const ObjectivePlace& place = setup_.objective_places[k];
       const double root = std::sqrt(objective.weight);
+      auto residuals = values.residuals.segment(place.residual, residual_count(objective));
       if (objective.path) {
-        for (const double miss : misses_[path++]) numbers_.push_back(root * miss);
-        continue;
-      }
-      if (objective.followed) {
-        for (std::size_t k = 0; k < objective.followed->values.size(); ++k) {
-          const double off = off_of(*objective.followed, measure, k);
-          numbers_.push_back(root * (std::isfinite(off) ? off : kMissing));
+        residuals = root * misses_[place.path];
+      } else if (objective.followed) {
+        for (std::size_t i = 0; i < objective.followed->values.size(); ++i) {
+          const double off = off_of(*objective.followed, place, i);
+          residuals(static_cast<Eigen::Index>(i)) = root * (std::isfinite(off) ? off : kMissing);
         }
-        measure += objective.followed->values.size();
-        continue;
-      }
-      const double value = measured(measure++);
-      if (objective.target) {
-        numbers_.push_back(root * (std::isfinite(value) ? value - *objective.target : kMissing));
+      } else if (const double value = measured(place); objective.target) {
+        residuals(0) = root * (std::isfinite(value) ? value - *objective.target : kMissing);
       } else {
         values.cost += objective.weight * (std::isfinite(value) ? value : kMissing * setup_.cost_scale);
       }
     }
-    values.residuals =
-        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
-    numbers_.clear();
-    add_constraints(measure);
-    values.constraints =
-        Eigen::Map<const Eigen::VectorXd>(numbers_.data(), static_cast<Eigen::Index>(numbers_.size()));
+    fill_constraints(values.constraints);
   }
 
   bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian) override {
@@ -99,36 +89,30 @@ public:
     DesignScore score;
     score.started = rows_->started;
     score.missing = rows_->missing;
-    std::size_t path = 0;
-    std::size_t measure = 0;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      score.placements.emplace_back();
-      if (objective.path && objective.path->is_free() && rows_->started) {
-        const PathPlacement placement = placement_of(*objective.path, places_[path]);
-        score.placements.back() = {placement.turn_and_scale(), placement.shift()};
-      }
+    for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
+      const DesignTask::Objective& objective = task_.objectives[k];
+      const ObjectivePlace& place = setup_.objective_places[k];
+      auto& placement = score.placements.emplace_back();
+      double& value = score.objectives.emplace_back(kNoValue);
       if (objective.followed) {
-        double sum = 0;
-        for (std::size_t k = 0; k < objective.followed->values.size(); ++k) {
-          sum += std::pow(off_of(*objective.followed, measure, k), 2);
+        value = 0;
+        for (std::size_t i = 0; i < objective.followed->values.size(); ++i) {
+          value += std::pow(off_of(*objective.followed, place, i), 2);
         }
-        measure += objective.followed->values.size();
-        score.objectives.push_back(sum);
-        continue;
+      } else if (!objective.path) {
+        value = measured(place);
+      } else if (rows_->started) {
+        value = misses_[place.path].squaredNorm();
+        if (!objective.path->is_free()) continue;
+        const PathPlacement placed = placement_of(*objective.path, places_[place.path]);
+        placement = {placed.turn_and_scale(), placed.shift()};
       }
-      score.objectives.push_back(objective.path ? misses_[path++].squaredNorm() : measured(measure++));
-      if (objective.path && !rows_->started) score.objectives.back() = kNoValue;
     }
-    std::size_t transmission = 0;
-    for (const DesignTask::Constraint& constraint : task_.constraints) {
-      if (constraint.transmission) {
-        score.constraints.push_back(
-            rows_->started ? angle_of(rows_->transmissions[transmission], setup_.numbers.model().units())
-                           : kNoValue);
-        ++transmission;
-      } else {
-        score.constraints.push_back(measured(measure++));
-      }
+    for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
+      const ConstraintPlace& place = setup_.constraint_places[k];
+      score.constraints.push_back(task_.constraints[k].transmission
+                                      ? angle_of(sine_at(place), setup_.numbers.model().units())
+                                      : measured(place));
     }
     return score;
   }
@@ -162,42 +146,46 @@ private:
   }
 
   // By how much a column that is to follow given values misses the k-th of them.
-  [[nodiscard]] double off_of(const DesignTask::Followed& followed, std::size_t first, std::size_t k) const {
-    const double off = measured(first + k) - followed.values[k];
-    return followed.change ? off - (measured(first) - followed.values[0]) : off;
+  [[nodiscard]] double off_of(const DesignTask::Followed& followed, const ObjectivePlace& place,
+                              std::size_t k) const {
+    const double off = measured(place, k) - followed.values[k];
+    return followed.change ? off - (measured(place) - followed.values[0]) : off;
   }
 
-  [[nodiscard]] double measured(std::size_t k) const {
-    return k < rows_->measured.size() ? rows_->measured[k] : kNoValue;
+  // The k-th number of the quantity of an objective or constraint.
+  template <class Place>
+  [[nodiscard]] double measured(const Place& place, std::size_t k = 0) const {
+    const std::size_t number = setup_.quantities[place.quantity].first + k;
+    return number < rows_->measured.size() ? rows_->measured[number] : kNoValue;
   }
 
-  // Appends the constraints to numbers_.
-  void add_constraints(std::size_t measure) {
+  // The least sine of a transmission angle.
+  [[nodiscard]] double sine_at(const ConstraintPlace& place) const {
+    return rows_->started ? rows_->transmissions[place.transmission] : kNoValue;
+  }
+
+  void fill_constraints(Eigen::VectorXd& values) const {
+    values.resize(setup_.constraints);
+    Eigen::Index next = 0;
     for (const double gap : rows_->gaps) {
-      numbers_.push_back(std::isfinite(gap) ? (gap + setup_.spare()) / setup_.size : 0.0);
+      values(next++) = std::isfinite(gap) ? (gap + setup_.spare()) / setup_.size : 0.0;
     }
-    numbers_.push_back(rows_->missing > 0 ? rows_->missing : kGoodPath);
-    std::size_t transmission = 0;
+    values(next) = rows_->missing > 0 ? rows_->missing : kGoodPath;
+    const Units& units = setup_.numbers.model().units();
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
+      const ConstraintPlace& place = setup_.constraint_places[k];
+      const bool idle = k < setup_.idle.size() && setup_.idle[k];
       // For transmission angles, sines are used in place of angles: they are smooth everywhere.
-      const auto add = [&](double off) {
-        const bool idle = k < setup_.idle.size() && setup_.idle[k];
-        numbers_.push_back(std::isfinite(off) ? tightened(off, idle) : kViolated);
+      const bool is_angle = constraint.transmission.has_value();
+      const double value = is_angle ? sine_at(place) : measured(place);
+      const auto off_by = [&](double sign, double limit) {
+        const double off =
+            is_angle ? sign * (value - sine_of(limit, units)) : sign * (value - limit) / setup_.scales[k];
+        return std::isfinite(off) ? tightened(off, idle) : kViolated;
       };
-      if (constraint.transmission) {
-        const double sine = transmission < rows_->transmissions.size() && rows_->started
-                                ? rows_->transmissions[transmission]
-                                : kNoValue;
-        ++transmission;
-        const Units& units = setup_.numbers.model().units();
-        if (constraint.above) add(sine_of(*constraint.above, units) - sine);
-        if (constraint.below) add(sine - sine_of(*constraint.below, units));
-        continue;
-      }
-      const double value = measured(measure++);
-      if (constraint.above) add((*constraint.above - value) / setup_.scales[k]);
-      if (constraint.below) add((value - *constraint.below) / setup_.scales[k]);
+      if (place.above) values(*place.above) = off_by(-1, *constraint.above);
+      if (place.below) values(*place.below) = off_by(1, *constraint.below);
     }
   }
 
@@ -206,7 +194,6 @@ private:
   double unit_;
   DesignCandidates candidates_;
   std::vector<std::vector<std::size_t>> timed_rows_;  // of each path
-  std::vector<double> numbers_;
 
   // The candidate evaluated last.
   std::vector<double> x_;
@@ -217,14 +204,6 @@ private:
 };
 
 }  // namespace
-
-Eigen::Index constraint_count(const DesignSetup& setup) {
-  Eigen::Index count = static_cast<Eigen::Index>(setup.closures) + 1;
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    count += (constraint.above ? 1 : 0) + (constraint.below ? 1 : 0);
-  }
-  return count;
-}
 
 std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position) {
   for (std::int64_t k = 0; k < schedule.size(); ++k) {

@@ -23,10 +23,6 @@ public:
 /// The score of x on a branch.
 [[nodiscard]] DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch);
 
-/// Number of constraints of the problem: those on closure, one for a good path, and one for each limit of the
-/// task.
-[[nodiscard]] Eigen::Index constraint_count(const DesignSetup& setup);
-
 /// The first row with this position of the first driver, as tables show it; none if no row has it.
 [[nodiscard]] std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position);
 

@@ -40,27 +40,23 @@ public:
 private:
   void set_sizes() {
     const auto variables = static_cast<Eigen::Index>(candidate_.x.size());
-    Eigen::Index residuals = 0;
-    for (const DesignTask::Objective& objective : task_.objectives) residuals += residual_count(objective);
     jacobian_.cost.setZero(variables);
-    jacobian_.residuals.setZero(residuals, variables);
-    jacobian_.constraints.setZero(constraint_count(setup_), variables);
+    jacobian_.residuals.setZero(setup_.residuals, variables);
+    jacobian_.constraints.setZero(setup_.constraints, variables);
   }
 
   // The places of paths at which a run has to be differentiated; none with pins.
   [[nodiscard]] std::vector<std::vector<SlopePlace>> slope_places() const {
     std::vector<std::vector<SlopePlace>> places;
     if (pins_ != nullptr) return places;
-    std::size_t k = 0;
     for (const DesignTask::Objective& objective : task_.objectives) {
       if (!objective.path) continue;
       auto& path = places.emplace_back();
-      for (const PathMiss& miss : candidate_.places[k]) {
+      for (const PathMiss& miss : candidate_.places[places.size() - 1]) {
         const bool is_row = miss.row.has_value();
         path.push_back({objective.path->ref, is_row ? *miss.row : row_near(miss.driver),
                         is_row ? std::nullopt : std::optional(miss.driver)});
       }
-      ++k;
     }
     return places;
   }
@@ -72,38 +68,36 @@ private:
     return static_cast<std::size_t>(nearest - rows_.positions.begin());
   }
 
-  void add_objectives() {
-    Eigen::Index row = 0;
-    std::size_t path = 0;
-    Eigen::Index quantity = 0;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      const double root = std::sqrt(objective.weight);
-      if (objective.path) {
-        if (rows_.started) add_path(*objective.path, path, root / unit_, row);
-        ++path;
-      } else if (objective.followed) {
-        add_followed(*objective.followed, quantity, root, row);
-        quantity += residual_count(objective);
-      } else {
-        if (slopes_ && objective.target)
-          jacobian_.residuals.row(row) = root * slopes_->measured.row(quantity);
-        if (slopes_ && !objective.target) {
-          jacobian_.cost += objective.weight * slopes_->measured.row(quantity);
-        }
-        ++quantity;
-      }
-      row += residual_count(objective);
-    }
-    objective_quantities_ = quantity;
+  // Derivatives of the k-th number of the quantity of an objective or constraint.
+  template <class Place>
+  [[nodiscard]] auto slope(const Place& place, std::size_t k = 0) const {
+    return slopes_->measured.row(static_cast<Eigen::Index>(setup_.quantities[place.quantity].first + k));
   }
 
-  void add_followed(const DesignTask::Followed& followed, Eigen::Index first, double root, Eigen::Index row) {
-    if (!slopes_) return;
-    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(followed.values.size()); ++k) {
-      jacobian_.residuals.row(row + k) = root * slopes_->measured.row(first + k);
-      if (followed.change) {
-        jacobian_.residuals.row(row + k) -= root * slopes_->measured.row(first);
+  void add_objectives() {
+    for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
+      const DesignTask::Objective& objective = task_.objectives[k];
+      const ObjectivePlace& place = setup_.objective_places[k];
+      const double root = std::sqrt(objective.weight);
+      if (objective.path) {
+        if (rows_.started) add_path(*objective.path, place.path, root / unit_, place.residual);
+      } else if (!slopes_) {
+        continue;
+      } else if (objective.followed) {
+        add_followed(*objective.followed, place, root);
+      } else if (objective.target) {
+        jacobian_.residuals.row(place.residual) = root * slope(place);
+      } else {
+        jacobian_.cost += objective.weight * slope(place);
       }
+    }
+  }
+
+  void add_followed(const DesignTask::Followed& followed, const ObjectivePlace& place, double root) {
+    for (std::size_t k = 0; k < followed.values.size(); ++k) {
+      auto row = jacobian_.residuals.row(place.residual + static_cast<Eigen::Index>(k));
+      row = root * slope(place, k);
+      if (followed.change) row -= root * slope(place);
     }
   }
 
@@ -157,25 +151,20 @@ private:
         J.row(row) = slopes_->gaps.row(row) / setup_.size;
       }
     }
-    ++row;  // the path is either good or not: its derivatives are 0
-    std::size_t transmission = 0;
-    Eigen::Index quantity = objective_quantities_;
+    // The path is either good or not: its derivatives are 0.
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
-      const DesignTask::Constraint& constraint = task_.constraints[k];
-      const auto add = [&](double sign) {
-        if (!constraint.transmission) {
-          if (slopes_) J.row(row) = sign / setup_.scales[k] * slopes_->measured.row(quantity);
+      const ConstraintPlace& place = setup_.constraint_places[k];
+      const auto add = [&](double sign, Eigen::Index at) {
+        if (!task_.constraints[k].transmission) {
+          if (slopes_) J.row(at) = sign / setup_.scales[k] * slope(place);
         } else if (pins_ != nullptr && rows_.started) {
-          pins_->add_transmission_slopes(transmission, sign, J, row);
+          pins_->add_transmission_slopes(place.transmission, sign, J, at);
         } else if (slopes_) {
-          J.row(row) = sign * slopes_->transmissions.row(static_cast<Eigen::Index>(transmission));
+          J.row(at) = sign * slopes_->transmissions.row(static_cast<Eigen::Index>(place.transmission));
         }
-        ++row;
       };
-      if (constraint.above) add(-1);
-      if (constraint.below) add(1);
-      transmission += constraint.transmission ? 1 : 0;
-      quantity += constraint.transmission ? 0 : 1;
+      if (place.above) add(-1, *place.above);
+      if (place.below) add(1, *place.below);
     }
   }
 
@@ -187,7 +176,6 @@ private:
   double unit_;
   DesignJacobian& jacobian_;
   std::optional<DesignSlopes> slopes_;
-  Eigen::Index objective_quantities_ = 0;  // number of quantities before those of the constraints
 };
 
 }  // namespace

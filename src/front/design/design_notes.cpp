@@ -56,7 +56,6 @@ public:
   Diagnostics notes() {
     const DesignScore& score = setup_.start_score;
     if (!score.started) return {};
-    std::size_t quantity = 0;
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       if (objective.path) {
@@ -64,7 +63,7 @@ public:
         note_path(objective);
         continue;
       }
-      const std::string& unit = setup_.quantities[quantity++].unit;
+      const std::string& unit = setup_.quantities[setup_.objective_places[k].quantity].unit;
       if (objective.target) note_target(objective, score.objectives[k], unit);
       if (objective.followed) note_followed(objective, unit);
     }

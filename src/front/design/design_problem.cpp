@@ -5,15 +5,23 @@
 
 namespace higherpair {
 
-std::vector<LimitPlaces> limit_places(const DesignSetup& setup) {
-  std::vector<LimitPlaces> places;
-  Eigen::Index next = static_cast<Eigen::Index>(setup.closures) + 1;
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    LimitPlaces& limits = places.emplace_back();
-    if (constraint.above) limits.above = next++;
-    if (constraint.below) limits.below = next++;
+void set_places(DesignSetup& setup) {
+  const DesignTask& task = setup.numbers.task();
+  std::size_t path = 0, quantity = 0, transmission = 0;
+  for (const DesignTask::Objective& objective : task.objectives) {
+    setup.objective_places.push_back({setup.residuals, path, quantity});
+    ++(objective.path ? path : quantity);
+    setup.residuals += residual_count(objective);
   }
-  return places;
+  setup.constraints = static_cast<Eigen::Index>(setup.closures) + 1;
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    ConstraintPlace& place = setup.constraint_places.emplace_back();
+    place.transmission = transmission;
+    place.quantity = quantity;
+    ++(constraint.transmission ? transmission : quantity);
+    if (constraint.above) place.above = setup.constraints++;
+    if (constraint.below) place.below = setup.constraints++;
+  }
 }
 
 DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
@@ -21,11 +29,11 @@ DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
   DesignProblem problem;
   for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);
   for (const DesignTask::Objective& objective : task.objectives) {
-    problem.residuals += residual_count(objective);
     const bool is_value = objective.measure || objective.figure || objective.extent;
     problem.has_cost = problem.has_cost || (is_value && !objective.target);
   }
-  problem.constraints = constraint_count(*setup);
+  problem.residuals = setup->residuals;
+  problem.constraints = setup->constraints;
   problem.branches = task.keep_branch ? 1 : setup->branches;
   problem.start_branch = setup->start_branch.value_or(0);
   problem.evaluator = [setup] { return evaluator_of(*setup); };

@@ -159,12 +159,11 @@ private:
   void add_objectives(const DesignScore& after, DesignReport& report) const {
     const std::string length =
         unit_text(dimension::kLength * dimension::kLength, setup_.numbers.model().units());
-    std::size_t measure = 0;
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       DesignReport::Objective& line = report.objectives.emplace_back();
       line.what = words_of(objective);
-      line.unit = objective.path ? length : setup_.quantities[measure++].unit;
+      line.unit = objective.path ? length : setup_.quantities[setup_.objective_places[k].quantity].unit;
       if (objective.followed) line.unit = fmt::format("({})^2", line.unit);
       line.target = objective.target;
       line.before = before_.objectives[k];
@@ -189,20 +188,15 @@ private:
   }
 
   void add_constraints(const DesignScore& after, DesignReport& report) const {
-    const std::vector<LimitPlaces> places = limit_places(setup_);
     report.holds = report.path_good && report.as_found;
-    std::size_t measure = 0;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      measure += objective.path ? 0 : 1;
-    }
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
+      const ConstraintPlace& place = setup_.constraint_places[k];
       const std::string what = words_of(constraint);
       const std::string unit = constraint.transmission
                                    ? unit_text(dimension::kAngle, setup_.numbers.model().units())
-                                   : setup_.quantities[measure++].unit;
-      const auto add = [&](std::string_view side, double limit, double sign,
-                           std::optional<Eigen::Index> place) {
+                                   : setup_.quantities[place.quantity].unit;
+      const auto add = [&](std::string_view side, double limit, double sign, Eigen::Index at) {
         DesignReport::Constraint line;
         line.what = fmt::format("{} {} {}", what, side, limit);
         line.unit = unit;
@@ -210,15 +204,15 @@ private:
         line.before = before_.constraints[k];
         line.after = after.constraints[k];
         line.margin = sign * (limit - line.after);
-        line.cost = cost_of(k, limit, place);
+        line.cost = cost_of(k, limit, static_cast<std::size_t>(at));
         if (task_.objectives.size() == 1) line.cost /= task_.objectives.front().weight;
         line.cost_unit = fmt::format("{}/({})", unit_of_all(report), unit);
         if (std::abs(line.margin) <= setup_.slack(k)) line.margin = 0;
         report.holds = report.holds && line.margin >= 0;
         report.constraints.push_back(std::move(line));
       };
-      if (constraint.above) add("above", *constraint.above, -1, places[k].above);
-      if (constraint.below) add("below", *constraint.below, 1, places[k].below);
+      if (place.above) add("above", *constraint.above, -1, *place.above);
+      if (place.below) add("below", *constraint.below, 1, *place.below);
     }
   }
 
@@ -231,15 +225,13 @@ private:
 
   // Multipliers refer to the constraints as the optimiser has them: limits divided by their scale, sines of
   // angles.
-  [[nodiscard]] double cost_of(std::size_t constraint, double limit,
-                               std::optional<Eigen::Index> place) const {
-    const auto k = static_cast<std::size_t>(place.value_or(0));
-    if (!place || k >= outcome_.multipliers.size()) return 0;
+  [[nodiscard]] double cost_of(std::size_t constraint, double limit, std::size_t place) const {
+    if (place >= outcome_.multipliers.size()) return 0;
     const Scaling angle = to_si(dimension::kAngle, setup_.numbers.model().units());
     const double by_unit = task_.constraints[constraint].transmission
                                ? std::cos(angle.apply(limit)) * angle.apply(1)
                                : 1 / setup_.scales[constraint];
-    return outcome_.multipliers[k] * by_unit;
+    return outcome_.multipliers[place] * by_unit;
   }
 
   void add_search(DesignReport& report) const {

@@ -30,6 +30,20 @@ struct DesignScore {
   double missing = 0;               ///< DesignRows::missing
 };
 
+/// Where the numbers of an objective begin among those of all objectives.
+struct ObjectivePlace {
+  Eigen::Index residual = 0;  ///< of the problem
+  std::size_t path = 0;       ///< among the paths, if it is one
+  std::size_t quantity = 0;   ///< in DesignSetup::quantities, if it is no path
+};
+
+/// Where the numbers of a constraint are.
+struct ConstraintPlace {
+  std::optional<Eigen::Index> above, below;  ///< the problem's constraints for its limits
+  std::size_t transmission = 0;              ///< among the transmission constraints, if it is one
+  std::size_t quantity = 0;                  ///< in DesignSetup::quantities, if it is none
+};
+
 /// What a task asks of every candidate; made once.
 struct DesignSetup {
   DesignNumbers numbers;
@@ -43,6 +57,10 @@ struct DesignSetup {
   std::optional<int> start_branch = {};  ///< none where the start values cannot be assembled
   DesignScore start_score = {};          ///< on that branch, else on the first
   double size = 1;                       ///< of the mechanism with the start values [m]
+  std::vector<ObjectivePlace> objective_places = {};
+  std::vector<ConstraintPlace> constraint_places = {};
+  Eigen::Index residuals = 0;    ///< number of residuals of the problem
+  Eigen::Index constraints = 0;  ///< the same: of closures, of the path as a whole, of limits
   /// For each constraint: by how much its limit must be missed to count as 1, in the unit of tables.
   std::vector<double> scales = {};
   double cost_scale = 1;  ///< order of magnitude of the cost, in the unit of tables

@@ -129,7 +129,6 @@ public:
         task_(setup.numbers.task()),
         evaluator_(evaluator),
         branch_(setup.start_branch.value_or(0)),
-        places_(limit_places(setup)),
         start_(start),
         x_(std::move(x)),
         works_(x_.size(), false),
@@ -222,7 +221,8 @@ private:
   // By how much the worse limit of a constraint is missed, relative to its scale.
   [[nodiscard]] double off(const DesignValues& values, std::size_t k) const {
     double worst = -kInf;
-    for (const auto& place : {places_[k].above, places_[k].below}) {
+    const ConstraintPlace& places = setup_.constraint_places[k];
+    for (const auto& place : {places.above, places.below}) {
       if (place) worst = std::max(worst, values.constraints(*place));
     }
     return worst;
@@ -249,7 +249,6 @@ private:
   const DesignTask& task_;
   ScoringEvaluator& evaluator_;
   const int branch_;
-  const std::vector<LimitPlaces> places_;
   const DesignScore& start_;
   const std::vector<double> x_;
   DesignValues before_, after_;
@@ -296,6 +295,7 @@ Result<std::shared_ptr<const DesignSetup>> design_setup(const Model& model) {
                                                          .branches = branch_count(plan),
                                                          .closures = closure_count(plan),
                                                          .size = plan.size});
+  set_places(*setup);
   if (const auto start = model.start(setup->settings)) {
     setup->start_branch = branch_of(start->impl().run);
   }

@@ -15,11 +15,9 @@ namespace higherpair {
 /// have two limits.
 [[nodiscard]] DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup);
 
-/// Indices of the problem's constraints for the limits of one constraint of the task; `above` comes first.
-struct LimitPlaces {
-  std::optional<Eigen::Index> above, below;
-};
-[[nodiscard]] std::vector<LimitPlaces> limit_places(const DesignSetup& setup);
+/// Sets the places of objectives and constraints, and the numbers of residuals and constraints of the
+/// problem.
+void set_places(DesignSetup& setup);
 
 /// Diagnostics for variables and objectives that have no effect near the start, and for constraints that no
 /// variable changes and that do not hold. Sets DesignSetup::idle. If the start does not assemble, constraints
