@@ -190,7 +190,7 @@ TEST(Scenes, HavePathsBetweenTheGivenPositions) {
   for (const char* name : {"design_arch_path", "design_five_points"}) {
     const Model model = shipped(name);
     SceneSettings settings;
-    settings.traces = {model.profile().design->objectives.front().path->point};
+    settings.traces = {model.profile().design->objectives.front().path()->point};
     const PointRef point = point_named(model.mechanism(), settings.traces.front());
     const Vector2d p_B = model.mechanism().bodies[point.body].points[point.point].p_B;
     const auto scenes = scenes_of(model, settings).value();

@@ -73,7 +73,7 @@ TEST_P(PublishedTasks, AreSolvedToTheBestValueKnown) {
   EXPECT_TRUE(is_good(report));
   // Recomputes the sum of squares from the table of the new profile.
   const Model model = model_of(report.text);
-  const auto& path = *model.profile().design->objectives[0].path;
+  const auto& path = *model.profile().design->objectives[0].path();
   if (path.timed) {
     RunSettings places;
     places.units = kSiUnits;

@@ -66,12 +66,12 @@ target = 1e-3
   ASSERT_EQ(task.objectives.size(), 3U);
   EXPECT_EQ(task.objectives[0].target, 12);
   EXPECT_EQ(task.objectives[0].weight, 3);
-  ASSERT_TRUE(task.objectives[1].path);
-  EXPECT_EQ(task.objectives[1].path->through[1], Vector2d(0.003, 0.004));
-  EXPECT_THAT(task.objectives[1].path->at, ElementsAre(0, 90));
-  ASSERT_TRUE(task.objectives[2].followed);
-  EXPECT_THAT(task.objectives[2].followed->values, ElementsAre(1, 2));
-  EXPECT_EQ(task.objectives[2].followed->at[1], 90);
+  ASSERT_TRUE(task.objectives[1].path());
+  EXPECT_EQ(task.objectives[1].path()->through[1], Vector2d(0.003, 0.004));
+  EXPECT_THAT(task.objectives[1].path()->at, ElementsAre(0, 90));
+  ASSERT_TRUE(task.objectives[2].followed());
+  EXPECT_THAT(task.objectives[2].followed()->values, ElementsAre(1, 2));
+  EXPECT_EQ(task.objectives[2].followed()->at[1], 90);
   ASSERT_EQ(task.constraints.size(), 1U);
   EXPECT_EQ(task.constraints[0].above, -3);
   EXPECT_EQ(task.constraints[0].below, 5);
@@ -287,11 +287,11 @@ above = "0.125 rev"
   EXPECT_EQ(task.variables[1].range.start, 25.4);
   EXPECT_EQ(task.variables[1].range.low, 20);
   EXPECT_EQ(task.variables[1].range.high, 50.8);
-  EXPECT_EQ(task.objectives[0].measure->at, 90);
+  EXPECT_EQ(std::get<Measure>(task.objectives[0].of).at, 90);
   EXPECT_EQ(task.objectives[0].target, 12);
-  EXPECT_THAT(task.objectives[1].path->at, ElementsAre(0, 180));
-  EXPECT_EQ(task.objectives[2].followed->at[0], 90);
-  EXPECT_THAT(task.objectives[2].followed->values, ElementsAre(45, 2));
+  EXPECT_THAT(task.objectives[1].path()->at, ElementsAre(0, 180));
+  EXPECT_EQ(task.objectives[2].followed()->at[0], 90);
+  EXPECT_THAT(task.objectives[2].followed()->values, ElementsAre(45, 2));
   EXPECT_EQ(task.objectives[3].target, 20);  // N/mm^2
   EXPECT_EQ(task.objectives[4].target, 1000);
   EXPECT_EQ(task.constraints[0].below, 360);

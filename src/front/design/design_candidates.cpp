@@ -14,8 +14,9 @@ DesignCandidates::DesignCandidates(const DesignSetup& setup)
     : setup_(&setup), pins_(PinnedRows::of(setup)), run_slopes_(RunSlopes::of(setup)) {
   direct_ = setup.numbers.is_linear() && DirectMotion::is_possible(*setup.numbers.model().data().plan);
   const auto& objectives = setup.numbers.task().objectives;
-  any_position_ = std::any_of(objectives.begin(), objectives.end(),
-                              [](const auto& objective) { return objective.path && !objective.path->timed; });
+  any_position_ = std::any_of(objectives.begin(), objectives.end(), [](const auto& objective) {
+    return objective.path() && !objective.path()->timed;
+  });
 }
 
 DesignRows& DesignCandidates::work_out(std::span<const double> x, int branch) {
@@ -108,26 +109,26 @@ void DesignCandidates::add_quantities(std::span<const double> x, int branch) {
     const auto model = model_of(x, branch);
     const std::vector<double> figures = model ? figures_of(*model, quantities) : std::vector<double>();
     for (std::size_t k = 0; k < figures.size(); ++k) {
-      if (quantities[k].figure) rows_.measured[quantities[k].first] = figures[k];
+      if (quantities[k].as<DesignTask::Figure>()) rows_.measured[quantities[k].first] = figures[k];
     }
   }
   const Scaling length = from_si(dimension::kLength, setup_->numbers.model().units());
   for (std::size_t k = 0, extent = 0; extent < rows_.extents.size(); ++k) {
-    if (!quantities[k].extent) continue;
+    const auto* of = quantities[k].as<DesignTask::Extent>();
+    if (of == nullptr) continue;
     double sum = 0;
-    for (const ExtentTerm& term : terms_that_count(*quantities[k].extent, rows_.extents[extent]))
-      sum += term.far;
+    for (const ExtentTerm& term : terms_that_count(*of, rows_.extents[extent])) sum += term.far;
     rows_.measured[quantities[k].first] = length.apply(sum);
     ++extent;
   }
   std::optional<Mechanism> mechanism;
-  for (std::size_t k = 0; k < quantities.size(); ++k) {
-    if (!quantities[k].grashof) continue;
+  for (const DesignQuantity& quantity : quantities) {
+    const auto* grashof = quantity.as<DesignTask::Grashof>();
+    if (grashof == nullptr) continue;
     if (!mechanism) mechanism = mechanism_of(x);
     if (!mechanism) return;
-    const auto room = grashof_room(*mechanism, *quantities[k].grashof);
-    if (room) {
-      rows_.measured[quantities[k].first] = length.apply(*room);
+    if (const auto room = grashof_room(*mechanism, *grashof)) {
+      rows_.measured[quantity.first] = length.apply(*room);
     }
   }
 }

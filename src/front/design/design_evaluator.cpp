@@ -49,7 +49,7 @@ public:
         unit_(to_si(dimension::kLength, setup.numbers.model().units()).apply(1)),
         candidates_(setup) {
     for (const DesignTask::Objective& objective : task_.objectives) {
-      if (objective.path) timed_rows_.push_back(timed_rows(setup, *objective.path));
+      if (objective.path()) timed_rows_.push_back(timed_rows(setup, *objective.path()));
     }
     misses_.resize(timed_rows_.size());
   }
@@ -63,11 +63,11 @@ public:
       const ObjectivePlace& place = setup_.objective_places[k];
       const double root = std::sqrt(objective.weight);
       auto residuals = values.residuals.segment(place.residual, residual_count(objective));
-      if (objective.path) {
+      if (objective.path()) {
         residuals = root * misses_[place.path];
-      } else if (objective.followed) {
-        for (std::size_t i = 0; i < objective.followed->values.size(); ++i) {
-          const double off = off_of(*objective.followed, place, i);
+      } else if (const auto* followed = objective.followed()) {
+        for (std::size_t i = 0; i < followed->values.size(); ++i) {
+          const double off = off_of(*followed, place, i);
           residuals(static_cast<Eigen::Index>(i)) = root * (std::isfinite(off) ? off : kMissing);
         }
       } else if (const double value = measured(place); objective.target) {
@@ -94,23 +94,23 @@ public:
       const ObjectivePlace& place = setup_.objective_places[k];
       auto& placement = score.placements.emplace_back();
       double& value = score.objectives.emplace_back(kNoValue);
-      if (objective.followed) {
+      if (const auto* followed = objective.followed()) {
         value = 0;
-        for (std::size_t i = 0; i < objective.followed->values.size(); ++i) {
-          value += std::pow(off_of(*objective.followed, place, i), 2);
+        for (std::size_t i = 0; i < followed->values.size(); ++i) {
+          value += std::pow(off_of(*followed, place, i), 2);
         }
-      } else if (!objective.path) {
+      } else if (!objective.path()) {
         value = measured(place);
       } else if (rows_->started) {
         value = misses_[place.path].squaredNorm();
-        if (!objective.path->is_free()) continue;
-        const PathPlacement placed = placement_of(*objective.path, places_[place.path]);
+        if (!objective.path()->is_free()) continue;
+        const PathPlacement placed = placement_of(*objective.path(), places_[place.path]);
         placement = {placed.turn_and_scale(), placed.shift()};
       }
     }
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const ConstraintPlace& place = setup_.constraint_places[k];
-      score.constraints.push_back(task_.constraints[k].transmission
+      score.constraints.push_back(task_.constraints[k].transmission()
                                       ? angle_of(sine_at(place), setup_.numbers.model().units())
                                       : measured(place));
     }
@@ -129,8 +129,8 @@ private:
     std::size_t path = 0;
     places_.clear();
     for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path) continue;
-      misses_of_path(*objective.path, path);
+      if (!objective.path()) continue;
+      misses_of_path(*objective.path(), path);
       ++path;
     }
   }
@@ -177,7 +177,7 @@ private:
       const ConstraintPlace& place = setup_.constraint_places[k];
       const bool idle = k < setup_.idle.size() && setup_.idle[k];
       // For transmission angles, sines are used in place of angles: they are smooth everywhere.
-      const bool is_angle = constraint.transmission.has_value();
+      const bool is_angle = constraint.transmission() != nullptr;
       const double value = is_angle ? sine_at(place) : measured(place);
       const auto off_by = [&](double sign, double limit) {
         const double off =

@@ -22,8 +22,7 @@ public:
 
   bool fill(const DesignCandidates& candidates) {
     const bool assembles = rows_.started && rows_.missing == 0;
-    const bool has_room = std::any_of(setup_.quantities.begin(), setup_.quantities.end(),
-                                      [](const DesignQuantity& one) { return one.grashof.has_value(); });
+    const bool has_room = has_any<DesignTask::Grashof>(setup_.quantities);
     if (!assembles && (pins_ == nullptr || has_room)) {
       return false;
     }
@@ -50,11 +49,11 @@ private:
     std::vector<std::vector<SlopePlace>> places;
     if (pins_ != nullptr) return places;
     for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path) continue;
+      if (!objective.path()) continue;
       auto& path = places.emplace_back();
       for (const PathMiss& miss : candidate_.places[places.size() - 1]) {
         const bool is_row = miss.row.has_value();
-        path.push_back({objective.path->ref, is_row ? *miss.row : row_near(miss.driver),
+        path.push_back({objective.path()->ref, is_row ? *miss.row : row_near(miss.driver),
                         is_row ? std::nullopt : std::optional(miss.driver)});
       }
     }
@@ -79,12 +78,12 @@ private:
       const DesignTask::Objective& objective = task_.objectives[k];
       const ObjectivePlace& place = setup_.objective_places[k];
       const double root = std::sqrt(objective.weight);
-      if (objective.path) {
-        if (rows_.started) add_path(*objective.path, place.path, root / unit_, place.residual);
+      if (const auto* path = objective.path()) {
+        if (rows_.started) add_path(*path, place.path, root / unit_, place.residual);
       } else if (!slopes_) {
         continue;
-      } else if (objective.followed) {
-        add_followed(*objective.followed, place, root);
+      } else if (const auto* followed = objective.followed()) {
+        add_followed(*followed, place, root);
       } else if (objective.target) {
         jacobian_.residuals.row(place.residual) = root * slope(place);
       } else {
@@ -155,7 +154,7 @@ private:
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const ConstraintPlace& place = setup_.constraint_places[k];
       const auto add = [&](double sign, Eigen::Index at) {
-        if (!task_.constraints[k].transmission) {
+        if (!task_.constraints[k].transmission()) {
           if (slopes_) J.row(at) = sign / setup_.scales[k] * slope(place);
         } else if (pins_ != nullptr && rows_.started) {
           pins_->add_transmission_slopes(place.transmission, sign, J, at);
@@ -181,8 +180,8 @@ private:
 }  // namespace
 
 Eigen::Index residual_count(const DesignTask::Objective& objective) {
-  if (objective.path) return miss_count(*objective.path);
-  if (objective.followed) return static_cast<Eigen::Index>(objective.followed->values.size());
+  if (const auto* path = objective.path()) return miss_count(*path);
+  if (const auto* followed = objective.followed()) return static_cast<Eigen::Index>(followed->values.size());
   return objective.target ? 1 : 0;
 }
 

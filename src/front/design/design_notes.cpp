@@ -58,14 +58,14 @@ public:
     if (!score.started) return {};
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
-      if (objective.path) {
+      if (objective.path()) {
         note_open(objective);
         note_path(objective);
         continue;
       }
       const std::string& unit = setup_.quantities[setup_.objective_places[k].quantity].unit;
       if (objective.target) note_target(objective, score.objectives[k], unit);
-      if (objective.followed) note_followed(objective, unit);
+      if (objective.followed()) note_followed(objective, unit);
     }
     return std::move(notes_);
   }
@@ -82,8 +82,8 @@ private:
 
   // A path that is to be closed, of a run that does not end where it began.
   void note_open(const DesignTask::Objective& objective) {
-    if (!objective.path->closed) return;
-    const std::string& point = objective.path->point;
+    if (!objective.path()->closed) return;
+    const std::string& point = objective.path()->point;
     const std::vector<double> xs = column(point + ".x"), ys = column(point + ".y");
     double length = 0;
     for (std::size_t k = 1; k < xs.size() && k < ys.size(); ++k) {
@@ -101,7 +101,7 @@ private:
   }
 
   void note_path(const DesignTask::Objective& objective) {
-    const DesignTask::PointPath& path = *objective.path;
+    const DesignTask::PointPath& path = *objective.path();
     if (path.free_scale) return;
     const Scaling length = from_si(dimension::kLength, units_);
     std::vector<double> xs, ys;
@@ -136,8 +136,8 @@ private:
   }
 
   void note_followed(const DesignTask::Objective& objective, const std::string& unit) {
-    const std::string& name = objective.followed->measure.column;
-    const double wanted = spread_of(objective.followed->values), present = spread_of(column(name));
+    const std::string& name = objective.followed()->measure.column;
+    const double wanted = spread_of(objective.followed()->values), present = spread_of(column(name));
     if (const auto other = meant_unit(wanted, present, unit, units_)) {
       notes_.push_back(
           {objective.place,

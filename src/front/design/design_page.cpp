@@ -115,8 +115,8 @@ std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report)
   std::vector<Vector2d> targets;
   const auto& objectives = model.profile().design->objectives;
   for (std::size_t k = 0; k < objectives.size(); ++k) {
-    if (!objectives[k].path) continue;
-    for (const Vector2d& through : objectives[k].path->through) {
+    if (!objectives[k].path()) continue;
+    for (const Vector2d& through : objectives[k].path()->through) {
       targets.push_back(kMillimetres * unplaced(through, report.objectives[k].placement, model.units()));
     }
   }
@@ -126,7 +126,7 @@ std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report)
 Result<Scenes> scenes_with_paths(const Model& model) {
   SceneSettings settings;
   for (const DesignTask::Objective& objective : model.profile().design->objectives) {
-    if (objective.path) settings.traces.push_back(objective.path->point);
+    if (objective.path()) settings.traces.push_back(objective.path()->point);
   }
   return scenes_of(model, settings);
 }

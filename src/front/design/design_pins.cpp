@@ -22,11 +22,11 @@ std::optional<PinnedRows> PinnedRows::of(const DesignSetup& setup) {
 PinnedRows::PinnedRows(const DesignSetup& setup, PinLinkage linkage)
     : setup_(&setup), linkage_(std::move(linkage)) {
   for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
-    if (objective.path) points_.push_back(objective.path->ref);
+    if (objective.path()) points_.push_back(objective.path()->ref);
   }
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (constraint.transmission) {
-      transmissions_.push_back(linkage_.dyad_at(constraint.transmission->joint).value_or(0));
+    if (constraint.transmission()) {
+      transmissions_.push_back(linkage_.dyad_at(constraint.transmission()->joint).value_or(0));
     }
   }
   add_places(setup);

@@ -10,7 +10,7 @@ void set_places(DesignSetup& setup) {
   std::size_t path = 0, quantity = 0, transmission = 0;
   for (const DesignTask::Objective& objective : task.objectives) {
     setup.objective_places.push_back({setup.residuals, path, quantity});
-    ++(objective.path ? path : quantity);
+    ++(objective.path() ? path : quantity);
     setup.residuals += residual_count(objective);
   }
   setup.constraints = static_cast<Eigen::Index>(setup.closures) + 1;
@@ -18,7 +18,7 @@ void set_places(DesignSetup& setup) {
     ConstraintPlace& place = setup.constraint_places.emplace_back();
     place.transmission = transmission;
     place.quantity = quantity;
-    ++(constraint.transmission ? transmission : quantity);
+    ++(constraint.transmission() ? transmission : quantity);
     if (constraint.above) place.above = setup.constraints++;
     if (constraint.below) place.below = setup.constraints++;
   }
@@ -29,7 +29,7 @@ DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
   DesignProblem problem;
   for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);
   for (const DesignTask::Objective& objective : task.objectives) {
-    const bool is_value = objective.measure || objective.figure || objective.extent;
+    const bool is_value = !objective.path() && !objective.followed();
     problem.has_cost = problem.has_cost || (is_value && !objective.target);
   }
   problem.residuals = setup->residuals;

@@ -4,10 +4,12 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/loops.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -47,43 +49,33 @@ std::string figure_objection(const std::vector<CheckFigure>& figures, const Desi
 
 DesignQuantities quantities_of(const DesignTask& task) {
   DesignQuantities quantities;
-  const auto add = [&](const auto& entry) -> DesignQuantity& {
-    DesignQuantity& quantity = quantities.all.emplace_back();
-    quantity.place = entry.place;
-    quantity.path_of_key = entry.path_of_key;
-    quantity.first = quantities.numbers++;
-    return quantity;
+  const auto add = [&](const auto& entry, auto of, std::size_t numbers) {
+    quantities.all.push_back({std::move(of), quantities.numbers, "", entry.place, entry.path_of_key});
+    quantities.numbers += numbers;
   };
-  const auto add_measure = [&](const auto& entry, const Measure& measure) {
-    add(entry).measure = quantities.measures.size();
+  const auto add_column = [&](const auto& entry, const Measure& measure, const std::vector<double>& at) {
+    add(entry, ColumnQuantity{quantities.measures.size(), at}, std::max<std::size_t>(1, at.size()));
     quantities.measures.push_back(measure);
   };
-  for (const DesignTask::Objective& objective : task.objectives) {
-    if (objective.measure) add_measure(objective, *objective.measure);
-    if (objective.figure) add(objective).figure = objective.figure;
-    if (objective.extent) add(objective).extent = objective.extent;
-    if (objective.followed) {
-      add_measure(objective, objective.followed->measure);
-      quantities.all.back().at = objective.followed->at;
-      quantities.numbers += objective.followed->at.size() - 1;
-    }
-  }
-  for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (constraint.measure) add_measure(constraint, *constraint.measure);
-    if (constraint.figure) add(constraint).figure = constraint.figure;
-    if (constraint.extent) add(constraint).extent = constraint.extent;
-    if (constraint.grashof) add(constraint).grashof = constraint.grashof;
-    if (!constraint.without.empty()) add(constraint).without = constraint.without;
-  }
+  const auto add_entry = [&](const auto& entry) {
+    std::visit(Overload{[](const DesignTask::PointPath&) {}, [](const DesignTask::Transmission&) {},
+                        [&](const Measure& measure) { add_column(entry, measure, {}); },
+                        [&](const DesignTask::Followed& one) { add_column(entry, one.measure, one.at); },
+                        [&](const auto& other) { add(entry, other, 1); }},
+               entry.of);
+  };
+  for (const DesignTask::Objective& objective : task.objectives) add_entry(objective);
+  for (const DesignTask::Constraint& constraint : task.constraints) add_entry(constraint);
   return quantities;
 }
 
 std::vector<Measure> DesignQuantities::measures_at_all_places() const {
   std::vector<Measure> places = measures;
   for (const DesignQuantity& quantity : all) {
-    for (std::size_t k = 1; k < quantity.at.size(); ++k) {
-      places.push_back(measures[*quantity.measure]);
-      places.back().at = quantity.at[k];
+    const auto* column = quantity.as<ColumnQuantity>();
+    for (std::size_t k = 1; column != nullptr && k < column->at.size(); ++k) {
+      places.push_back(measures[column->measure]);
+      places.back().at = column->at[k];
     }
   }
   return places;
@@ -118,10 +110,10 @@ std::vector<double> figures_of(const Model& model, const std::vector<DesignQuant
   std::vector<double> values(quantities.size(), kNoValue);
   const auto report = check(model);
   for (std::size_t k = 0; report && k < quantities.size(); ++k) {
-    if (!quantities[k].figure) continue;
-    const auto figure =
-        std::find_if(report->figures.begin(), report->figures.end(),
-                     [&](const CheckFigure& one) { return is_meant(one, *quantities[k].figure); });
+    const auto* wanted = quantities[k].as<DesignTask::Figure>();
+    if (wanted == nullptr) continue;
+    const auto figure = std::find_if(report->figures.begin(), report->figures.end(),
+                                     [&](const CheckFigure& one) { return is_meant(one, *wanted); });
     if (figure != report->figures.end()) values[k] = figure->value.value_or(values[k]);
   }
   return values;
@@ -130,33 +122,39 @@ std::vector<double> figures_of(const Model& model, const std::vector<DesignQuant
 Diagnostics complete_quantities(const Model& model, const std::vector<Measure>& measures,
                                 const std::vector<Column>& table, std::vector<DesignQuantity>& quantities) {
   Diagnostics mistakes;
-  const bool has_figures = std::any_of(quantities.begin(), quantities.end(),
-                                       [](const DesignQuantity& one) { return one.figure.has_value(); });
-  const auto report =
-      has_figures ? check(model) : Result<CheckReport>(tl::unexpected(Error{ErrorKind::kInput, {}}));
+  const auto report = has_any<DesignTask::Figure>(quantities)
+                          ? check(model)
+                          : Result<CheckReport>(tl::unexpected(Error{ErrorKind::kInput, {}}));
   for (DesignQuantity& quantity : quantities) {
     const auto object = [&](const std::string& what) {
       mistakes.push_back({quantity.place, fmt::format("{}: {}", quantity.path_of_key, what)});
     };
-    if (quantity.grashof || quantity.extent) quantity.unit = unit_text(dimension::kLength, model.units());
-    if (quantity.grashof) {
-      if (!four_bar_of(model.mechanism(), *quantity.grashof)) {
-        object(
-            "expected a mechanism with one four-bar; of several the coupler says which, coupler = \"BODY\"");
-      }
-    } else if (quantity.measure) {
-      for (const Column& column : table) {
-        if (column.name == measures[*quantity.measure].column) quantity.unit = column.unit;
-      }
-    } else if (quantity.figure && report) {
-      const auto meant = [&](const CheckFigure& one) { return is_meant(one, *quantity.figure); };
-      const auto count = std::count_if(report->figures.begin(), report->figures.end(), meant);
-      if (count != 1) {
-        object(figure_objection(report->figures, *quantity.figure));
-      } else {
-        quantity.unit = std::find_if(report->figures.begin(), report->figures.end(), meant)->unit;
-      }
-    }
+    const std::string length = unit_text(dimension::kLength, model.units());
+    std::visit(
+        Overload{[](const DesignTask::Events&) {}, [&](const DesignTask::Extent&) { quantity.unit = length; },
+                 [&](const DesignTask::Grashof& grashof) {
+                   quantity.unit = length;
+                   if (four_bar_of(model.mechanism(), grashof)) return;
+                   object(
+                       "expected a mechanism with one four-bar; of several the coupler says which, "
+                       "coupler = \"BODY\"");
+                 },
+                 [&](const ColumnQuantity& measured) {
+                   for (const Column& column : table) {
+                     if (column.name == measures[measured.measure].column) quantity.unit = column.unit;
+                   }
+                 },
+                 [&](const DesignTask::Figure& figure) {
+                   if (!report) return;
+                   const auto meant = [&](const CheckFigure& one) { return is_meant(one, figure); };
+                   const auto& figures = report->figures;
+                   if (std::count_if(figures.begin(), figures.end(), meant) != 1) {
+                     object(figure_objection(figures, figure));
+                   } else {
+                     quantity.unit = std::find_if(figures.begin(), figures.end(), meant)->unit;
+                   }
+                 }},
+        quantity.of);
   }
   return mistakes;
 }

@@ -4,27 +4,44 @@
 #include "higherpair/front/model.hpp"
 #include "higherpair/io/design_task.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace higherpair {
 
-/// One number of a candidate to which an objective or constraint refers, other than paths and transmission
-/// angles: exactly one of the first five members is set. One number, or several of a column that is followed.
-struct DesignQuantity {
-  std::optional<std::size_t> measure;        ///< index in DesignSetup::measures
-  std::optional<DesignTask::Figure> figure;  ///< as in the report of check()
-  std::optional<DesignTask::Extent> extent;
-  std::optional<DesignTask::Grashof> grashof;  ///< the margin by which a four-bar is of a class
-  std::vector<EventType> without;              ///< the number of such events
-  std::vector<double>
-      at;                 ///< not empty: the column of `measure` is followed at these positions of the driver
-  std::size_t first = 0;  ///< index of its first number in DesignRows::measured
-  std::string unit;       ///< as in tables
-  Place place;            ///< of the objective or constraint
-  std::string path_of_key;  ///< and its path in the profile
+/// A column of the table as one number, or followed.
+struct ColumnQuantity {
+  std::size_t measure = 0;  ///< index in DesignSetup::measures
+  std::vector<double> at;   ///< not empty: its numbers are those at these positions of the driver
 };
+
+/// What an objective or constraint refers to, other than paths and transmission angles: one number of a
+/// candidate, or several of a column that is followed.
+struct DesignQuantity {
+  std::variant<ColumnQuantity, DesignTask::Figure, DesignTask::Extent, DesignTask::Grashof,
+               DesignTask::Events>
+      of;
+  std::size_t first = 0;    ///< index of its first number in DesignRows::measured
+  std::string unit;         ///< as in tables
+  Place place;              ///< of the objective or constraint
+  std::string path_of_key;  ///< and its path in the profile
+
+  /// Null where it is of another kind.
+  template <class Kind>
+  [[nodiscard]] const Kind* as() const {
+    return std::get_if<Kind>(&of);
+  }
+};
+
+/// Whether one of them is of a kind.
+template <class Kind>
+[[nodiscard]] bool has_any(const std::vector<DesignQuantity>& quantities) {
+  return std::any_of(quantities.begin(), quantities.end(),
+                     [](const DesignQuantity& quantity) { return quantity.as<Kind>() != nullptr; });
+}
 
 struct DesignQuantities {
   std::vector<DesignQuantity> all;

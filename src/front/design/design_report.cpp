@@ -4,6 +4,7 @@
 #include "design_setup.hpp"
 #include "front/analysis_impl.hpp"
 #include "front/tolerances.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/decimal.hpp"
 #include "numeric/joined_words.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -20,31 +22,29 @@ namespace {
 
 constexpr int kDigitsOfSteps = 12;  // 0.3, not 0.30000000000000004, for three steps of 0.1
 
-std::string words_of(const DesignTask::Figure& figure) {
-  return figure.item + "." + figure.quantity + (figure.of.empty() ? "" : " of " + figure.of);
-}
-
-std::string words_of(const Measure& measure) {
-  return measure.of == MeasureKind::kAt ? fmt::format("{} at {}", measure.column, measure.at)
-                                        : fmt::format("{} of {}", name_of(measure.of), measure.column);
-}
-
-std::string words_of(const DesignTask::Objective& objective) {
-  if (objective.path) return "path of " + objective.path->point;
-  if (objective.figure) return words_of(*objective.figure);
-  if (objective.extent) return objective.extent->words;
-  return objective.followed ? objective.followed->measure.column + " followed" : words_of(*objective.measure);
-}
-
-std::string words_of(const DesignTask::Constraint& constraint) {
-  if (constraint.transmission) return "transmission at " + constraint.transmission->pin;
-  if (constraint.figure) return words_of(*constraint.figure);
-  if (constraint.extent) return constraint.extent->words;
-  if (constraint.grashof) return "room as a " + constraint.grashof->wanted;
-  if (constraint.without.empty()) return words_of(*constraint.measure);
-  std::vector<std::string> names;
-  for (const EventType type : constraint.without) names.emplace_back(name_of(type));
-  return "events " + joined_words(names);
+// \param of  of an objective or a constraint
+template <class Of>
+std::string words_of(const Of& of) {
+  return std::visit(
+      Overload{[](const DesignTask::PointPath& path) { return "path of " + path.point; },
+               [](const DesignTask::Followed& followed) { return followed.measure.column + " followed"; },
+               [](const Measure& measure) {
+                 return measure.of == MeasureKind::kAt
+                            ? fmt::format("{} at {}", measure.column, measure.at)
+                            : fmt::format("{} of {}", name_of(measure.of), measure.column);
+               },
+               [](const DesignTask::Figure& figure) {
+                 return figure.item + "." + figure.quantity + (figure.of.empty() ? "" : " of " + figure.of);
+               },
+               [](const DesignTask::Extent& extent) { return extent.words; },
+               [](const DesignTask::Transmission& one) { return "transmission at " + one.pin; },
+               [](const DesignTask::Grashof& grashof) { return "room as a " + grashof.wanted; },
+               [](const DesignTask::Events& events) {
+                 std::vector<std::string> names;
+                 for (const EventType type : events.types) names.emplace_back(name_of(type));
+                 return "events " + joined_words(names);
+               }},
+      of);
 }
 
 double total(const DesignTask& task, const std::vector<double>& objectives) {
@@ -162,9 +162,9 @@ private:
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       DesignReport::Objective& line = report.objectives.emplace_back();
-      line.what = words_of(objective);
-      line.unit = objective.path ? length : setup_.quantities[setup_.objective_places[k].quantity].unit;
-      if (objective.followed) line.unit = fmt::format("({})^2", line.unit);
+      line.what = words_of(objective.of);
+      line.unit = objective.path() ? length : setup_.quantities[setup_.objective_places[k].quantity].unit;
+      if (objective.followed()) line.unit = fmt::format("({})^2", line.unit);
       line.target = objective.target;
       line.before = before_.objectives[k];
       line.after = after.objectives[k];
@@ -192,8 +192,8 @@ private:
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
       const ConstraintPlace& place = setup_.constraint_places[k];
-      const std::string what = words_of(constraint);
-      const std::string unit = constraint.transmission
+      const std::string what = words_of(constraint.of);
+      const std::string unit = constraint.transmission()
                                    ? unit_text(dimension::kAngle, setup_.numbers.model().units())
                                    : setup_.quantities[place.quantity].unit;
       const auto add = [&](std::string_view side, double limit, double sign, Eigen::Index at) {
@@ -228,7 +228,7 @@ private:
   [[nodiscard]] double cost_of(std::size_t constraint, double limit, std::size_t place) const {
     if (place >= outcome_.multipliers.size()) return 0;
     const Scaling angle = to_si(dimension::kAngle, setup_.numbers.model().units());
-    const double by_unit = task_.constraints[constraint].transmission
+    const double by_unit = task_.constraints[constraint].transmission()
                                ? std::cos(angle.apply(limit)) * angle.apply(1)
                                : 1 / setup_.scales[constraint];
     return outcome_.multipliers[place] * by_unit;

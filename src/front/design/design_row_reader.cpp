@@ -17,14 +17,14 @@ RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const
   }
   rows_.gap_rows.resize(rows_.gaps.size());
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (constraint.transmission) rows_.transmissions.push_back(1);
+    if (constraint.transmission()) rows_.transmissions.push_back(1);
   }
   const auto& objectives = setup.numbers.task().objectives;
   rows_.points.resize(static_cast<std::size_t>(
       std::count_if(objectives.begin(), objectives.end(),
-                    [](const DesignTask::Objective& objective) { return objective.path.has_value(); })));
+                    [](const DesignTask::Objective& objective) { return objective.path() != nullptr; })));
   for (const DesignQuantity& quantity : setup.quantities) {
-    if (quantity.extent) rows_.extents.push_back(terms_of(*quantity.extent));
+    if (const auto* extent = quantity.as<DesignTask::Extent>()) rows_.extents.push_back(terms_of(*extent));
   }
 }
 
@@ -37,8 +37,8 @@ void RowReader::take(const std::vector<BodyMotion>& bodies, bool assembled, doub
   }
   std::size_t path = 0;
   for (const DesignTask::Objective& objective : setup_.numbers.task().objectives) {
-    if (!objective.path) continue;
-    const PointRef& ref = objective.path->ref;
+    if (!objective.path()) continue;
+    const PointRef& ref = objective.path()->ref;
     std::vector<Vector2d>& points = rows_.points[path++];
     points.push_back(assembled || points.empty() ? bodies[ref.body].X_WB * point_of(mechanism_, ref)
                                                  : points.back());
@@ -73,8 +73,8 @@ void RowReader::finish(int limits) {
 void RowReader::take_transmissions(const std::vector<BodyMotion>& bodies) {
   std::size_t k = 0;
   for (const DesignTask::Constraint& constraint : setup_.numbers.task().constraints) {
-    if (!constraint.transmission) continue;
-    const auto sine = transmission_sine(plan_, constraint.transmission->joint, bodies);
+    if (!constraint.transmission()) continue;
+    const auto sine = transmission_sine(plan_, constraint.transmission()->joint, bodies);
     rows_.transmission_rows.resize(rows_.transmissions.size());
     if (std::abs(sine.value_or(0)) < rows_.transmissions[k]) {
       rows_.transmissions[k] = std::abs(sine.value_or(0));
@@ -87,9 +87,10 @@ void RowReader::take_transmissions(const std::vector<BodyMotion>& bodies) {
 void RowReader::take_extents(const std::vector<BodyMotion>& bodies) {
   std::size_t k = 0;
   for (const DesignQuantity& quantity : setup_.quantities) {
-    if (!quantity.extent) continue;
+    const auto* extent = quantity.as<DesignTask::Extent>();
+    if (extent == nullptr) continue;
     for (ExtentTerm& term : rows_.extents[k++]) {
-      const double far = far_along(*quantity.extent, term.direction_W, mechanism_, bodies);
+      const double far = far_along(*extent, term.direction_W, mechanism_, bodies);
       if (far > term.far) {
         term.far = far;
         term.row = rows_.positions.size() - 1;

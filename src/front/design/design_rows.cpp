@@ -1,24 +1,6 @@
 #include "design_rows.hpp"
 
-#include <algorithm>
-
 namespace higherpair {
-
-bool DesignSetup::needs_table() const {
-  return std::any_of(quantities.begin(), quantities.end(), [](const DesignQuantity& quantity) {
-    return quantity.measure.has_value() || !quantity.without.empty();
-  });
-}
-
-bool DesignSetup::needs_check() const {
-  return std::any_of(quantities.begin(), quantities.end(),
-                     [](const DesignQuantity& quantity) { return quantity.figure.has_value(); });
-}
-
-bool DesignSetup::needs_extents() const {
-  return std::any_of(quantities.begin(), quantities.end(),
-                     [](const DesignQuantity& quantity) { return quantity.extent.has_value(); });
-}
 
 const std::vector<BodyMotion>& DesignRows::bodies_at(double driver) {
   if (direct) {

@@ -79,10 +79,12 @@ struct DesignSetup {
   [[nodiscard]] bool closes(double gap) const { return gap < -spare() / 2; }
 
   /// Whether the table or events of a candidate are needed, and whether figures of check() are.
-  [[nodiscard]] bool needs_table() const;
-  [[nodiscard]] bool needs_check() const;
+  [[nodiscard]] bool needs_table() const {
+    return has_any<ColumnQuantity>(quantities) || has_any<DesignTask::Events>(quantities);
+  }
+  [[nodiscard]] bool needs_check() const { return has_any<DesignTask::Figure>(quantities); }
   /// Whether the extents of bodies are needed.
-  [[nodiscard]] bool needs_extents() const;
+  [[nodiscard]] bool needs_extents() const { return has_any<DesignTask::Extent>(quantities); }
 };
 
 /// The rows of a candidate, as far as they exist.

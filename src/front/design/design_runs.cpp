@@ -77,12 +77,12 @@ void take_rows(Analysis& analysis, WhenLost when_lost, RowReader& reader, Measur
   }
 }
 
-// The numbers of a column that is followed.
-void take_followed(const DesignQuantity& quantity, DesignRows& rows) {
-  const std::size_t slot = rows.table_slots[*quantity.measure];
-  const auto at = rows_at(quantity.at, rows.places);
+// The numbers of a column that is followed begin with `first`.
+void take_followed(const ColumnQuantity& column, std::size_t first, DesignRows& rows) {
+  const std::size_t slot = rows.table_slots[column.measure];
+  const auto at = rows_at(column.at, rows.places);
   for (std::size_t k = 0; k < at.size(); ++k) {
-    if (at[k]) rows.measured[quantity.first + k] = rows.table[*at[k] * rows.table_columns + slot];
+    if (at[k]) rows.measured[first + k] = rows.table[*at[k] * rows.table_columns + slot];
   }
 }
 
@@ -101,12 +101,14 @@ bool measure(const DesignSetup& setup, const DesignCandidate& candidate, Run run
   rows.measured.assign(setup.numbers_measured, kNoValue);
   for (const DesignQuantity& quantity : setup.quantities) {
     double& number = rows.measured[quantity.first];
-    if (!quantity.at.empty()) {
-      take_followed(quantity, rows);
-    } else if (quantity.measure) {
-      number = measures.value(*quantity.measure).value;
-    } else if (!quantity.without.empty()) {
-      number = count_of(quantity.without, analysis->events());
+    if (const auto* events = quantity.as<DesignTask::Events>()) {
+      number = count_of(events->types, analysis->events());
+    } else if (const auto* column = quantity.as<ColumnQuantity>()) {
+      if (column->at.empty()) {
+        number = measures.value(column->measure).value;
+      } else {
+        take_followed(*column, quantity.first, rows);
+      }
     }
   }
   const auto ends = std::count_if(

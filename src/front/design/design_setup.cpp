@@ -10,6 +10,7 @@
 #include <cmath>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -39,7 +40,7 @@ Diagnostics missing_in(const DesignTask& task) {
 
 void check_path(const DesignTask::Objective& objective, const DriverSchedule& schedule,
                 Diagnostics& mistakes) {
-  const DesignTask::PointPath& path = *objective.path;
+  const DesignTask::PointPath& path = *objective.path();
   const auto rows = static_cast<std::size_t>(schedule.size());
   if (!path.timed && schedule.driver_count() > 1) {
     mistakes.push_back(
@@ -67,18 +68,18 @@ void check_path(const DesignTask::Objective& objective, const DriverSchedule& sc
 Diagnostics mistakes_in(const Model& model, const DesignTask& task, const DriverSchedule& schedule) {
   Diagnostics mistakes;
   for (const DesignTask::Objective& objective : task.objectives) {
-    if (objective.path) check_path(objective, schedule, mistakes);
+    if (objective.path()) check_path(objective, schedule, mistakes);
   }
   std::vector<BodyMotion> bodies(model.mechanism().bodies.size());
   for (const DesignTask::Constraint& constraint : task.constraints) {
-    if (constraint.transmission &&
-        !transmission_sine(*model.data().plan, constraint.transmission->joint, bodies)) {
+    const auto* transmission = constraint.transmission();
+    if (transmission && !transmission_sine(*model.data().plan, transmission->joint, bodies)) {
       mistakes.push_back(
           {constraint.place,
            fmt::format("{}.transmission = \"{}\": this pin does not join two links whose other ends "
                        "are pins of known bodies, as coupler and rocker of a four-bar are; of a rod that "
                        "moves a slide limit the angle, column = \"ROD.angle\", of = \"maxabs\"",
-                       constraint.path_of_key, constraint.transmission->pin)});
+                       constraint.path_of_key, transmission->pin)});
     }
   }
   return mistakes;
@@ -98,8 +99,8 @@ std::size_t closure_count(const Plan& plan) {
 RunSettings run_wanted_by(const DesignTask& task) {
   RunSettings wanted;
   for (const DesignTask::Constraint& constraint : task.constraints) {
-    const std::vector<EventType>& types = constraint.without;
-    if (contains(types, EventType::kContactOpen)) wanted.forces = true;
+    const auto* events = std::get_if<DesignTask::Events>(&constraint.of);
+    if (events && contains(events->types, EventType::kContactOpen)) wanted.forces = true;
   }
   return wanted;
 }
@@ -235,7 +236,7 @@ private:
     const double value = start_.constraints[k];
     const bool holds =
         value >= constraint.above.value_or(-kInf) - slack && value <= constraint.below.value_or(kInf) + slack;
-    return idle_[k] && !holds && constraint.without.empty();
+    return idle_[k] && !holds && !std::holds_alternative<DesignTask::Events>(constraint.of);
   }
 
   [[nodiscard]] bool is_any_hopeless() const {

@@ -109,9 +109,9 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
   }
   std::size_t k = 0;
   for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (!constraint.transmission) continue;
-    const auto sine = [joint = constraint.transmission->joint](const Plan& plan,
-                                                               const std::vector<BodyMotion>& bodies) {
+    if (!constraint.transmission()) continue;
+    const auto sine = [joint = constraint.transmission()->joint](const Plan& plan,
+                                                                 const std::vector<BodyMotion>& bodies) {
       return std::abs(transmission_sine(plan, joint, bodies).value_or(0));
     };
     if (k < rows.transmission_rows.size()) add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
@@ -124,20 +124,20 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
   std::size_t k = 0;
   for (const DesignQuantity& quantity : setup.quantities) {
-    if (!quantity.extent) continue;
-    const DesignTask::Extent& extent = *quantity.extent;
-    for (const ExtentTerm& term : terms_that_count(extent, rows.extents[k++])) {
-      tasks[term.row].add(
-          RatesAsked::kAll, [&, q = quantity.first, unit, term](const SlopeRun& run, const auto& of_row) {
-            const auto far = [&](const Run& displaced) {
-              return far_along(extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
-            };
-            for (std::size_t v = 0; v < of_row.size(); ++v) {
-              slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-                  unit * run.slope_of(v, of_row[v], far);
-            }
-            return true;
-          });
+    const auto* extent = quantity.as<DesignTask::Extent>();
+    if (extent == nullptr) continue;
+    for (const ExtentTerm& term : terms_that_count(*extent, rows.extents[k++])) {
+      tasks[term.row].add(RatesAsked::kAll, [&, extent, q = quantity.first, unit, term](const SlopeRun& run,
+                                                                                        const auto& of_row) {
+        const auto far = [&](const Run& displaced) {
+          return far_along(*extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
+        };
+        for (std::size_t v = 0; v < of_row.size(); ++v) {
+          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
+              unit * run.slope_of(v, of_row[v], far);
+        }
+        return true;
+      });
     }
   }
 }
@@ -147,7 +147,7 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
                const std::vector<MechanismDerivative>& derivatives, DesignSlopes& slopes) {
   const double unit = from_si(dimension::kLength, setup.numbers.model().units()).apply(1);
   for (const DesignQuantity& quantity : setup.quantities) {
-    const auto& grashof = quantity.grashof;
+    const auto* grashof = quantity.as<DesignTask::Grashof>();
     for (std::size_t v = 0; grashof && v < derivatives.size(); ++v) {
       const auto room = [&](double h) {
         return grashof_room(displaced(*candidate.mechanism, derivatives[v].numbers, h), *grashof).value_or(0);
@@ -181,24 +181,25 @@ struct WeightedColumn {
 // Those that have to be differentiated along a displaced row, for each row.
 using AlongRows = std::map<std::size_t, std::vector<WeightedColumn>>;
 
-// Calls f(row, share) for every share of the quantity.
+// Calls f(row, share) for every share of a column's numbers, which begin with `first`.
 template <class F>
-void for_each_share(const DesignSetup& setup, const DesignQuantity& quantity, const DesignRows& rows, F f) {
-  const std::size_t measure = *quantity.measure;
+void for_each_share(const DesignSetup& setup, const ColumnQuantity& column, std::size_t first,
+                    const DesignRows& rows, F f) {
+  const std::size_t measure = column.measure;
   std::vector<double> values;
   for (std::size_t k = rows.table_slots[measure]; k < rows.table.size(); k += rows.table_columns) {
     values.push_back(rows.table[k]);
   }
-  if (quantity.at.empty()) {
+  if (column.at.empty()) {
     for (const WeightedRow& at : rows_of(setup.measures[measure], values, rows.places)) {
-      f(at.row, WeightedColumn{quantity.first, measure, at.weight});
+      f(at.row, WeightedColumn{first, measure, at.weight});
     }
     return;
   }
-  const auto followed = rows_at(quantity.at, rows.places);
+  const auto followed = rows_at(column.at, rows.places);
   for (std::size_t k = 0; k < followed.size(); ++k) {
     const auto row = followed[k];
-    if (row && !std::isnan(values[*row])) f(*row, WeightedColumn{quantity.first + k, measure, 1});
+    if (row && !std::isnan(values[*row])) f(*row, WeightedColumn{first + k, measure, 1});
   }
 }
 
@@ -207,9 +208,10 @@ AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::opti
                            const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   AlongRows along;
   for (const DesignQuantity& quantity : setup.quantities) {
-    if (!quantity.measure) continue;
-    const auto& column = columns[*quantity.measure];
-    for_each_share(setup, quantity, rows, [&](std::size_t row, const WeightedColumn& share) {
+    const auto* measured = quantity.as<ColumnQuantity>();
+    if (measured == nullptr) continue;
+    const auto& column = columns[measured->measure];
+    for_each_share(setup, *measured, quantity.first, rows, [&](std::size_t row, const WeightedColumn& share) {
       if (!column) {
         along[row].push_back(share);
         return;

@@ -2,6 +2,7 @@
 #include "higherpair/io/column_dimension.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "laws.hpp"
 #include "number_unit.hpp"
 #include "read_design.hpp"
@@ -9,6 +10,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -111,17 +113,20 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
 }
 
 // Of the target of an objective, or the limits of a constraint.
-NumberUnit unit_of_goal(const Reading& reading, const std::optional<Measure>& measure,
-                        const std::optional<DesignTask::Figure>& figure, const Mechanism& mechanism) {
-  if (measure) return unit_of_column(reading, mechanism, measure->column);
-  return figure ? unit_of_figure(mechanism, figure->item, figure->quantity)
-                : NumberUnit{dimension::kLength, ""};
-}
-
-NumberUnit unit_of_limit(const Reading& reading, const DesignTask::Constraint& constraint,
-                         const Mechanism& mechanism) {
-  return constraint.transmission ? NumberUnit{dimension::kAngle, ""}
-                                 : unit_of_goal(reading, constraint.measure, constraint.figure, mechanism);
+template <class Kind>
+NumberUnit unit_of_goal(const Reading& reading, const std::optional<Kind>& of, const Mechanism& mechanism) {
+  const NumberUnit length{dimension::kLength, ""};
+  if (!of) return length;
+  return std::visit(
+      Overload{[&](const Measure& measure) { return unit_of_column(reading, mechanism, measure.column); },
+               [&](const DesignTask::Figure& figure) {
+                 return unit_of_figure(mechanism, figure.item, figure.quantity);
+               },
+               [&](const DesignTask::Transmission&) {
+                 return NumberUnit{dimension::kAngle, ""};
+               },
+               [&](const auto&) { return length; }},
+      *of);
 }
 
 std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& item,
@@ -176,35 +181,35 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
   DesignTask::Objective objective;
   objective.path_of_key = table.path();
   objective.place = place_of(reading, table.mark());
+  std::optional<decltype(objective.of)> of;
   if (const auto path = table.take("path")) {
     table.refuse("column", "this objective is a path: make an objective of its own of the column");
     table.refuse("of", "belongs to `column`");
     table.refuse("target", "a path is met as well as it can be");
     if (auto reader = as_reader(reading, path, "a path, { point = …, through = … }")) {
-      objective.path = read_point_path(*reader, profile.mechanism);
+      of = read_point_path(*reader, profile.mechanism);
       reader->finish();
     }
   } else if (const auto follow = table.take("follow")) {
-    objective.followed = read_follow(table, *follow, profile, laws);
+    of = read_follow(table, *follow, profile, laws);
   } else if (const auto figure = table.take("figure")) {
-    objective.figure = read_figure(table, *figure);
+    of = read_figure(table, *figure);
   } else if (is_extent(table)) {
-    objective.extent = read_extent(table, profile.mechanism);
+    of = read_extent(table, profile.mechanism);
   } else {
-    objective.measure = read_measure(table, unit_of_driver(profile.mechanism));
+    of = read_measure(table, unit_of_driver(profile.mechanism));
   }
-  if (objective.figure || objective.extent || objective.measure) {
-    objective.target =
-        table.take("target", as_number_in,
-                   unit_of_goal(reading, objective.measure, objective.figure, profile.mechanism));
+  if (of && !std::holds_alternative<DesignTask::PointPath>(*of) &&
+      !std::holds_alternative<DesignTask::Followed>(*of)) {
+    objective.target = table.take("target", as_number_in, unit_of_goal(reading, of, profile.mechanism));
   }
   if (const auto weight = table.take("weight")) {
     objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
     if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
   }
-  const bool complete =
-      objective.path || objective.measure || objective.figure || objective.extent || objective.followed;
-  return complete ? std::optional(std::move(objective)) : std::nullopt;
+  if (!of) return std::nullopt;
+  objective.of = *std::move(of);
+  return objective;
 }
 
 std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const Profile& profile) {
@@ -212,6 +217,7 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   DesignTask::Constraint constraint;
   constraint.path_of_key = table.path();
   constraint.place = place_of(reading, table.mark());
+  std::optional<decltype(constraint.of)> of;
   if (const auto pin = table.take("transmission")) {
     table.refuse("column", "this constraint is one of a transmission angle");
     table.refuse("of", "a transmission angle counts where it is least");
@@ -219,25 +225,26 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     if (joint && profile.mechanism.joints[*joint].type != JointType::kRevolute) {
       report(reading, *pin, "expected a revolute joint, the pin between two links");
     } else if (joint) {
-      constraint.transmission = DesignTask::Transmission{as_text(reading, *pin).value_or(""), *joint};
+      of = DesignTask::Transmission{as_text(reading, *pin).value_or(""), *joint};
     }
   } else if (const auto grashof = table.take("grashof")) {
-    constraint.grashof = read_grashof(table, *grashof, profile.mechanism);
+    of = read_grashof(table, *grashof, profile.mechanism);
     constraint.above = 0;
   } else if (const auto without = table.take("without")) {
     table.refuse("below", "none of these events is to happen");
     table.refuse("above", "none of these events is to happen");
-    constraint.without = read_events(reading, *without);
+    DesignTask::Events events{read_events(reading, *without)};
+    if (!events.types.empty()) of = std::move(events);
     constraint.below = 0;
   } else if (const auto figure = table.take("figure")) {
-    constraint.figure = read_figure(table, *figure);
+    of = read_figure(table, *figure);
   } else if (is_extent(table)) {
-    constraint.extent = read_extent(table, profile.mechanism);
+    of = read_extent(table, profile.mechanism);
   } else {
-    constraint.measure = read_measure(table, unit_of_driver(profile.mechanism));
+    of = read_measure(table, unit_of_driver(profile.mechanism));
   }
   const Mistakes mistakes(reading);
-  const NumberUnit unit = unit_of_limit(reading, constraint, profile.mechanism);
+  const NumberUnit unit = unit_of_goal(reading, of, profile.mechanism);
   if (const auto below = table.take("below", as_number_in, unit)) constraint.below = below;
   if (const auto above = table.take("above", as_number_in, unit)) constraint.above = above;
   const bool may_be_refused = !unit.dimension && unit.objection.empty();
@@ -247,13 +254,13 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     report_whole(table,
                  fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));
   }
-  if (constraint.transmission) {
+  if (!of) return std::nullopt;
+  constraint.of = *std::move(of);
+  if (constraint.transmission()) {
     check_transmission_limit(table, constraint.above, profile.units);
     check_transmission_limit(table, constraint.below, profile.units);
   }
-  const bool complete = constraint.measure || constraint.transmission || constraint.figure ||
-                        constraint.extent || constraint.grashof || !constraint.without.empty();
-  return complete ? std::optional(std::move(constraint)) : std::nullopt;
+  return constraint;
 }
 
 }  // namespace higherpair::io_detail

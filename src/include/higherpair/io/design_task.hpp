@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace higherpair {
@@ -58,7 +59,8 @@ struct DesignTask {
     int coupler = -1;  ///< index of the body; -1: that of the only four-bar
   };
 
-  /// A transmission angle: the angle between two links that a pin joins, 0 at a dead point, at most 90°.
+  /// The smallest transmission angle over all rows: the angle between two links that a pin joins, 0 at a dead
+  /// point, at most 90°.
   struct Transmission {
     std::string pin;
     int joint = 0;  ///< index into Mechanism::joints
@@ -86,29 +88,32 @@ struct DesignTask {
     bool change = false;         ///< only the change from the first of them on counts
   };
 
+  /// The number of events of these types.
+  struct Events {
+    std::vector<EventType> types;
+  };
+
   struct Objective {
     std::string path_of_key;  ///< "design.objectives.0"
-    std::optional<PointPath> path;
-    std::optional<Measure> measure;
-    std::optional<Figure> figure;
-    std::optional<Extent> extent;
-    std::optional<Followed> followed;
+    std::variant<Measure, Followed, PointPath, Figure, Extent> of;
     std::optional<double>
         target;         ///< of a measure, figure or extent, in the unit of tables; none: it is minimised
     double weight = 1;  ///< > 0; for a path and for a target it multiplies the square
     Place place;
+
+    /// Null where it is of another kind.
+    [[nodiscard]] const PointPath* path() const { return std::get_if<PointPath>(&of); }
+    [[nodiscard]] const Followed* followed() const { return std::get_if<Followed>(&of); }
   };
 
   struct Constraint {
     std::string path_of_key;
-    std::optional<Measure> measure;
-    std::optional<Figure> figure;
-    std::optional<Extent> extent;
-    std::optional<Transmission> transmission;  ///< the smallest over all rows
-    std::optional<Grashof> grashof;
-    std::vector<EventType> without;      ///< the number of these events
+    std::variant<Measure, Figure, Extent, Transmission, Grashof, Events> of;
     std::optional<double> below, above;  ///< at least one; in the unit of tables
     Place place;
+
+    /// Null where it is of another kind.
+    [[nodiscard]] const Transmission* transmission() const { return std::get_if<Transmission>(&of); }
   };
 
   std::vector<Variable> variables;
