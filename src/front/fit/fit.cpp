@@ -101,8 +101,7 @@ Result<std::string> verified_text(const FitProblem& problem, const FitSolution& 
   }
   if (!same) {
     report.good = false;
-    report.notes.push_back(
-        fmt::format("the profile that was written, read again, does not move as was fitted"));
+    report.notes.push_back("the profile that was written, read again, does not move as was fitted");
   }
   return text;
 }

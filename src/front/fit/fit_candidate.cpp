@@ -16,20 +16,21 @@ std::optional<std::vector<std::vector<DriverState>>> driver_rows(const FitData& 
   Profile other = profile;
   if (data.in_time()) {
     double last = 0;
-    for (const double time : data.where[0]) last = std::max(last, time - offsets[0]);
+    for (const double time : data.where[0].values) last = std::max(last, time - offsets[0]);
     for (DriverProgram& program : other.programs) program.duration = last;
     auto schedule = DriverSchedule::step(other, 2);
     if (!schedule) return std::nullopt;
     const DriverPlaces places(other, *std::move(schedule));
     const Scaling to_seconds = to_si(dimension::kTime, profile.units);
     for (std::size_t k = 0; k < count; ++k) {
-      rows[k] = places.at_time(to_seconds.apply(data.where[0][k] - offsets[0]));
+      rows[k] = places.at_time(to_seconds.apply(data.where[0].values[k] - offsets[0]));
     }
     return rows;
   }
   for (std::size_t i = 0; i < other.programs.size(); ++i) {
     other.programs[i].positions.clear();
-    for (const double position : data.where[i]) other.programs[i].positions.push_back(position - offsets[i]);
+    for (const double position : data.where[i].values)
+      other.programs[i].positions.push_back(position - offsets[i]);
   }
   const auto schedule = DriverSchedule::analyze(other);
   if (!schedule) return std::nullopt;
@@ -63,7 +64,7 @@ std::optional<FitCandidate> fit_candidate(const FitData& data, std::shared_ptr<c
       std::move(numbers), *std::move(run), *std::move(columns), std::nullopt, *std::move(rows), {}, {}};
   if (data.settings.forces) candidate.dynamics.emplace(candidate.run);
   for (std::size_t k = 0; k < data.rows(); ++k) {
-    candidate.times.push_back(data.in_time() ? data.where[0][k] - offsets[0] : 0);
+    candidate.times.push_back(data.in_time() ? data.where[0].values[k] - offsets[0] : 0);
   }
   for (const FitColumn& column : data.columns) {
     candidate.slots.push_back(column_slot(candidate.columns.columns(), column.name));

@@ -31,19 +31,9 @@ FitTask task_of(const Profile& profile) {
 class DataReader {
 public:
   DataReader(const Model& model, const MeasuredTable& measured, const FitSettings& settings)
-      : measured_(measured), settings_(settings), data_{model,
-                                                        model.profile().design,
-                                                        task_of(model.profile()),
-                                                        {},
-                                                        measured.lines,
-                                                        {},
-                                                        {},
-                                                        {},
-                                                        {},
-                                                        {},
-                                                        {},
-                                                        {},
-                                                        {}} {}
+      : measured_(measured),
+        settings_(settings),
+        data_{model, model.profile().design, task_of(model.profile()), measured.lines} {}
 
   Result<FitData> read() {
     data_.task = with_settings(std::move(data_.task), settings_, mistakes_);
@@ -123,11 +113,7 @@ private:
         break;
       }
     }
-    data_.where.push_back(std::move(values));
-    data_.where_names.push_back(column.name);
-    data_.where_unit_given.push_back(!column.unit.empty());
-    data_.where_places.push_back(column.place);
-    data_.where_offset.push_back(false);
+    data_.where.push_back({column.name, std::move(values), false, !column.unit.empty(), column.place});
   }
 
   // The values converted to `unit`.

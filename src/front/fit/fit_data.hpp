@@ -11,6 +11,15 @@
 
 namespace higherpair {
 
+/// Where the rows are: a driver's positions, or times.
+struct FitWhere {
+  std::string name;
+  std::vector<double> values;  ///< in each row
+  bool offset = false;         ///< whether its zero is unknown
+  bool unit_given = false;     ///< in the table's header
+  Place place;
+};
+
 /// A measured column that takes part in a fit.
 struct FitColumn {
   std::string name;
@@ -37,17 +46,13 @@ struct FitFrame {
 struct FitData {
   Model model;
   std::shared_ptr<const DesignTask> variables;
-  FitTask task;          ///< with the changes from the settings
-  RunSettings settings;  ///< of a run that computes the columns
+  FitTask task;  ///< with the changes from the settings
   std::vector<int> lines;
-  std::vector<std::vector<double>> where;  ///< for each driver, or for time alone: its value in each row
-  std::vector<std::string> where_names;
-  std::vector<bool> where_unit_given;
-  std::vector<Place> where_places;
-  std::vector<bool> where_offset;
-  std::vector<FitColumn> columns;
-  std::vector<FitFrame> frames;
-  std::vector<std::string> notes;
+  RunSettings settings = {};         ///< of a run that computes the columns
+  std::vector<FitWhere> where = {};  ///< for each driver, or for time alone
+  std::vector<FitColumn> columns = {};
+  std::vector<FitFrame> frames = {};
+  std::vector<std::string> notes = {};
 
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
   [[nodiscard]] bool in_time() const { return settings.in_time; }

@@ -25,9 +25,9 @@ FitMeasurement::FitMeasurement(const FitData& data) : data_(data) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
     add(Kind::kVariable, i, variables[i].name, variables[i].unit);
   }
-  for (std::size_t i = 0; i < data_.where_offset.size(); ++i) {
-    if (data_.where_offset[i]) {
-      add(Kind::kWhere, i, "offset of " + data_.where_names[i], data_.where_unit());
+  for (std::size_t i = 0; i < data_.where.size(); ++i) {
+    if (data_.where[i].offset) {
+      add(Kind::kWhere, i, "offset of " + data_.where[i].name, data_.where_unit());
     }
   }
   for (std::size_t c = 0; c < data_.columns.size(); ++c) {

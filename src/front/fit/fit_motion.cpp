@@ -52,8 +52,8 @@ std::optional<std::vector<FitParameter>> parameters_of(const FitCandidate& candi
   }
   Mechanism none = candidate.run.mechanism();
   for_each_number(none, [](double& number) { number = 0; });
-  for (std::size_t i = 0; i < data.where_offset.size(); ++i) {
-    if (data.where_offset[i] && !add(none, i)) return std::nullopt;
+  for (std::size_t i = 0; i < data.where.size(); ++i) {
+    if (data.where[i].offset && !add(none, i)) return std::nullopt;
   }
   return parameters;
 }
@@ -197,10 +197,11 @@ std::optional<std::vector<FitTable>> FitMotion::differences(std::span<const doub
     if (!made) return std::nullopt;
   }
   for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (!data_.where_offset[i]) continue;
+    if (!data_.where[i].offset) continue;
     double h = kOffsetStep;
     if (data_.in_time()) {
-      const auto [first, last] = std::minmax_element(data_.where[0].begin(), data_.where[0].end());
+      const std::vector<double>& times = data_.where[0].values;
+      const auto [first, last] = std::minmax_element(times.begin(), times.end());
       h *= *last > *first ? *last - *first : 1;
     } else if (driver_turns(data_.model.mechanism(), i)) {
       h = from_si(dimension::kAngle, data_.model.units()).apply(h);

@@ -122,7 +122,11 @@ std::vector<double> FitProblem::unwrapped(std::size_t column, const Eigen::Vecto
 
 Eigen::VectorXd FitProblem::start() const {
   const std::vector<double> variables = start_values(*data_.variables);
-  if (auto x = start_from(variables)) return *std::move(x);
+  auto x = start_from(variables);
+  return x ? *std::move(x) : unmeasured(variables);
+}
+
+Eigen::VectorXd FitProblem::unmeasured(std::span<const double> variables) const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
   std::copy(variables.begin(), variables.end(), x.begin());
   for (std::size_t i = 0; i < unknowns().size(); ++i) {
@@ -135,12 +139,10 @@ std::optional<Eigen::VectorXd> FitProblem::start_from(std::span<const double> va
   std::optional<Eigen::VectorXd> best;
   double least = kInf;
   const auto try_at = [&](double share) {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
-    std::copy(variables.begin(), variables.end(), x.begin());
+    Eigen::VectorXd x = unmeasured(variables);
     for (std::size_t i = 0; i < unknowns().size(); ++i) {
-      if (unknowns()[i].kind == Kind::kScale) x(place(i)) = 1;
       if (unknowns()[i].kind != Kind::kWhere) continue;
-      const std::vector<double>& where = data_.where[unknowns()[i].index];
+      const std::vector<double>& where = data_.where[unknowns()[i].index].values;
       const auto [first, last] = std::minmax_element(where.begin(), where.end());
       const bool turns = !data_.in_time() && driver_turns(data_.model.mechanism(), unknowns()[i].index);
       x(place(i)) = share * (turns ? full_turn(data_.model.units()) : *last - *first);

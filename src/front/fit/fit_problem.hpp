@@ -54,6 +54,8 @@ public:
   [[nodiscard]] std::vector<double> unwrapped(std::size_t column, const Eigen::VectorXd& x) const;
 
 private:
+  /// These numbers of the profile, and unknowns of the measurement that change nothing.
+  [[nodiscard]] Eigen::VectorXd unmeasured(std::span<const double> variables) const;
   [[nodiscard]] Eigen::VectorXd residuals_of(const FitTable& fitted, int* missing) const;
   void clear_rounding(Eigen::MatrixXd& J) const;
 

@@ -78,7 +78,7 @@ private:
       const auto [row, column] = problem_.values()[i];
       FitReport::Residual residual;
       residual.line = data_.lines[row];
-      residual.where = data_.where[0][row];
+      residual.where = data_.where[0].values[row];
       residual.column = column;
       residual.measured = data_.columns[column].values[row];
       residual.fitted = residual.measured - solution_.residuals(place(i));
@@ -165,7 +165,7 @@ private:
     }
     if (statistics_.freedoms < 1) {
       report_.notes.push_back(
-          fmt::format("as many values as numbers: nothing is left to estimate noise and intervals from"));
+          "as many values as numbers: nothing is left to estimate noise and intervals from");
     }
     add_correlation_note();
   }

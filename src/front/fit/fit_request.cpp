@@ -34,7 +34,8 @@ FitTask with_settings(FitTask task, const FitSettings& settings, Diagnostics& mi
 }
 
 void apply_columns(FitData& data, Diagnostics& mistakes) {
-  std::vector<std::string> names = data.where_names;
+  std::vector<std::string> names;
+  for (const FitWhere& where : data.where) names.push_back(where.name);
   for (const FitColumn& column : data.columns) names.push_back(column.name);
   for (const FitTask::Column& task : data.task.columns) {
     if (std::none_of(names.begin(), names.end(),
@@ -49,10 +50,10 @@ void apply_columns(FitData& data, Diagnostics& mistakes) {
       column.weight *= task.weight;
       column.offset = column.offset || task.offset;
     }
-    for (std::size_t i = 0; i < data.where_names.size(); ++i) {
-      if (!matches(task.column, data.where_names[i])) continue;
-      data.where_offset[i] = data.where_offset[i] || task.offset;
-      if (task.column == data.where_names[i] && (task.deviation || task.weight != 1)) {
+    for (FitWhere& where : data.where) {
+      if (!matches(task.column, where.name)) continue;
+      where.offset = where.offset || task.offset;
+      if (task.column == where.name && (task.deviation || task.weight != 1)) {
         mistakes.push_back(
             {task.place,
              fmt::format("{}: {} says where each row is and counts as exact: only `offset` has a meaning",
@@ -88,7 +89,7 @@ void find_frames(FitData& data, Diagnostics& mistakes) {
 
 void check_count(const FitData& data, const Place& table, Diagnostics& mistakes) {
   auto unknowns = static_cast<int>(data.variables->variables.size());
-  for (const bool offset : data.where_offset) unknowns += offset ? 1 : 0;
+  for (const FitWhere& where : data.where) unknowns += where.offset ? 1 : 0;
   for (const FitColumn& column : data.columns) unknowns += column.offset ? 1 : 0;
   for (const FitFrame& frame : data.frames) {
     unknowns += (frame.task.position ? 2 : 0) + (frame.task.turn ? 1 : 0) + (frame.task.scale ? 1 : 0);

@@ -88,20 +88,20 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   if (!suspicions.empty()) return suspicions;
   const auto as_it_is = whole_misfit(problem, variables, data);
   for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
-    if (data.where_unit_given[i] || data.where_offset[i]) continue;
+    const FitWhere& where = data.where[i];
+    if (where.unit_given || where.offset) continue;
     std::optional<OtherUnit> best;
     double least = std::min(kNearMisfit, kBetterMisfit * *as_it_is);
     for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
       FitData scaled = data;
-      for (double& value : scaled.where[i]) value *= other.factor;
+      for (double& value : scaled.where[i].values) value *= other.factor;
       const auto there = whole_misfit(problem, variables, scaled);
       if (there && *there < least) {
         least = *there;
         best = other;
       }
     }
-    if (best)
-      suspicions.push_back({data.where_places[i], advice(data.where_names[i], data.where_unit(), *best)});
+    if (best) suspicions.push_back({where.place, advice(where.name, data.where_unit(), *best)});
   }
   return suspicions;
 }
