@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 namespace higherpair {
@@ -360,6 +361,65 @@ TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
       EXPECT_NEAR(um.results[m].slopes[i].up, one, 1e-9 * (1 + std::abs(one))) << mm.numbers[i].name;
     }
   }
+}
+
+// A disc of radius R = 50 as a conic, with its centre 10 from the pivot; the roller of the follower has r
+// = 3. The term C x y moves its outline out by -C R³ sin(2φ)/4 at the normal's angle φ, and so the follower
+// by that over the cosine of the pressure angle. Whatever the factor of the equation: C is 0, and takes its
+// scale from the other terms.
+TEST(SensitivityOfResults, OfACoefficientThatIsZeroAreTheClosedForm) {
+  constexpr const char* kConicDisc = R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [10, 0]
+curves.disc = { type = "conic", coefficients = [0.0004, 0.0004, 0, 0, 0, -1] }
+[bodies.f]
+pose = { y = 60 }
+points.S = [0, 0]
+curves.r = { type = "circle", center = [0, 0], radius = 3 }
+[joints]
+main = { type = "revolute", between = ["ground.O", "cam.O"] }
+g = { type = "prismatic", between = ["ground.O", "f.S"], direction = [0, 1] }
+[contacts.k]
+between = ["cam.disc", "f.r"]
+[driver]
+joint = "main"
+positions = [30]
+)";
+  const double turn = kPi / 6;
+  const double pressure = std::asin(10 * std::cos(turn) / 53);
+  const double phi = kPi / 2 - pressure - turn;
+  const double slope_of_one = -std::pow(50, 3) * std::sin(2 * phi) / 4 / std::cos(pressure);
+  for (const double factor : {1.0, 100.0, 0.01, 1e-6, -1e6}) {
+    const std::string list =
+        fmt::format("bodies.cam.curves.disc.coefficients=[{0}, {0}, 0, 0, 0, {1}]", 0.0004 * factor, -factor);
+    const SensitivityReport report = report_of(
+        model_of(kConicDisc, {list}), wanted({"f.y:last"}, {"bodies.cam.curves.disc.coefficients.2"}));
+    const Slope& found = slope(report, 0, "bodies.cam.curves.disc.coefficients.2");
+    EXPECT_EQ(found.kind, SlopeKind::kDifferences) << found.remark;
+    EXPECT_NEAR(found.up * factor, slope_of_one, 1e-7 * std::abs(slope_of_one)) << factor;
+  }
+}
+
+// The acceleration of a driver is 0, and arcs are differentiated by differences.
+TEST(SensitivityOfResults, OfAnAccelerationThatIsZeroDoNotDependOnTheUnitOfTime) {
+  std::vector<double> slopes;
+  for (const char* unit : {"s", "ms", "min"}) {
+    const Model model =
+        shipped_model("eccentric_disc_oscillating_roller",
+                      {std::string("units.time=") + unit, "driver.velocity=60 rpm", "driver.acceleration=0",
+                       "driver.duration=0.2 s", "driver.samples=11"});
+    SensitivitySettings settings = wanted({"touch.arc1:last"}, {"driver.acceleration"});
+    settings.in_time = true;
+    const Slope found = slope(report_of(model, settings), 0, "driver.acceleration");
+    EXPECT_EQ(found.kind, SlopeKind::kDifferences) << unit << ": " << found.remark;
+    const double seconds = std::string(unit) == "ms" ? 1e-3 : std::string(unit) == "min" ? 60 : 1;
+    slopes.push_back(found.up * seconds * seconds);
+  }
+  EXPECT_NEAR(slopes[1], slopes[0], 1e-8 * std::abs(slopes[0]));
+  EXPECT_NEAR(slopes[2], slopes[0], 1e-8 * std::abs(slopes[0]));
+  EXPECT_NE(slopes[0], 0);
 }
 
 // At the vertex of an ellipse the curvature has an extreme, and its rate is 0 but for other dimensions: as

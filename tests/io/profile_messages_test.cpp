@@ -229,6 +229,9 @@ TEST(ProfileMessages, AMereNumberForGravityIsShownAsAVector) {
   EXPECT_EQ(about_gravity("9.81"), place + "9.81: expected [x, y]; downwards it is [0, -9.81]");
   EXPECT_EQ(about_gravity("\"9.81 m/s^2\""),
             place + "\"9.81 m/s^2\": expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
+  for (const char* text : {"\"0, -9.81\"", "\"[0,-9.81]\"", "\"9.81\"", "\"-9.81 N\""}) {
+    EXPECT_EQ(about_gravity(text), place + text + ": expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
+  }
   EXPECT_EQ(about_gravity("\"down\""),
             place + "\"down\": expected [x, y]; downwards it is [0, \"-9.81 m/s^2\"]");
   EXPECT_EQ(about_gravity("{ y = -9810 }"),

@@ -10,6 +10,7 @@ namespace higherpair::cli {
 namespace {
 
 constexpr std::size_t kNameWidth = 40;
+constexpr double kGoodDifference = 1e-4;  // error of a difference relative to it: of six digits the last two
 
 std::string figure(double value, int digits = 6) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
@@ -170,7 +171,10 @@ private:
           fmt::format("{} to smaller values, {} to larger ones: a kink", figure(one.down), figure(one.up)),
           name);
     } else if (one.kind == SlopeKind::kDifferences) {
-      remarks.add("by differences, good to the digits shown but the last ones", name);
+      remarks.add(one.error <= kGoodDifference * std::abs(one.up)
+                      ? "by differences, good to the digits shown but the last ones"
+                      : fmt::format("by differences, with an error of about {:.1g}", one.error),
+                  name);
     } else if (one.kind == SlopeKind::kNone) {
       remarks.add(reason(one), name);
     }

@@ -1,11 +1,15 @@
 #include "number_slopes.hpp"
 
 #include "front/tolerances.hpp"
+#include "higherpair/io/profile_document.hpp"
+#include "higherpair/io/row_path.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/stencil.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace higherpair {
@@ -13,15 +17,47 @@ namespace {
 
 constexpr int kReach = 4;  // steps of a number to either side
 
-double scale_of(const ProfileNumber& number, double size, const Units& units) {
-  const double value = std::abs(number.number.value);
-  if (number.dimension == dimension::kLength) {
-    return from_si(dimension::kLength, units).apply(size);
+// The change of a conic's coefficient that makes its term in A x² + B y² + C x y + D x + E y + F as large as
+// the largest of the equation where x = y = length; 0 for other numbers. The path ends in coefficients.0 to
+// .5.
+double term_scale(const ProfileDocument& document, const std::string& path, double length) {
+  constexpr std::string_view kList = ".coefficients.";
+  constexpr std::array kPowers = {2, 2, 2, 1, 1, 0};
+  const std::size_t begin = path.rfind(kList);
+  if (begin == std::string::npos || begin + kList.size() + 1 != path.size()) {
+    return 0;
   }
-  if (number.dimension == dimension::kAngle) {
+  const auto power = [&](char index) {
+    return std::pow(length, kPowers[static_cast<std::size_t>(index - '0')]);
+  };
+  double largest = 0;
+  document.for_each_number([&](const std::string& other, double value) {
+    if (other.size() == path.size() && other.compare(0, path.size() - 1, path, 0, path.size() - 1) == 0) {
+      largest = std::max(largest, std::abs(value) * power(other.back()));
+    }
+  });
+  return largest / power(path.back());
+}
+
+// See SensitivityNumber::scale.
+double scale_of(const Model& model, const ProfileNumber& number, const NaturalScales& natural) {
+  const Dimension& of = number.dimension;
+  const Units& units = model.units();
+  const double length = from_si(dimension::kLength, units).apply(natural.size);
+  if (of == dimension::kLength) {
+    return length;
+  }
+  if (of == dimension::kAngle) {
     return from_si(dimension::kAngle, units).apply(1);
   }
-  return value > 0 ? value : 1;
+  double scale = std::abs(number.number.value);
+  if (of == dimension::kNumber) {
+    scale = std::max(scale, term_scale(*model.data().document, number.number.paths.front(), length));
+  } else if (of.time < 0 && of.mass == 0 && of.force == 0) {
+    scale = std::max(scale, from_si(of, units).apply(std::pow(natural.size, of.length) *
+                                                     std::pow(natural.rate, -of.time)));
+  }
+  return scale > 0 ? scale : 1;
 }
 
 // Whether joints differ in numbers that for_each_number leaves out.
@@ -43,10 +79,16 @@ bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double cha
 
 }  // namespace
 
-Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& number, double size) {
+NaturalScales natural_scales(const PathColumns& columns) {
+  const double size = columns.start().plan().size;
+  return {size, driver_rate(columns.drivers().schedule(), columns.start().mechanism(), size)};
+}
+
+Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& number,
+                                      const NaturalScales& natural) {
   return ModelVariants::of(model, number.number.paths).map([&](ModelVariants variants) {
     return NumberModels(std::move(variants), number.number.paths.size(), number.number.value,
-                        scale_of(number, size, model.units()));
+                        scale_of(model, number, natural));
   });
 }
 
@@ -57,10 +99,10 @@ Result<Model> NumberModels::at(double h) {
 
 Result<std::vector<std::unique_ptr<NumberModels>>> models_by(const Model& model,
                                                              const std::vector<ProfileNumber>& numbers,
-                                                             double size) {
+                                                             const NaturalScales& natural) {
   std::vector<std::unique_ptr<NumberModels>> all;
   for (const ProfileNumber& number : numbers) {
-    auto models = NumberModels::of(model, number, size);
+    auto models = NumberModels::of(model, number, natural);
     if (!models) return tl::unexpected(std::move(models.error()));
     all.push_back(std::make_unique<NumberModels>(*std::move(models)));
   }

@@ -22,16 +22,22 @@ struct ProfileNumber {
   Dimension dimension;
 };
 
+/// What numbers are compared with that are zero, or nearly so.
+struct NaturalScales {
+  double size = 0;  ///< of the mechanism [m]
+  double rate = 0;  ///< driver_rate() [1/s]
+};
+[[nodiscard]] NaturalScales natural_scales(const PathColumns& columns);
+
 /// Models that differ in one number. For use by one thread at a time.
 class NumberModels {
 public:
-  /// \param size  of the mechanism [m]
-  [[nodiscard]] static Result<NumberModels> of(const Model& model, const ProfileNumber& number, double size);
+  [[nodiscard]] static Result<NumberModels> of(const Model& model, const ProfileNumber& number,
+                                               const NaturalScales& natural);
 
   /// The model with the number changed by h, in its unit.
   [[nodiscard]] Result<Model> at(double h);
-  /// The size of change of the number that makes a substantial difference: the mechanism's size for a length,
-  /// one radian for an angle, else the number itself.
+  /// SensitivityNumber::scale.
   [[nodiscard]] double scale() const { return scale_; }
 
 private:
@@ -46,7 +52,7 @@ private:
 
 /// The models of each number.
 [[nodiscard]] Result<std::vector<std::unique_ptr<NumberModels>>> models_by(
-    const Model& model, const std::vector<ProfileNumber>& numbers, double size);
+    const Model& model, const std::vector<ProfileNumber>& numbers, const NaturalScales& natural);
 
 /// Why no column of a mechanism can be differentiated exactly; if empty, those with has_exact_slope can.
 [[nodiscard]] std::string exactness_objection(const Mechanism& mechanism);

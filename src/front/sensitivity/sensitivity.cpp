@@ -116,7 +116,7 @@ private:
   }
 
   [[nodiscard]] std::optional<Error> make_models() {
-    auto models = models_by(model_, numbers_, columns_->start().plan().size);
+    auto models = models_by(model_, numbers_, natural_scales(*columns_));
     if (!models) return models.error();
     models_ = *std::move(models);
     slopes_.resize(numbers_.size());

@@ -120,7 +120,7 @@ private:
   }
 
   [[nodiscard]] std::optional<Error> make_models() {
-    auto models = models_by(model_, numbers_, columns_->start().plan().size);
+    auto models = models_by(model_, numbers_, natural_scales(*columns_));
     if (!models) return models.error();
     models_ = *std::move(models);
     const bool arcs = std::any_of(slots_.begin(), slots_.end(), [&](std::size_t slot) {

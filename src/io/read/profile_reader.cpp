@@ -49,8 +49,9 @@ Vector2d read_gravity(Reading& reading, const io_detail::Item& item) {
   if (const auto number = io_detail::number_in(*item.value)) {
     downwards = fmt::format("{}", -std::abs(*number));
   } else if (const auto* text = std::get_if<std::string>(&item.value->content)) {
-    const std::size_t first = text->find_first_of("0123456789.");
-    if (first != std::string::npos) downwards = fmt::format("\"-{}\"", text->substr(first));
+    const std::string size = text->substr(std::min(text->find_first_of("0123456789."), text->size()));
+    if (parse_quantity(size, dimension::kAcceleration, reading.units))
+      downwards = fmt::format("\"-{}\"", size);
   }
   report(reading, item, fmt::format("expected [x, y]; downwards it is [0, {}]", downwards));
   return Vector2d::Zero();
