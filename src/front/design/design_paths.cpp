@@ -6,6 +6,7 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -64,6 +65,7 @@ bool is_loop(std::span<const Vector2d> points) {
 
 // On a closed path the first target may lie anywhere; the others follow within one lap.
 Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
+  assert(points.size() > 1);
   const std::size_t n = points.size() - 1;
   const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
   Rows begins;

@@ -289,7 +289,7 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
     outline.names.push_back(
         fmt::format("the {} on line {} of {}", piece_at(source).type, piece_at(source).line, drawing->name));
   }
-  if (contour.pieces.size() == 1 || contour.sources.size() == 1) {
+  if (contour.sources.size() == 1) {
     outline.whole = piece_at(contour.sources.front()).whole;
   }
   return curve_of(table, std::move(outline));
