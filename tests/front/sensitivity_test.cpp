@@ -367,8 +367,7 @@ TEST(SensitivityOfResults, DoNotDependOnTheUnitsOfTheFile) {
 // = 3. The term C x y moves its outline out by -C R³ sin(2φ)/4 at the normal's angle φ, and so the follower
 // by that over the cosine of the pressure angle. Whatever the factor of the equation: C is 0, and takes its
 // scale from the other terms.
-TEST(SensitivityOfResults, OfACoefficientThatIsZeroAreTheClosedForm) {
-  constexpr const char* kConicDisc = R"(
+constexpr const char* kConicDisc = R"(
 [bodies.ground]
 points.O = [0, 0]
 [bodies.cam]
@@ -387,6 +386,8 @@ between = ["cam.disc", "f.r"]
 joint = "main"
 positions = [30]
 )";
+
+TEST(SensitivityOfResults, OfACoefficientThatIsZeroAreTheClosedForm) {
   const double turn = kPi / 6;
   const double pressure = std::asin(10 * std::cos(turn) / 53);
   const double phi = kPi / 2 - pressure - turn;
@@ -399,6 +400,44 @@ positions = [30]
     const Slope& found = slope(report, 0, "bodies.cam.curves.disc.coefficients.2");
     EXPECT_EQ(found.kind, SlopeKind::kDifferences) << found.remark;
     EXPECT_NEAR(found.up * factor, slope_of_one, 1e-7 * std::abs(slope_of_one)) << factor;
+  }
+}
+
+// The same disc, small beside its mechanism. Its radius is √(-F/A), and the normal's angle on it is π/2 less
+// the pressure angle and the driver's: the contact moves along the disc by the radius times the change of
+// that.
+TEST(SensitivityOfResults, ByACoefficientOfASmallConicAreTheClosedForm) {
+  const auto pressure = [](double turn) { return std::asin(10 * std::cos(turn) / 53); };
+  const auto pressure_by_radius = [&](double turn) {
+    return -10 * std::cos(turn) / (53 * 53 * std::cos(pressure(turn)));
+  };
+  const double turned = pressure(kPi / 6) + kPi / 6 - pressure(0);
+  const double by_radius = turned + 50 * (pressure_by_radius(kPi / 6) - pressure_by_radius(0));
+  for (const double far : {100.0, 1e4, 1e6}) {
+    const std::vector<std::string> overrides = {"driver.positions=[0, 30]",
+                                                fmt::format("bodies.ground.points.S=[0, {}]", -far),
+                                                R"(joints.g.between=["ground.S", "f.S"])"};
+    const SensitivityReport report = report_of(
+        model_of(kConicDisc, overrides), wanted({"k.arc1:last"}, {"bodies.cam.curves.disc.coefficients.5"}));
+    const Slope& found = slope(report, 0, "bodies.cam.curves.disc.coefficients.5");
+    EXPECT_EQ(found.kind, SlopeKind::kDifferences) << found.remark;
+    EXPECT_NEAR(std::abs(found.up), 25 * by_radius, 1e-6 * 25 * by_radius) << far;
+    EXPECT_EQ(report.numbers.front().scale, 1) << far;
+  }
+}
+
+// Whatever the unit of time and the law by which the driver starts: what numbers are compared by is the same.
+TEST(SensitivityOfResults, ADriverThatStartsFromRestHasTheScaleOfItsAcceleration) {
+  for (const auto& [unit, seconds] : {std::pair("s", 1.0), {"ms", 1e-3}, {"min", 60.0}}) {
+    const Model model =
+        shipped_model("eccentric_disc_oscillating_roller",
+                      {std::string("units.time=") + unit, "driver.velocity=0",
+                       "driver.acceleration=4 rad/s^2", "driver.duration=0.2 s", "driver.samples=11"});
+    SensitivitySettings settings = wanted({"follower.omega:last"}, {"driver.velocity"});
+    settings.in_time = true;
+    const SensitivityReport report = report_of(model, settings);
+    ASSERT_EQ(report.numbers.size(), 1U);
+    EXPECT_NEAR(report.numbers[0].scale / seconds, 2 * 180 / kPi, 1e-9) << unit;
   }
 }
 

@@ -10,7 +10,7 @@ namespace higherpair::cli {
 namespace {
 
 constexpr std::size_t kNameWidth = 40;
-constexpr double kGoodDifference = 1e-4;  // error of a difference relative to it: of six digits the last two
+constexpr double kGoodDifference = 1e-4;  // relative error that leaves the first four of six digits right
 
 std::string figure(double value, int digits = 6) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);
@@ -173,7 +173,8 @@ private:
     } else if (one.kind == SlopeKind::kDifferences) {
       remarks.add(one.error <= kGoodDifference * std::abs(one.up)
                       ? "by differences, good to the digits shown but the last ones"
-                      : fmt::format("by differences, with an error of about {:.1g}", one.error),
+                      : fmt::format("by differences, with an error of about {:.1g} %",
+                                    100 * one.error / std::abs(one.up)),
                   name);
     } else if (one.kind == SlopeKind::kNone) {
       remarks.add(reason(one), name);

@@ -42,9 +42,10 @@ struct SensitivityNumber {
   double value = 0;                ///< in the unit that it has in the profile
   std::string unit;                ///< that unit, "mm"; "1" for a pure number
   /// The change to which slopes by different numbers are referred to compare them: for a length the size of
-  /// the mechanism, for an angle a radian, else the absolute value of the number. A number that is zero, or
-  /// nearly so, has a larger one: a velocity or acceleration that of the fastest driver, a coefficient of a
-  /// conic that which makes its term, at the size, the largest of the equation; others 1.
+  /// the mechanism, for an angle a radian, else the absolute value of the number, or 1 if it is 0. At least:
+  /// for a driver's velocity and acceleration ω and ω² (of a slide times the size), ω the largest speed of a
+  /// driver or root of an acceleration; for a coefficient of a conic what makes its term, at the conic's
+  /// size, the largest of the equation.
   double scale = 1;
 };
 

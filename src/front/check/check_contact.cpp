@@ -305,8 +305,7 @@ ContactCheck contact_check(const CheckedPath& checked, std::size_t index, bool s
   const Run& start = checked.start;
   const auto contact = std::make_shared<CheckedContact>(start, index, split);
   ContactCheck check;
-  check.quantities = {contact->sought(driver_rate(checked.schedule, start.mechanism(), start.plan().size) *
-                                      start.plan().size),
+  check.quantities = {contact->sought(driver_rate(checked) * start.plan().size),
                       [contact](const Run& run, double, std::span<double> out) { contact->fill(run, out); }};
   check.read = [contact, index, places = touching_places(start, index)](const PathRanges& ranges,
                                                                         CheckFigures& figures) {

@@ -111,6 +111,10 @@ std::string path_of_at(const Measure& measure) {
 
 Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures,
                            const Profile& profile, const RunSettings& settings) {
+  if (std::none_of(measures.begin(), measures.end(),
+                   [](const Measure& measure) { return measure.of == MeasureKind::kAt; })) {
+    return {};
+  }
   const PlaceOfRow place_of_row = place_in_units(schedule, profile, settings);
   std::vector<double> places;
   for (std::int64_t k = 0; k < schedule.size(); ++k) places.push_back(place_of_row(k));

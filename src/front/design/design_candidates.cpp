@@ -2,6 +2,7 @@
 
 #include "design_direct.hpp"
 #include "front/analysis_impl.hpp"
+#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/redimension.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -151,6 +152,11 @@ void DesignCandidates::add_extents(std::span<const double> x, int branch) {
   }
 }
 
+std::size_t closure_count(const Plan& plan) {
+  return static_cast<std::size_t>(std::count_if(
+      plan.groups.begin(), plan.groups.end(), [](const Group& group) { return traits_of(group).two_modes; }));
+}
+
 void DesignCandidates::fail() {
   rows_.restart();
   rows_.missing = 1;
@@ -169,7 +175,8 @@ std::optional<DesignCandidate> DesignCandidates::candidate_of(std::span<const do
   auto mechanism =
       std::make_unique<const Mechanism>(data ? data->profile.mechanism : setup.numbers.mechanism_of(x));
   auto plan = data ? data->plan : plan_like(*setup.numbers.model().data().plan, *mechanism);
-  if (!plan) return std::nullopt;
+  // With other groups it would be another mechanism, with other constraints.
+  if (!plan || closure_count(*plan) != setup.closures) return std::nullopt;
   return DesignCandidate{data, std::move(mechanism), *std::move(plan), *std::move(schedule)};
 }
 

@@ -8,6 +8,9 @@
 
 namespace higherpair {
 
+/// Number of groups of a plan with two modes.
+[[nodiscard]] std::size_t closure_count(const Plan& plan);
+
 /// Evaluates candidates one after the other, each by the fastest method that yields what the task asks for.
 /// For use by one thread.
 class DesignCandidates {

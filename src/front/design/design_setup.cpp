@@ -1,5 +1,6 @@
 #include "design_setup.hpp"
 
+#include "design_candidates.hpp"
 #include "front/analysis_impl.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
@@ -88,11 +89,6 @@ Diagnostics mistakes_in(const Model& model, const DesignTask& task, const Driver
 // Whether all numbers are equal.
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return a.size() == b.size() && (a.array() == b.array()).all();
-}
-
-std::size_t closure_count(const Plan& plan) {
-  return static_cast<std::size_t>(std::count_if(
-      plan.groups.begin(), plan.groups.end(), [](const Group& group) { return traits_of(group).two_modes; }));
 }
 
 // Openings of contacts are found from forces, which the run has to compute then.

@@ -2,7 +2,7 @@
 
 #include "front/tolerances.hpp"
 #include "higherpair/io/profile_document.hpp"
-#include "higherpair/io/row_path.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/stencil.hpp"
 
@@ -17,32 +17,44 @@ namespace {
 
 constexpr int kReach = 4;  // steps of a number to either side
 
-// The change of a conic's coefficient that makes its term in A x² + B y² + C x y + D x + E y + F as large as
-// the largest of the equation where x = y = length; 0 for other numbers. The path ends in coefficients.0 to
-// .5.
-double term_scale(const ProfileDocument& document, const std::string& path, double length) {
-  constexpr std::string_view kList = ".coefficients.";
-  constexpr std::array kPowers = {2, 2, 2, 1, 1, 0};
-  const std::size_t begin = path.rfind(kList);
-  if (begin == std::string::npos || begin + kList.size() + 1 != path.size()) {
-    return 0;
+using Coefficients = std::array<double, 6>;
+
+// The coefficients of the conic that has a number among them, and the index of that number; none for other
+// numbers.
+std::optional<std::pair<Coefficients, std::size_t>> conic_with(const ProfileDocument& document,
+                                                               const std::string& path) {
+  const std::string_view list = std::string_view(path).substr(0, path.size() - 1);
+  const auto index_in = [](const std::string& of) { return static_cast<std::size_t>(of.back() - '0'); };
+  if (!list.ends_with(".coefficients.") || index_in(path) >= Coefficients().size()) {
+    return std::nullopt;
   }
-  const auto power = [&](char index) {
-    return std::pow(length, kPowers[static_cast<std::size_t>(index - '0')]);
-  };
-  double largest = 0;
+  Coefficients all{};
   document.for_each_number([&](const std::string& other, double value) {
-    if (other.size() == path.size() && other.compare(0, path.size() - 1, path, 0, path.size() - 1) == 0) {
-      largest = std::max(largest, std::abs(value) * power(other.back()));
-    }
+    if (other.size() == path.size() && other.starts_with(list)) all.at(index_in(other)) = value;
   });
-  return largest / power(path.back());
+  return std::pair(all, index_in(path));
+}
+
+// The change of a coefficient of A x² + B y² + C x y + D x + E y + F = 0 that makes its term as large as the
+// largest of the equation at the size of the conic, or at that of the mechanism if it is smaller.
+double term_scale(const Coefficients& k, std::size_t index, double size) {
+  constexpr std::array kPowers = {2, 2, 2, 1, 1, 0};
+  const double square = std::max({std::abs(k[0]), std::abs(k[1]), std::abs(k[2])});
+  const double linear = std::max(std::abs(k[3]), std::abs(k[4]));
+  const double own = std::max(linear / square, std::sqrt(std::abs(k[5]) / square));
+  const double length = own > 0 && own < size ? own : size;
+  double largest = 0;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    largest = std::max(largest, std::abs(k[i]) * std::pow(length, kPowers[i]));
+  }
+  return largest / std::pow(length, kPowers[index]);
 }
 
 // See SensitivityNumber::scale.
 double scale_of(const Model& model, const ProfileNumber& number, const NaturalScales& natural) {
   const Dimension& of = number.dimension;
   const Units& units = model.units();
+  const std::string& path = number.number.paths.front();
   const double length = from_si(dimension::kLength, units).apply(natural.size);
   if (of == dimension::kLength) {
     return length;
@@ -51,11 +63,11 @@ double scale_of(const Model& model, const ProfileNumber& number, const NaturalSc
     return from_si(dimension::kAngle, units).apply(1);
   }
   double scale = std::abs(number.number.value);
-  if (of == dimension::kNumber) {
-    scale = std::max(scale, term_scale(*model.data().document, number.number.paths.front(), length));
-  } else if (of.time < 0 && of.mass == 0 && of.force == 0) {
-    scale = std::max(scale, from_si(of, units).apply(std::pow(natural.size, of.length) *
-                                                     std::pow(natural.rate, -of.time)));
+  if (path.starts_with("driver") && of.time < 0) {
+    const double rate = std::pow(natural.size, of.length) * std::pow(natural.rate, -of.time);
+    scale = std::max(scale, from_si(of, units).apply(rate));
+  } else if (const auto conic = conic_with(*model.data().document, path)) {
+    scale = std::max(scale, term_scale(conic->first, conic->second, length));
   }
   return scale > 0 ? scale : 1;
 }
@@ -80,8 +92,17 @@ bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double cha
 }  // namespace
 
 NaturalScales natural_scales(const PathColumns& columns) {
-  const double size = columns.start().plan().size;
-  return {size, driver_rate(columns.drivers().schedule(), columns.start().mechanism(), size)};
+  const DriverSchedule& schedule = columns.drivers().schedule();
+  NaturalScales natural{columns.start().plan().size, 0};
+  for (std::int64_t row = 0; row < schedule.size(); ++row) {
+    for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+      const DriverMotion motion = schedule.state(row, i).si;
+      const double unit = has_angle(driven_joint(columns.start().mechanism(), i).type) ? 1 : natural.size;
+      natural.rate = std::max(
+          {natural.rate, std::abs(motion.velocity) / unit, std::sqrt(std::abs(motion.acceleration) / unit)});
+    }
+  }
+  return natural;
 }
 
 Result<NumberModels> NumberModels::of(const Model& model, const ProfileNumber& number,

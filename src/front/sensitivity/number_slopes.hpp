@@ -25,7 +25,8 @@ struct ProfileNumber {
 /// What numbers are compared with that are zero, or nearly so.
 struct NaturalScales {
   double size = 0;  ///< of the mechanism [m]
-  double rate = 0;  ///< driver_rate() [1/s]
+  double rate = 0;  ///< largest of the drivers: velocity, and root of acceleration; of slides relative to the
+                    ///< size [1/s]
 };
 [[nodiscard]] NaturalScales natural_scales(const PathColumns& columns);
 

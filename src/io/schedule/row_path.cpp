@@ -1,7 +1,5 @@
 #include "higherpair/io/row_path.hpp"
 
-#include "higherpair/mechanism/joint_motion.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -103,15 +101,6 @@ void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                 [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
                   move_to(run, drivers);
                 });
-}
-
-double driver_rate(const DriverSchedule& schedule, const Mechanism& mechanism, double size) {
-  double rate = 0;
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const double velocity = std::abs(schedule.state(0, i).si.velocity);
-    rate = std::max(rate, has_angle(driven_joint(mechanism, i).type) ? velocity : velocity / size);
-  }
-  return rate;
 }
 
 RowPath path_of(const DriverSchedule& schedule) {

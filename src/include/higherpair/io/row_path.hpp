@@ -23,10 +23,6 @@ struct RowPath {
 /// Their positions alone.
 [[nodiscard]] std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t row);
 
-/// The largest speed of a driver in the first row; that of a slide relative to the size of the mechanism [m]
-/// [1/s].
-[[nodiscard]] double driver_rate(const DriverSchedule& schedule, const Mechanism& mechanism, double size);
-
 /// Calls go(drivers, from, to) for every part of the drivers' path from the row before to a row on which none
 /// of them turns back, in order: they may pass something on such a part and pass it again on the next one.
 /// `drivers` are those at the end of the part, which is the row itself for the last one; `from` and `to` are
@@ -46,7 +42,6 @@ void for_each_part(const DriverSchedule& schedule, std::int64_t row, const std::
 void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                  const std::vector<DriverMotion>& at_row);
 
-/// The whole path of a schedule, for searches between its rows.
 [[nodiscard]] RowPath path_of(const DriverSchedule& schedule);
 
 }  // namespace higherpair
