@@ -426,7 +426,7 @@ TEST(SensitivityOfResults, ByACoefficientOfASmallConicAreTheClosedForm) {
   }
 }
 
-// Whatever the unit of time and the law by which the driver starts: what numbers are compared by is the same.
+// Its velocity is 0, so that the scale is the root of the acceleration, in any unit of time.
 TEST(SensitivityOfResults, ADriverThatStartsFromRestHasTheScaleOfItsAcceleration) {
   for (const auto& [unit, seconds] : {std::pair("s", 1.0), {"ms", 1e-3}, {"min", 60.0}}) {
     const Model model =

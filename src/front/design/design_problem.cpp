@@ -24,7 +24,7 @@ void set_places(DesignSetup& setup) {
   }
 }
 
-DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup) {
+DesignProblem problem_of(const std::shared_ptr<const DesignSetup>& setup) {
   const DesignTask& task = setup->numbers.task();
   DesignProblem problem;
   for (const DesignTask::Variable& variable : task.variables) problem.variables.push_back(variable.range);

@@ -73,7 +73,7 @@ public:
     }
     DesignReport report;
     report.text = *std::move(text);
-    const auto after = reread(report.text, x, outcome_.best.branch);
+    auto after = reread(report.text, x, outcome_.best.branch);
     if (!after) {
       return tl::unexpected(std::move(after.error()));
     }

@@ -13,7 +13,7 @@ namespace higherpair {
 /// The task as an optimisation problem: residuals for paths and targets, cost for what is to be minimised,
 /// constraints for the closure of each dyad, for a good path, and for those of the task, each of which may
 /// have two limits.
-[[nodiscard]] DesignProblem problem_of(std::shared_ptr<const DesignSetup> setup);
+[[nodiscard]] DesignProblem problem_of(const std::shared_ptr<const DesignSetup>& setup);
 
 /// Sets the places of objectives and constraints, and the numbers of residuals and constraints of the
 /// problem.

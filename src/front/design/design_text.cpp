@@ -193,7 +193,7 @@ Result<std::string> text_of_design(const DesignNumbers& numbers, const RunSettin
     if (!text) return wrong(model, std::move(text.error()));
     return *std::move(text);
   };
-  const auto text = written();
+  auto text = written();
   if (!text) {
     return text;
   }

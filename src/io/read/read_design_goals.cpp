@@ -115,7 +115,7 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
 // Of the target of an objective, or the limits of a constraint.
 template <class Kind>
 NumberUnit unit_of_goal(const Reading& reading, const std::optional<Kind>& of, const Mechanism& mechanism) {
-  const NumberUnit length{dimension::kLength, ""};
+  NumberUnit length{dimension::kLength, ""};
   if (!of) return length;
   return std::visit(
       Overload{[&](const Measure& measure) { return unit_of_column(reading, mechanism, measure.column); },
