@@ -1,4 +1,4 @@
-// Compiled for AVX2. `flatten` inlines everything: a function that is not inlined would be AVX2 code under a
+// Compiled for AVX2. Everything is inlined: a function that is not would be AVX2 code under a
 // name that other sources use.
 #include "chain_loop.hpp"
 

@@ -1,4 +1,4 @@
-// Compiled for AVX-512. `flatten` inlines everything: a function that is not inlined would be AVX-512 code
+// Compiled for AVX-512. Everything is inlined: a function that is not would be AVX-512 code
 // under a name that other sources use.
 #include "chain_loop.hpp"
 
