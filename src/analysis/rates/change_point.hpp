@@ -16,8 +16,10 @@ namespace higherpair {
 /// A polynomial in τ as one in τ - ahead.
 template <class D, int N>
 [[nodiscard]] PowerSeries<D, N> moved(PowerSeries<D, N> series, double ahead) {
-  for (std::size_t from = 0; from < N; ++from) {
-    for (std::size_t k = N; k-- > from;) {
+  std::size_t last = N;
+  while (last > 0 && series.c[last] == D(0.0)) --last;
+  for (std::size_t from = 0; from < last; ++from) {
+    for (std::size_t k = last; k-- > from;) {
       series.c[k] += ahead * series.c[k + 1];
     }
   }

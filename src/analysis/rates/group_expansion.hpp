@@ -3,6 +3,7 @@
 #include "higherpair/geometry/expansion.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +26,8 @@ inline double& part(Partials<double, 1>& coefficient, std::size_t i) {
 }
 
 /// The coordinates of a group as power series among those of a whole mechanism: x_k is the k-th coefficient
-/// of the unknowns of a ConditionSystem.
+/// of the unknowns of a ConditionSystem. Rotations of its bodies are worked out up to the coefficient that is
+/// asked for: every sum of a series of high order has as many terms.
 template <class D, int N>
 class GroupExpansion {
 public:
@@ -35,13 +37,15 @@ public:
       : system_(system), dimensions_(dimensions), at_(at) {}
 
   /// The Jacobian of the conditions by x_0; false where they have none.
-  [[nodiscard]] bool jacobian(Eigen::MatrixXd& J) const {
+  [[nodiscard]] bool jacobian(Eigen::MatrixXd& J) {
+    turn_up_to(0);
     Eigen::VectorXd values;
     return system_.evaluate(values_of(at_), values, J) && J.allFinite();
   }
 
   /// The coefficients of the conditions at the order k.
   [[nodiscard]] Eigen::VectorXd conditions(std::size_t k, std::size_t i) {
+    turn_up_to(k);
     values_.clear();
     append_conditions(dimensions_, system_.set(), at_, system_.size(), values_);
     Eigen::VectorXd left(system_.row_count());
@@ -60,17 +64,32 @@ public:
   /// Adds to x_k.
   void add(std::size_t k, std::size_t i, const Eigen::VectorXd& x) {
     each_unknown(k, i, [&](Eigen::Index column, double& value, double unit) { value += x(column) / unit; });
-    for (const int index : system_.set().bodies) {
-      BodyAt<Series>& body = at_.bodies[index];
-      body.X_WB.R_WB = Rotation<Series>::from_angle(body.theta);
-    }
+    turned_ = std::min(turned_, k);
   }
+
+  /// Completes the rotations of its bodies.
+  void complete() { turn_up_to(N); }
 
   [[nodiscard]] const ConditionSet& set() const { return system_.set(); }
   [[nodiscard]] double size() const { return system_.size(); }
   [[nodiscard]] Coordinates<Series>& at() { return at_; }
 
 private:
+  void turn_up_to(std::size_t k) {
+    for (; turned_ <= k; ++turned_) {
+      for (const int index : system_.set().bodies) {
+        auto& [X_WB, theta] = at_.bodies[index];
+        if (turned_ > 0) {
+          set_coefficient(turned_, theta, X_WB.R_WB.cos, X_WB.R_WB.sin);
+        } else {
+          const auto first = Rotation<D>::from_angle(theta.c[0]);
+          X_WB.R_WB.cos.c[0] = first.cos;
+          X_WB.R_WB.sin.c[0] = first.sin;
+        }
+      }
+    }
+  }
+
   // \param f  of a column, the coordinate's coefficient and its unit in m
   template <class F>
   void each_unknown(std::size_t k, std::size_t i, F f) {
@@ -91,6 +110,7 @@ private:
   const Dimensions<D>& dimensions_;
   Coordinates<Series>& at_;
   std::vector<Series> values_;
+  std::size_t turned_ = N + 1;  // coefficients of rotations that are those of the angles
 };
 
 }  // namespace higherpair

@@ -25,6 +25,15 @@ public:
 
   /// Solves up to the order `last`. False where the conditions leave freedom.
   bool solve(std::size_t last) {
+    const bool solved = solve_orders(last);
+    group_.complete();
+    return solved;
+  }
+
+  [[nodiscard]] double least_sine() const { return least_sine_; }
+
+private:
+  bool solve_orders(std::size_t last) {
     Eigen::MatrixXd J;
     if (!group_.jacobian(J)) {
       return false;
@@ -46,9 +55,6 @@ public:
     return true;
   }
 
-  [[nodiscard]] double least_sine() const { return least_sine_; }
-
-private:
   GroupExpansion<D, N> group_;
   LeastNormSolver solver_{kRepeatedConditions};
   double least_sine_ = 0;

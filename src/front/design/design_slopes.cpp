@@ -83,11 +83,11 @@ void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlope
   }
 }
 
-// Gaps of dyads and transmission angles are functions of the plan's dimensions and of the bodies.
+// Gaps of dyads and transmission angles are functions of the plan's dimensions and of where the bodies are.
 void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlopes& slopes, Tasks& tasks) {
   const auto add = [&](const WeightedRow& at, auto value, Eigen::MatrixXd& J, std::size_t index) {
     tasks[at.row].add(
-        RatesAsked::kAll, [value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
+        RatesAsked::kNone, [value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
           for (std::size_t v = 0; v < of_row.size(); ++v) {
             J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) +=
                 weight * run.slope_of(v, of_row[v], [&](const Run& displaced) {
@@ -127,8 +127,8 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
     const auto* extent = quantity.as<DesignTask::Extent>();
     if (extent == nullptr) continue;
     for (const ExtentTerm& term : terms_that_count(*extent, rows.extents[k++])) {
-      tasks[term.row].add(RatesAsked::kAll, [&, extent, q = quantity.first, unit, term](const SlopeRun& run,
-                                                                                        const auto& of_row) {
+      tasks[term.row].add(RatesAsked::kNone, [&, extent, q = quantity.first, unit, term](const SlopeRun& run,
+                                                                                         const auto& of_row) {
         const auto far = [&](const Run& displaced) {
           return far_along(*extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
         };
@@ -216,7 +216,8 @@ AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::opti
         along[row].push_back(share);
         return;
       }
-      tasks[row].add(RatesAsked::kAll, [&slopes, share, &column](const SlopeRun& run, const auto& of_row) {
+      const RatesAsked rates = order_of(*column) == 0 ? RatesAsked::kNone : RatesAsked::kAll;
+      tasks[row].add(rates, [&slopes, share, &column](const SlopeRun& run, const auto& of_row) {
         for (std::size_t v = 0; v < of_row.size(); ++v) {
           slopes.measured(static_cast<Eigen::Index>(share.number), static_cast<Eigen::Index>(v)) +=
               share.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);

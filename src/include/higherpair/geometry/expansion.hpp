@@ -188,22 +188,25 @@ struct CosineAndSine {
   E cosine, sine;
 };
 
+/// Sets the k-th coefficients of cosine and sine of x from those before, k > 0.
+template <class C, int N, Terms kTerms>
+void set_coefficient(std::size_t k, const Expansion<C, N, kTerms>& x, Expansion<C, N, kTerms>& cosine,
+                     Expansion<C, N, kTerms>& sine) {
+  C c_inner(0.0), s_inner(0.0);
+  x.add_inner(k, c_inner, [&](std::size_t i, std::size_t j) { return double(i) * (x.c[i] * sine.c[j]); });
+  x.add_inner(k, s_inner, [&](std::size_t i, std::size_t j) { return double(i) * (x.c[i] * cosine.c[j]); });
+  cosine.c[k] = -(x.c[k] * sine.c[0] + c_inner / double(k));
+  sine.c[k] = x.c[k] * cosine.c[0] + s_inner / double(k);
+}
+
 /// Cosine and sine of x, from those of its first coefficient.
 template <class C, int N, Terms kTerms>
 [[nodiscard]] CosineAndSine<Expansion<C, N, kTerms>> cosine_and_sine(const Expansion<C, N, kTerms>& x,
                                                                      const C& cosine_at, const C& sine_at) {
   CosineAndSine<Expansion<C, N, kTerms>> r;
-  auto& cosine = r.cosine;
-  auto& sine = r.sine;
-  cosine.c[0] = cosine_at;
-  sine.c[0] = sine_at;
-  for (std::size_t k = 1; k <= x.kLast; ++k) {
-    C c_inner(0.0), s_inner(0.0);
-    x.add_inner(k, c_inner, [&](std::size_t i, std::size_t j) { return double(i) * (x.c[i] * sine.c[j]); });
-    x.add_inner(k, s_inner, [&](std::size_t i, std::size_t j) { return double(i) * (x.c[i] * cosine.c[j]); });
-    cosine.c[k] = -(x.c[k] * sine.c[0] + c_inner / double(k));
-    sine.c[k] = x.c[k] * cosine.c[0] + s_inner / double(k);
-  }
+  r.cosine.c[0] = cosine_at;
+  r.sine.c[0] = sine_at;
+  for (std::size_t k = 1; k <= x.kLast; ++k) set_coefficient(k, x, r.cosine, r.sine);
   return r;
 }
 
