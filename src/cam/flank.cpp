@@ -194,6 +194,14 @@ std::optional<double> flank_coordinate(const Span& span, double t) {
   return flank != nullptr ? std::optional(flank->coordinate(t)) : std::nullopt;
 }
 
+MotionLaw flank_law(const MotionLaw& law, bool cam_turns) {
+  const double over = law.end() - law.begin();
+  const double lobes = std::round(2 * kPi / over);
+  const bool is_turn = lobes >= 2 && std::abs(lobes * over - 2 * kPi) <= kOnceRound;
+  return cam_turns && is_turn && law.repeats() && law.advance() == 0 ? law.repeated(static_cast<int>(lobes))
+                                                                     : law;
+}
+
 bool closes(const CamMotion& motion) {
   return motion.cam.turns && motion.law.repeats() &&
          std::abs(motion.law.end() - motion.law.begin() - 2 * kPi) <= kOnceRound;

@@ -4,6 +4,8 @@
 #include "law_faults.hpp"
 #include "tolerances.hpp"
 
+#include <cassert>
+
 namespace higherpair {
 namespace {
 
@@ -103,6 +105,27 @@ double MotionLaw::advance() const {
 
 const std::vector<LawJoin>& MotionLaw::joins() const {
   return data_->joins;
+}
+
+MotionLaw MotionLaw::repeated(int count) const {
+  assert(repeats() && count >= 1);
+  auto data = std::make_shared<Data>(*data_);
+  LawPieces& law = data->law;
+  for (int turn = 1; turn < count; ++turn) {
+    law.begins.pop_back();
+    for (LawPiece piece : data_->law.pieces) {
+      piece.begin += turn * data_->length();
+      piece.origin += turn * data_->length();
+      piece.base += turn * advance();
+      law.begins.push_back(piece.begin);
+      law.pieces.push_back(piece);
+    }
+    law.set_end(data_->begin() + (turn + 1) * data_->length());
+  }
+  data->last = data_->first + count * advance();
+  const MotionLaw law_of_all(data);
+  data->joins = joins_of(law_of_all, law);
+  return law_of_all;
 }
 
 void MotionLaw::expand(double x, LawSide side, std::span<double> out) const {

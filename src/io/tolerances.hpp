@@ -86,6 +86,8 @@ inline constexpr double kEarthsGravity = 0.05;
 inline constexpr double kRoundedPi = 4e-3;
 /// A radius of gyration this many times larger or smaller than its body is probably a mistake of units.
 inline constexpr double kGyrationOff = 100;
+/// So is a centre of mass this many sizes of the mechanism from its body's origin.
+inline constexpr double kFarCenterOfMass = 20;
 /// Relative to the mechanism's size: a point that starts farther from its position in the poses is worth a
 /// note.
 inline constexpr double kFarFromPose = 2.0 / 3;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -55,16 +56,13 @@ private:
   std::vector<std::vector<PinOnBody>> on_;
 };
 
-// Distance of bodies from ground, in joints; a driven joint counts half, so that its body becomes link 2.
-std::vector<double> depths(const Mechanism& mechanism) {
-  const auto far = static_cast<double>(mechanism.bodies.size());
-  std::vector<double> depth(mechanism.bodies.size(), far);
-  depth.front() = 0;
+// Lowers distances of bodies, in joints from some of them, until none is more than a joint's step above
+// another one's. No way leads through a body at a distance below 0.
+void spread(const Mechanism& mechanism, double driven_step, std::vector<double>& distance) {
   const auto reach = [&](int from, int to, double step) {
-    double& at = depth[to];
-    const double by = depth[from] + step;
-    const bool nearer = by < at;
-    at = std::min(at, by);
+    const double by = distance[from] + step;
+    const bool nearer = distance[from] >= 0 && by < distance[to];
+    if (nearer) distance[to] = by;
     return nearer;
   };
   for (bool changed = true; changed;) {
@@ -74,13 +72,36 @@ std::vector<double> depths(const Mechanism& mechanism) {
       if (couples_turning(joint.type)) {
         continue;
       }
-      const double step = is_driven(mechanism, static_cast<int>(i)) ? 0.5 : 1;
+      const double step = is_driven(mechanism, static_cast<int>(i)) ? driven_step : 1;
       changed = reach(joint.first.body, joint.second.body, step) || changed;
       changed = reach(joint.second.body, joint.first.body, step) || changed;
     }
   }
-  return depth;
 }
+
+// How near bodies are to ground, a driven joint counting half, so that its body becomes link 2; and to the
+// driven joints, by ways that do not lead over ground. Neither depends on the order of the file.
+class Nearness {
+public:
+  explicit Nearness(const Mechanism& mechanism)
+      : ground_(mechanism.bodies.size(), static_cast<double>(mechanism.bodies.size())), driver_(ground_) {
+    ground_.front() = 0;
+    spread(mechanism, 0.5, ground_);
+    driver_.front() = -1;
+    for (const Driver& driver : mechanism.drivers) {
+      for (const int body :
+           {mechanism.joints[driver.joint].first.body, mechanism.joints[driver.joint].second.body}) {
+        if (body != kGround) driver_[body] = 0;
+      }
+    }
+    spread(mechanism, 1, driver_);
+  }
+
+  [[nodiscard]] std::pair<double, double> of(int body) const { return {ground_[body], driver_[body]}; }
+
+private:
+  std::vector<double> ground_, driver_;
+};
 
 // A ring of four bodies and the distances between their two pins.
 struct Ring {
@@ -140,13 +161,15 @@ std::vector<Ring> rings_from(const PinGraph& graph, int lowest) {
   return rings;
 }
 
-FourBarInMechanism as_four_bar(const Ring& ring, const std::vector<double>& depth) {
-  const auto depth_of = [&](std::size_t i) { return depth[ring.body[i % 4]]; };
+FourBarInMechanism as_four_bar(const Ring& ring, const Nearness& near) {
+  const auto order_of = [&](std::size_t i) {
+    return std::pair(near.of(ring.body[i % 4]), ring.length[i % 4]);
+  };
   std::size_t ground = 0;
   for (std::size_t i = 1; i < 4; ++i) {
-    ground = depth_of(i) < depth_of(ground) ? i : ground;
+    ground = order_of(i) < order_of(ground) ? i : ground;
   }
-  const std::size_t step = depth_of(ground + 3) < depth_of(ground + 1) ? 3 : 1;
+  const std::size_t step = order_of(ground + 3) < order_of(ground + 1) ? 3 : 1;
   const auto at = [&](std::size_t k) { return (ground + k * step) % 4; };
   FourBarInMechanism found;
   found.ground = ring.body[at(0)];
@@ -202,13 +225,12 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
   }
 }
 
-void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const std::vector<double>& depth,
-                  int index, std::vector<SliderCrankInMechanism>& found) {
+void add_of_slide(const Mechanism& mechanism, const PinGraph& graph, const Nearness& near, int index,
+                  std::vector<SliderCrankInMechanism>& found) {
   const Joint& joint = mechanism.joints[index];
-  const auto depth_of = [&](int body) { return depth[body]; };
   SliderCrankInMechanism known;
   known.joint = index;
-  const bool first_guides = depth_of(joint.first.body) <= depth_of(joint.second.body);
+  const bool first_guides = near.of(joint.first.body).first <= near.of(joint.second.body).first;
   known.guide = first_guides ? joint.first.body : joint.second.body;
   known.slider = first_guides ? joint.second.body : joint.first.body;
   const CarriedBody carried = carried_body(mechanism, joint, known.slider);
@@ -232,12 +254,12 @@ AssemblyMode mode_of(const SliderCrankInMechanism& loop, const std::vector<BodyM
 
 std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism) {
   const PinGraph graph(mechanism);
-  const std::vector<double> depth = depths(mechanism);
+  const Nearness near(mechanism);
   std::vector<FourBarInMechanism> found;
   for (int body = 0; body < static_cast<int>(mechanism.bodies.size()); ++body) {
     for (const Ring& ring : rings_from(graph, body)) {
       if (std::all_of(ring.length.begin(), ring.length.end(), [](double r) { return r > 0; })) {
-        found.push_back(as_four_bar(ring, depth));
+        found.push_back(as_four_bar(ring, near));
       }
     }
   }
@@ -246,12 +268,12 @@ std::vector<FourBarInMechanism> find_four_bars(const Mechanism& mechanism) {
 
 std::vector<SliderCrankInMechanism> find_slider_cranks(const Mechanism& mechanism) {
   const PinGraph graph(mechanism);
-  const std::vector<double> depth = depths(mechanism);
+  const Nearness near(mechanism);
   std::vector<SliderCrankInMechanism> found;
   for (int i = 0; i < static_cast<int>(mechanism.joints.size()); ++i) {
     const Joint& joint = mechanism.joints[i];
     if (joint.type == JointType::kPrismatic) {
-      add_of_slide(mechanism, graph, depth, i, found);
+      add_of_slide(mechanism, graph, near, i, found);
     } else if (joint.type == JointType::kSlot) {
       SliderCrankInMechanism known;
       known.joint = i;

@@ -134,7 +134,7 @@ CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int bod
 // If a body is on several joints to ground, like a valve in two guides, it moves alike on each.
 std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body) {
   const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
-    return is_grounded(each) && has_end_on(each, body);
+    return is_grounded(each) && joins(each, kGround, body);
   });
   if (joint == mechanism.joints.end()) {
     return std::nullopt;

@@ -230,6 +230,26 @@ TEST_F(Program, FailsWhereItCannotWrite) {
   EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --csv /dev/full").code, 1);
 }
 
+// Events, notes, messages and errors of arguments.
+TEST_F(Program, DoesTheSameWhereStandardErrorCannotBeWritten) {
+  const fs::path table = folder_ / "table.csv";
+  const std::string lock_up = profile("lock_up.toml"), to_table = " --csv " + table.string();
+  const std::vector<std::pair<std::string, int>> commands = {
+      {"analyze " + lock_up + to_table, 4},
+      {"check " + profile("cam_with_return_spring.toml") + " --set gravity=9.81" + to_table, 2},
+      {"analyze " + (folder_ / "none.toml").string(), 2},
+      {"analyze --nonsense", 2}};
+  for (const auto& [command, code] : commands) {
+    EXPECT_EQ(run(command).code, code) << command;
+    for (const char* closed : {" 2>/dev/full", " 2>&-"}) {
+      EXPECT_EQ(run_script(std::string(HIGHERPAIR_PROGRAM) + " " + command + " >/dev/null" + closed).code,
+                code)
+          << command << closed;
+    }
+  }
+  EXPECT_TRUE(fs::exists(table));
+}
+
 TEST_F(Program, WritesAllItsFilesOrNone) {
   const fs::path table = folder_ / "table.csv";
   const std::string none = (folder_ / "none" / "t.json").string();

@@ -118,6 +118,22 @@ TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsNotGood) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
 }
 
+TEST_F(SensitivityCommand, HasNoBandOfAResultWithoutAValue) {
+  const std::string lost =
+      shipped_toml("toleranced_linkage") +
+      " --set bodies.crank.points.A.0=55 --set driver.end=180 --set tolerances.results.swing.of=last";
+  const Outcome outcome = run(lost);
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.out, Not(HasSubstr("nan")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("it has no value on this run"),
+                                 HasSubstr("wanted within +-0.5: undecided, for it has no value")));
+  const auto json = nlohmann::json::parse(run(lost + " --json -").out);
+  const nlohmann::json& band = json["results"][0]["band"];
+  EXPECT_EQ(band["within"], 0.5);
+  EXPECT_TRUE(band["center"].is_null());
+  EXPECT_FALSE(band.contains("tighten"));
+}
+
 TEST_F(SensitivityCommand, ExitsWithFourWhereThePathIsTooLongToExamine) {
   const Outcome outcome = run(shipped_toml("four_bar") +
                               " --results rocker.angle:max --by bodies.crank.points.A.0 --samples 2 "

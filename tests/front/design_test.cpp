@@ -194,6 +194,22 @@ TEST(Design, AConstraintHoldsAndSaysWhatItIsWorth) {
   EXPECT_FALSE(report.variables[0].at_bound);
 }
 
+// The follower's acceleration is -e sin of the angle: the largest by size comes first, and is negative.
+TEST(Design, AFigureThatIsGivenBySizeIsMadeSmallBySize) {
+  const std::string figure = "figure = \"joints.guide.acceleration\"\n";
+  const std::string most = "[[design.constraints]]\n" + figure + "below = 7\n";
+  const std::string range = "[[design.objectives]]\ncolumn = \"follower.y\"\nof = \"range\"\ntarget = 33\n";
+  const DesignReport least = designed(model_of(kEccentric + "[[design.objectives]]\n" + figure), few(2));
+  EXPECT_NEAR(least.variables[0].after, 2, 1e-6);
+  EXPECT_NEAR(least.after, 2, 1e-6);
+  const DesignReport limited = designed(model_of(kEccentric + range + most), few(2));
+  EXPECT_NEAR(limited.variables[0].after, 7, 1e-6);
+  EXPECT_TRUE(limited.holds);
+  const DesignReport met =
+      designed(model_of(kEccentric + "[[design.objectives]]\n" + figure + "target = -9\n"), few(2));
+  EXPECT_NEAR(met.variables[0].after, 9, 1e-4);  // with its sign
+}
+
 TEST(Design, AnInfeasibleTaskGivesTheLeastViolatedDesign) {
   const DesignReport report =
       designed(model_of(kEccentric +
@@ -324,6 +340,19 @@ TEST(Design, ChangesNothingInTheTextButItsNumbers) {
     return kept;
   };
   EXPECT_EQ(words(report.text), words(before));
+}
+
+TEST(Design, SaysOnceWhatIsWrongWithAColumnThatIsFollowed) {
+  const auto followed = [](const std::string& column, const std::string& follow) {
+    return message_of(kEccentric + "[[design.objectives]]\ncolumn = \"" + column + "\"\nfollow = " + follow +
+                      "\n");
+  };
+  EXPECT_EQ(
+      followed("follower.z", "[[0, 1], [1, 2], [2, 3]]"),
+      "test.toml:27:10: design.objectives.0.column = \"follower.z\": there is no such column; did you mean "
+      "`follower.x` or `follower.y` or `follower.vx`?");
+  EXPECT_THAT(followed("follower.y", "[[0, 1], [0.1, 2]]"),
+              HasSubstr("design.objectives.0.follow: no row is at 0.1: the rows next to it are at 0 and "));
 }
 
 TEST(Design, SaysWhatATaskCannotMean) {

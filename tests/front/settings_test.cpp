@@ -28,11 +28,12 @@ std::string refusal(const Result<T>& result) {
 
 TEST(Settings, OfAMapNeedTwoRowsAndATolerance) {
   const Model model = shipped_model("ellipse_cam_roller");
-  for (const std::int64_t samples : {1, 0, -7}) {
+  for (const std::int64_t samples : {std::int64_t{1}, std::int64_t{0}, std::int64_t{-7}, kMostMapRows + 1}) {
     MapSettings settings;
     settings.samples = samples;
-    EXPECT_THAT(refusal(map_of(model, settings)),
-                HasSubstr("MapSettings::samples = " + std::to_string(samples) + ": must be >= 2"));
+    EXPECT_THAT(
+        refusal(map_of(model, settings)),
+        HasSubstr("MapSettings::samples = " + std::to_string(samples) + ": must be from 2 to 10000000"));
   }
   MapSettings settings;
   settings.samples = 2;

@@ -101,6 +101,41 @@ TEST(Flanks, OfALawThatLacksSomeOfATurnAreNoted) {
   EXPECT_EQ(notes_of(80), "");
 }
 
+// One lobe of three, and all three.
+TEST(Flanks, OfALawThatRepeatsGoRoundTheCam) {
+  const std::string lobe =
+      R"({ over = 60, law = "cycloidal", rise = 5 }, { over = 60, law = "cycloidal", rise = -5 })";
+  const auto read = [](const std::string& law) {
+    Parts parts;
+    parts.law = law;
+    auto profile = read_profile_text(profile_with(parts), "cam.toml");
+    EXPECT_TRUE(profile);
+    return *std::move(profile);
+  };
+  const Profile one = read("repeat = true\nsegments = [" + lobe + "]");
+  const Profile all = read("segments = [" + lobe + ", " + lobe + ", " + lobe + "]");
+  const Boundary& flank = *one.mechanism.bodies[1].curves[0].boundary;
+  const Boundary& written = *all.mechanism.bodies[1].curves[0].boundary;
+  EXPECT_TRUE(flank.is_closed());
+  ASSERT_EQ(flank.spans().size(), written.spans().size());
+  for (std::size_t i = 0; i < flank.spans().size(); ++i) {
+    const Bounds range = written.spans()[i]->range();
+    const SpanPoint point = flank.spans()[i]->at(range.low + 0.3 * range.width());
+    const SpanPoint same = written.spans()[i]->at(range.low + 0.3 * range.width());
+    EXPECT_NEAR((point.p_B - same.p_B).norm(), 0, 1e-15) << i;
+    EXPECT_NEAR(point.kappa, same.kappa, 1e-9) << i;
+  }
+  EXPECT_TRUE(one.notes.empty());
+  const Profile part = read(
+      R"(repeat = true
+segments = [ { over = 50, law = "cycloidal", rise = 5 }, { over = 50, law = "cycloidal", rise = -5 } ])");
+  EXPECT_FALSE(part.mechanism.bodies[1].curves[0].boundary->is_closed());
+  ASSERT_EQ(part.notes.size(), 1U);
+  EXPECT_THAT(part.notes[0].message,
+              HasSubstr("the law goes over 100 deg of the cam, and the flank ends there; it "
+                        "repeats on the cam where a whole number"));
+}
+
 TEST(Flanks, ThatTheDriverNeverComesToAreNoted) {
   const auto notes_of = [](double start, double end, const char* joint) {
     Parts parts;
@@ -323,6 +358,17 @@ TEST(Flanks, SayWhatIsWrong) {
   flat.height = "5";
   flat.follower = R"({ type = "line", point = [0, 0], normal = [0, -1] })";
   EXPECT_THAT(mistakes_in(flat), HasSubstr("the flank would be undercut"));
+  flat.height = "50";
+  EXPECT_EQ(mistakes_in(flat), "");
+  flat.follower = R"({ type = "line", point = [0, 0], normal = [0, 1] })";
+  EXPECT_THAT(mistakes_in(flat),
+              HasSubstr("the follower's face points away from the cam: its normal points out of "
+                        "the follower's material, to the flank; write normal = [0, -1]"));
+  Parts step;
+  step.rise = "20.8";
+  EXPECT_THAT(mistakes_in(step),
+              HasSubstr("the flank does not close: over the turn of the cam the law ends 0.8 mm "
+                        "off the value with which it begins"));
   Parts round_its_pivot;
   round_its_pivot.follower = R"({ type = "circle", center = [-60, 0], radius = 10 }
 points.pivot = [-60, 0])";

@@ -216,8 +216,69 @@ TEST(Notes, WhatADriverDoesNotUse) {
   EXPECT_THAT(notes(slider_profile()), ElementsAre("test.toml:12:9: note: driver.joint: this joint slides, "
                                                    "and without an `end` it stays at its start"));
   EXPECT_THAT(notes(slider_profile("end = 40\n")), IsEmpty());
+  EXPECT_THAT(
+      notes(crank_profile("start = 30\nend = 30\n")),
+      ElementsAre("test.toml:13:7: note: driver.end = 30: the start: the driver stays there, and all rows "
+                  "are alike"));
   EXPECT_THAT(notes(crank_profile("duration = 1\ntime_step = 2\n")),
               ElementsAre("test.toml:13:13: note: driver.time_step = 2: longer than the duration"));
+}
+
+TEST(Notes, AnEndThatALawOfAnotherDriverLeavesUnused) {
+  const auto robot = [](const std::string& second) {
+    return notes(
+        "[bodies.ground]\npoints.O = [0, 0]\n[bodies.arm]\npoints.O = [0, 0]\n[bodies.slide]\npoints.P = "
+        "[0, 0]\n[joints.r]\ntype = \"revolute\"\nbetween = [\"ground.O\", \"arm.O\"]\n[joints.p]\ntype = "
+        "\"prismatic\"\nbetween = [\"arm.O\", \"slide.P\"]\ndirection = [1, 0]\n[laws.turn]\nsegments = "
+        "[{ over = 1, law = \"cycloidal\", rise = 70 }]\n[drivers.a]\njoint = \"r\"\nlaw = \"turn\"\n"
+        "[drivers.b]\njoint = \"p\"\nstart = 200\n" +
+        second);
+  };
+  EXPECT_THAT(robot("velocity = -80\n"), IsEmpty());
+  EXPECT_THAT(
+      robot("end = 120\n"),
+      ElementsAre(HasSubstr("note: drivers.b.end = 120: not used, for another driver follows a law: all move "
+                            "in time, this one with its `velocity` and `acceleration`")));
+}
+
+TEST(Notes, ACenterOfMassFarOutside) {
+  const auto center = [](const std::string& x) {
+    return texts(
+        testing::read(testing::kCamProfile, {"bodies.cam.mass=1", "bodies.cam.center_of_mass=[" + x + ", 0]"})
+            .notes);
+  };
+  EXPECT_THAT(center("150"), IsEmpty());
+  EXPECT_THAT(center("15000"),
+              ElementsAre(HasSubstr("bodies.cam.center_of_mass = [15000, 0]: 1.5e+04 mm from "
+                                    "the body's origin, in a mechanism of")));
+}
+
+// Both points of its flank that lie in the middle of a span, and so its middle, are as far from the pivot.
+TEST(Notes, NothingAboutTheInertiaOfACamOfTwoLobes) {
+  EXPECT_THAT(notes(R"([bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+mass = 1
+center_of_mass = [0, 0]
+inertia = 900
+curves.flank = { type = "cam", law = "lift", contact = "touch" }
+[bodies.follower]
+pose = { y = 50 }
+points.P = [0, 0]
+curves.roller = { type = "circle", center = [0, 0], radius = 10 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
+[contacts.touch]
+between = ["cam.flank", "follower.roller"]
+[laws.lift]
+repeat = true
+segments = [ { over = 90, law = "cycloidal", rise = 5 }, { over = 90, law = "cycloidal", rise = -5 } ]
+[driver]
+joint = "pivot"
+)"),
+              IsEmpty());
 }
 
 TEST(Notes, ARowTooFewForRoundSteps) {
@@ -249,12 +310,12 @@ TEST(Notes, RowsThatGoAgainstTheVelocity) {
   EXPECT_THAT(directions(slider_profile("start = 95\nend = 40\n")),
               ElementsAre(HasSubstr(
                   "note: driver.velocity is 1 mm/s, the default, but the rows go from 95 to 40 mm: rates "
-                  "and friction are those of the motion in the other direction; give velocity = -1")));
-  EXPECT_THAT(directions(crank_profile("start = 0\nend = -360\nvelocity = \"300 rpm\"\n")),
-              ElementsAre(HasSubstr(
-                  "note: driver.velocity is 1800 deg/s, but the rows go from 0 to -360 deg: rates and "
-                  "friction are those of the motion in the other direction; exchange start and end, or "
-                  "set velocity = -1800")));
+                  "are those of the motion in the other direction; give velocity = -1")));
+  EXPECT_THAT(
+      directions(crank_profile("start = 0\nend = -360\nvelocity = \"300 rpm\"\n")),
+      ElementsAre(HasSubstr("note: driver.velocity is 1800 deg/s, but the rows go from 0 to -360 deg: rates "
+                            "are those of the motion in the other direction; exchange start and end, or "
+                            "set velocity = -1800")));
   EXPECT_THAT(directions(crank_profile("velocity = -3\n")), SizeIs(1));  // the default end is a turn on
   EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = -3\n")), IsEmpty());
   EXPECT_THAT(directions(crank_profile("end = -360\nvelocity = 0\n")), IsEmpty());

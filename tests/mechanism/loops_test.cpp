@@ -4,6 +4,8 @@
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 
 namespace higherpair {
@@ -34,6 +36,23 @@ TEST(FourBars, AreSeenFromTheDriver) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].crank, 3);
   EXPECT_NEAR(found[0].linkage.r2, 0.047, 1e-15);
+}
+
+// The link at the driven pin, whatever the order of the bodies.
+TEST(FourBars, DrivenAtAPinOfTheCouplerAreSeenFromThere) {
+  for (const auto& [r2, r4] : {std::pair(0.023, 0.047), std::pair(0.047, 0.023)}) {
+    DrawnMechanism drawn = drawn_four_bar(0.071, r2, 0.059, r4);
+    for (std::size_t j = 0; j < drawn.mechanism.joints.size(); ++j) {
+      const Joint& joint = drawn.mechanism.joints[j];
+      if (joint.first.body == 0 || joint.second.body == 0) continue;
+      const bool at_crank = joint.first.body == 1 || joint.second.body == 1;
+      drawn.mechanism.drivers.front().joint = static_cast<int>(j);
+      const auto found = find_four_bars(drawn.mechanism);
+      ASSERT_EQ(found.size(), 1U);
+      EXPECT_EQ(found[0].crank, at_crank ? 1 : 3);
+      EXPECT_NEAR(found[0].linkage.r2, at_crank ? r2 : r4, 1e-15);
+    }
+  }
 }
 
 TEST(FourBars, AreFoundAlsoOnAMovingBody) {

@@ -4,11 +4,11 @@
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -30,7 +30,7 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
       for (const std::string& remark :
            {contact.note, contact.complete ? "" : contact.proof, contact.certificate}) {
         if (!remark.empty()) {
-          fmt::print(stderr, "{}: contacts.{}: {}\n", options.profile, contact.contact, remark);
+          tell("{}: contacts.{}: {}\n", options.profile, contact.contact, remark);
         }
       }
     }
@@ -41,9 +41,9 @@ int write_all(const BranchesOptions& options, const BranchesReport& report) {
 // Lists every contact at the first driver position; returns the exit code.
 int branches_command(const BranchesOptions& options) {
   if (options.settings.certify && !can_certify()) {
-    fmt::print(stderr,
-               "higherpair: --certify: this build has no exact arithmetic; configure it with "
-               "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
+    tell(
+        "higherpair: --certify: this build has no exact arithmetic; configure it with "
+        "-DHIGHERPAIR_EXACT=ON, which needs CGAL, GMP and MPFR\n");
     return kExitInput;
   }
   const auto report = open_model(options, given({{"--csv", options.csv}, {"--json", options.json}}))

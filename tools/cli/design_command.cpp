@@ -7,6 +7,7 @@
 #include "run_command.hpp"
 #include "search_bytes.hpp"
 #include "status_line.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -99,13 +100,13 @@ Result<DesignReport> find_design(const Model& model, const DesignCommandOptions&
 // Removes the journal, or reports where it is kept.
 void end_journal(Journal& journal, bool goes_on) {
   if (!journal.error().empty()) {
-    fmt::print(stderr, "higherpair: {}\n", journal.error());
+    tell("higherpair: {}\n", journal.error());
   }
   if (!goes_on || journal.records() == 0) {
     journal.remove();
   } else if (!journal.path().empty()) {
-    fmt::print(stderr, "higherpair: {} searches are kept in {}: --resume goes on from there\n",
-               journal.records(), journal.path());
+    tell("higherpair: {} searches are kept in {}: --resume goes on from there\n", journal.records(),
+         journal.path());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "picture.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -50,13 +51,13 @@ Result<std::vector<Role>> layers_of(const DrawOptions& options) {
 // Reports what is wrong with the path to the positions drawn; returns the exit code.
 int judge(const DrawOptions& options, const Model& model, const Scenes& scenes) {
   if (scenes.limit) {
-    fmt::print(stderr, "higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
-               *options.settings.at, *scenes.limit, scenes.cause);
+    tell("higherpair: driver = {} cannot be reached; drawn at the limit position {}: {}\n",
+         *options.settings.at, *scenes.limit, scenes.cause);
     return kExitRows;
   }
   if (!scenes.left_out.empty()) {
-    fmt::print(stderr, "higherpair: positions that cannot be reached are left out: driver = {:.9g}\n",
-               fmt::join(scenes.left_out, ", "));
+    tell("higherpair: positions that cannot be reached are left out: driver = {:.9g}\n",
+         fmt::join(scenes.left_out, ", "));
   }
   print_passed(scenes.passed, model);
   return scenes.left_out.empty() && scenes.passed.empty() ? kExitOk : kExitRows;

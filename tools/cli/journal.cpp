@@ -3,6 +3,7 @@
 #include "checksum.hpp"
 #include "record_bytes.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -227,7 +228,7 @@ void Journal::remove() {
 }
 
 int report_journal(const Journal& journal) {
-  fmt::print(stderr, "higherpair: {}\n", journal.error());
+  tell("higherpair: {}\n", journal.error());
   return journal.is_refused() ? kExitInput : kExitMachine;
 }
 

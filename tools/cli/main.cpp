@@ -1,5 +1,6 @@
 #include "program.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace {
 void say_unwritten(int reason) {
   if (reason != EPIPE) {
     const std::string why = reason == 0 ? "" : fmt::format(": {}", std::strerror(reason));
-    fmt::print(stderr, "higherpair: cannot write to standard output{}\n", why);
+    higherpair::cli::tell("higherpair: cannot write to standard output{}\n", why);
   }
 }
 
@@ -40,15 +41,15 @@ int main(int argc, char** argv) {
   try {
     return flushed(higherpair::cli::run_program(argc, argv));
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "higherpair: out of memory\n");
+    higherpair::cli::tell("higherpair: out of memory\n");
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0) {
       say_unwritten(error.code().value());
     } else {
-      fmt::print(stderr, "higherpair: {}\n", error.what());
+      higherpair::cli::tell("higherpair: {}\n", error.what());
     }
   } catch (const std::exception& error) {
-    fmt::print(stderr, "higherpair: {}\n", error.what());
+    higherpair::cli::tell("higherpair: {}\n", error.what());
   }
   return higherpair::cli::kExitMachine;
 }

@@ -6,12 +6,12 @@
 #include "picture.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -39,16 +39,16 @@ void print_remarks(const MapOptions& options, const MapReport& report) {
     return;
   }
   if (!report.not_started.empty()) {
-    fmt::print(stderr, "{}: the mechanism is on no branch: {}\n", options.profile, report.not_started);
+    tell("{}: the mechanism is on no branch: {}\n", options.profile, report.not_started);
   }
   const bool text = !options.csv && !options.json;
   for (const ContactMapReport& contact : report.contacts) {
     if (!contact.refusal.empty() && !text) {
-      fmt::print(stderr, "{}: contacts.{}: no map: {}\n", options.profile, contact.contact, contact.refusal);
+      tell("{}: contacts.{}: no map: {}\n", options.profile, contact.contact, contact.refusal);
     }
     if (!contact.complete && !text) {
-      fmt::print(stderr, "{}: contacts.{}: not every branch could be followed to its end\n", options.profile,
-                 contact.contact);
+      tell("{}: contacts.{}: not every branch could be followed to its end\n", options.profile,
+           contact.contact);
     }
   }
 }
@@ -90,7 +90,7 @@ CommandRun add_map(CLI::App& command) {
                      "the map as a picture besides its tables: a file that ends in .svg, .pdf or .png");
   command
       .add_option("--samples", options->settings.samples, "number of rows over the range, both ends included")
-      ->check(CLI::Range(std::int64_t{2}, std::int64_t{10'000'000}));
+      ->check(CLI::Range(std::int64_t{2}, kMostMapRows));
   command
       .add_option("--tolerance", options->settings.tolerance,
                   "largest overlap of a contact that counts as free, relative to the size")

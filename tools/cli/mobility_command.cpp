@@ -4,11 +4,11 @@
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -38,7 +38,7 @@ int mobility_command(const MobilityOptions& options) {
     return code;
   }
   if (findings->objection && !options.quiet) {
-    fmt::print(stderr, "{}: {}\n", options.profile, *findings->objection);
+    tell("{}: {}\n", options.profile, *findings->objection);
   }
   return findings->objection ? kExitMechanism : kExitOk;
 }

@@ -1,6 +1,7 @@
 #include "output_file.hpp"
 
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,8 +9,6 @@
 #include <filesystem>
 #include <memory>
 #include <unistd.h>
-
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 
@@ -125,7 +124,7 @@ bool report_failure(const OutputFile& file) {
     return false;
   }
   if (!file.reader_gone()) {
-    fmt::print(stderr, "higherpair: {}\n", file.error());
+    tell("higherpair: {}\n", file.error());
   }
   return true;
 }

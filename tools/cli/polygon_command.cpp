@@ -4,6 +4,7 @@
 #include "picture.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <memory>
 
@@ -38,9 +39,8 @@ int polygon_command(const PolygonOptions& options) {
     return exit_unwritten();
   }
   if (found->limit) {
-    fmt::print(stderr,
-               "{}: driver = {} cannot be reached: drawn at the limit position {:.9g} before it: {}\n",
-               options.profile, options.settings.at, found->driver, *found->limit);
+    tell("{}: driver = {} cannot be reached: drawn at the limit position {:.9g} before it: {}\n",
+         options.profile, options.settings.at, found->driver, *found->limit);
     return kExitRows;
   }
   print_passed(found->passed, *model);

@@ -4,6 +4,7 @@
 #include "commands.hpp"
 #include "higherpair/front/model.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 #include "unknown_argument.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -98,7 +98,7 @@ int run_program(int argc, char** argv) {
                      std::any_of(std::begin(kCommands), std::end(kCommands),
                                  [&](const Command& one) { return arguments.front() == one.name; });
   if (!known) {
-    fmt::print(stderr, "higherpair: {}\n", unknown_command(app, argv[1]));
+    tell("higherpair: {}\n", unknown_command(app, argv[1]));
     return kExitInput;
   }
   try {
@@ -106,14 +106,14 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ExtrasError&) {
     for (const CLI::App* one : app.get_subcommands()) {
       const std::string unknown = unknown_argument(*one);
-      fmt::print(stderr, "higherpair: {}\n", unknown.empty() ? unknown_argument(app) : unknown);
+      tell("higherpair: {}\n", unknown.empty() ? unknown_argument(app) : unknown);
     }
     return kExitInput;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
       return app.exit(error);
     }
-    fmt::print(stderr, "higherpair: {}\n", argument_error(app, error));
+    tell("higherpair: {}\n", argument_error(app, error));
     return exit_code_of(error.get_exit_code());
   }
   end_on_signals();

@@ -5,12 +5,12 @@
 #include "output_options.hpp"
 #include "progress.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 
 #include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -69,10 +69,8 @@ int report_command(const ReportOptions& options) {
   if (!options.quiet) {
     print_events(report->events, *model);
     if (report->every > 1) {
-      fmt::print(
-          stderr,
-          "higherpair: the page holds one in {} of {} rows; its extremes and events are of all of them\n",
-          report->every, report->size);
+      tell("higherpair: the page holds one in {} of {} rows; its extremes and events are of all of them\n",
+           report->every, report->size);
     }
   }
   return report->good ? kExitOk : kExitRows;

@@ -5,6 +5,7 @@
 #include "row_hdf5.hpp"
 #include "row_writer.hpp"
 #include "summary.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -222,13 +223,13 @@ void listen_to_signals() {
 
 void print_events(const std::vector<Event>& events, const Model& model) {
   for (const std::string& line : event_lines(events, model)) {
-    fmt::print(stderr, "{}\n", line);
+    tell("{}\n", line);
   }
 }
 
 void print_passed(const std::vector<Event>& passed, const Model& model) {
   if (!passed.empty()) {
-    fmt::print(stderr, "higherpair: the motion from the first position to what is drawn goes over\n");
+    tell("higherpair: the motion from the first position to what is drawn goes over\n");
     print_events(passed, model);
   }
 }
@@ -246,7 +247,7 @@ int report_error(const Error& error) {
   for (Diagnostic& diagnostic : said.diagnostics) {
     diagnostic.place.source = in_options(diagnostic.place.source);
   }
-  fmt::print(stderr, "{}\n", to_string(said));
+  tell("{}\n", to_string(said));
   switch (error.kind) {
     case ErrorKind::kInput:
       return kExitInput;
@@ -265,7 +266,7 @@ int exit_failed(const Error& error) {
 void print_notes(const Diagnostics& notes, bool quiet) {
   for (Diagnostic note : notes) {
     note.place.source = in_options(note.place.source);
-    if (!quiet) fmt::print(stderr, "{}\n", note_text(note));
+    if (!quiet) tell("{}\n", note_text(note));
   }
 }
 

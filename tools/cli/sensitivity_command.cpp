@@ -6,6 +6,7 @@
 #include "run_command.hpp"
 #include "sensitivity_report.hpp"
 #include "sweep/progress.hpp"
+#include "tell.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -32,7 +33,7 @@ struct SensitivityOptions : ProfileOptions {
 constexpr std::int64_t kFewestVariants = 2;
 
 int refuse(const std::string& message) {
-  fmt::print(stderr, "higherpair: {}\n", message);
+  tell("higherpair: {}\n", message);
   return kExitInput;
 }
 

@@ -4,6 +4,7 @@
 #include "sensitivity_report.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -40,7 +41,7 @@ Json band_json(const SensitivityFindings& findings, std::size_t m) {
     json["within"] = *band.within;
     json["kept"] = band.kept;
     json["worst_case_kept"] = band.worst_kept;
-    if (!band.kept) {
+    if (!band.kept && !std::isnan(band.center)) {
       json["tighten"] = {{"number", findings.task->tolerances[band.order.front()].name},
                          {"factor", number_or_null(band.tighten)},
                          {"factor_of_all", number_or_null(band.tighten_all)}};

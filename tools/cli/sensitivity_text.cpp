@@ -207,17 +207,22 @@ private:
   void write_bands() {
     const ToleranceBand& band = findings_.bands[index_];
     const double value = result_->value;
+    const bool known = !std::isnan(value);
     const auto line = [&](const std::string& name, double low, double high) {
-      text_ += fmt::format("  {:<22}{:>14} to {:<14} {:>+11.4g} {:>+11.4g}\n", name, figure(low, 9),
-                           figure(high, 9), low - value, high - value);
+      const std::string from_value =
+          known ? fmt::format("{:>+11.4g} {:>+11.4g}", low - value, high - value) : "";
+      text_ += trimmed(
+          fmt::format("  {:<22}{:>14} to {:<14} {}", name, figure(low, 9), figure(high, 9), from_value));
     };
-    line("worst case", band.worst_low, band.worst_high);
-    line("statistical, 99.73 %", band.low, band.high);
+    if (known) {
+      line("worst case", band.worst_low, band.worst_high);
+      line("statistical, 99.73 %", band.low, band.high);
+    }
     if (findings_.variants && findings_.variants->bands[index_].variants > 0) {
       const VariantBand& seen = findings_.variants->bands[index_];
       line("variants, 99.73 %", seen.low, seen.high);
     }
-    if (!band.complete) {
+    if (known && !band.complete) {
       text_ += paragraph("numbers without a derivative are not in these bands: see the variants", 2);
     }
     if (band.within) write_wanted(band);
@@ -225,6 +230,10 @@ private:
   }
 
   void write_wanted(const ToleranceBand& band) {
+    if (std::isnan(result_->value)) {
+      text_ += fmt::format("  wanted within +-{}: undecided, for it has no value\n", figure(*band.within));
+      return;
+    }
     const auto& tolerances = findings_.task->tolerances;
     std::string text = fmt::format("wanted within +-{}: {}", figure(*band.within),
                                    !band.kept        ? "EXCEEDED"

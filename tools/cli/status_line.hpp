@@ -1,11 +1,11 @@
 #pragma once
 
+#include "tell.hpp"
+
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <unistd.h>
-
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 
@@ -30,12 +30,12 @@ public:
     if (!wanted_) return;
     shown_ = true;
     shown_at_ = Clock::now();
-    fmt::print(stderr, "\r\033[K{}", text);
+    tell("\r\033[K{}", text);
     std::fflush(stderr);
   }
 
   void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) tell("\r\033[K");
     shown_ = false;
   }
 

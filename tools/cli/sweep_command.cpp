@@ -10,6 +10,7 @@
 #include "sweep/block_bytes.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/table_file.hpp"
+#include "tell.hpp"
 
 #include <charconv>
 #include <cstdio>
@@ -83,13 +84,13 @@ RunIdentity identity_of(const SweepOptions& options, const Model& model) {
 // Warns of unreadable variants before hours are spent.
 void print_forecast(const SweepForecast& forecast) {
   if (forecast.unreadable > 0) {
-    fmt::print(stderr,
-               "higherpair: of {} variants that were tried {} cannot be read, about {:.2g} % of all; they "
-               "become rows "
-               "with the status not_started. The first, variant {}: {}\n",
-               forecast.tried, forecast.unreadable,
-               100 * static_cast<double>(forecast.unreadable) / static_cast<double>(forecast.tried),
-               forecast.variant, forecast.cause);
+    tell(
+        "higherpair: of {} variants that were tried {} cannot be read, about {:.2g} % of all; they "
+        "become rows "
+        "with the status not_started. The first, variant {}: {}\n",
+        forecast.tried, forecast.unreadable,
+        100 * static_cast<double>(forecast.unreadable) / static_cast<double>(forecast.tried),
+        forecast.variant, forecast.cause);
   }
 }
 
@@ -99,7 +100,7 @@ void print_stop(std::string why, const Journal& journal, const SweepSummary& sum
     why += fmt::format("{}{} of {} variants are kept in {}: --resume goes on from there",
                        why.empty() ? "" : "; ", summary.variants(), sweep.size(), journal.path());
   }
-  if (!why.empty()) fmt::print(stderr, "higherpair: {}\n", why);
+  if (!why.empty()) tell("higherpair: {}\n", why);
 }
 
 // Computes all blocks that are not in the journal; returns the exit code if it does not reach the end.

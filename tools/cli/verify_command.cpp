@@ -4,6 +4,7 @@
 #include "output_options.hpp"
 #include "positive_number.hpp"
 #include "run_command.hpp"
+#include "tell.hpp"
 #include "verify/reference.hpp"
 #include "verify/verdicts_json.hpp"
 
@@ -27,7 +28,7 @@ struct VerifyOptions {
 
 std::optional<std::string> text_in(const std::string& path) {
   auto text = file_text(path);
-  if (!text) fmt::print(stderr, "{}: cannot be read\n", path);
+  if (!text) tell("{}: cannot be read\n", path);
   return text;
 }
 
@@ -77,7 +78,7 @@ int verify_command(const VerifyOptions& options) {
     return report(verdicts, options);
   }
   if (!options.table) {
-    fmt::print(stderr, "higherpair: verify: a profile needs the table that it is checked against\n");
+    tell("higherpair: verify: a profile needs the table that it is checked against\n");
     return kExitInput;
   }
   const auto profile = text_in(*options.profile);

@@ -122,6 +122,8 @@ public:
   [[nodiscard]] bool repeats() const;
   /// By how much it ends higher than it begins.
   [[nodiscard]] double advance() const;
+  /// The same law with `count` of its repetitions, from begin() on, as its pieces. \pre repeats(), count >= 1
+  [[nodiscard]] MotionLaw repeated(int count) const;
 
   /// Taylor coefficients at x: out[k] = (1/k!) dᵏs/dxᵏ.
   void expand(double x, LawSide side, std::span<double> out) const;

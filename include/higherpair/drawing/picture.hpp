@@ -133,7 +133,7 @@ struct DrawSettings {
 /// A picture of a mechanism as SVG. The last scene is drawn in full, those before it as ghosts, or all side
 /// by side; below them are the scales of lengths and arrows. Every element carries data-role and data-name;
 /// the top element data-scale (px per unit of length) and data-origin (px of ground's origin), y up.
-/// \pre  at least one scene, all made by one SceneMaker
+/// \pre  at least one scene, all from one call of scenes_of()
 [[nodiscard]] std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings);
 
 // A plot as plain data, and its picture. Numbers are in the units that are named beside them; NaN is

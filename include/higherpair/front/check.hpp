@@ -34,6 +34,7 @@ struct CheckFigure {
   std::string quantity;         ///< "pressure_angle"; docs/check.md has all
   std::string of;               ///< the curve that it refers to, "cam.flank"; empty: the item itself
   std::optional<double> value;  ///< none: unbounded
+  bool by_size = false;         ///< the value is the largest by size, with its sign; limits are for its size
   std::string unit;             ///< "1" for a pure number
   std::optional<double> at;     ///< position of the (first) driver at which it is reached
   std::optional<double> limit;
@@ -46,7 +47,7 @@ struct CheckReport {
   std::string driver_unit;           ///< of CheckFigure::at
   std::vector<CheckFigure> figures;  ///< grouped by item
   std::vector<Event> events;         ///< as Motion::events: what keeps the path from being good
-  /// Every limit is kept, no contact opens, and the whole path is good.
+  /// Every limit is kept, no contact opens, and the whole path is good. False if stopped.
   bool good = true;
   bool stopped = false;  ///< stopped early: figures are missing
   Diagnostics notes;     ///< about limits that apply to nothing, and those of Analysis::notes

@@ -10,7 +10,8 @@
 
 namespace higherpair {
 
-/// `seed`, `starts` and `evaluations`, where set, override [design] of the profile. `seconds` >= 0.
+/// `seed` and `starts`, where set, override [design] of the profile; `evaluations` is 2,000,000 unless set.
+/// `seconds` >= 0.
 struct DesignSettings : DesignRun {
   std::optional<std::uint64_t> seed;
   std::optional<int> starts;                ///< >= 1

@@ -14,11 +14,15 @@ namespace higherpair {
 // driver, or the range of a sliding one, as branches in the plane of the coordinates of the driver's and the
 // follower's joint, in the profile's units. Branches are numbered from 1.
 
+/// Most rows of a map: all are kept in memory.
+inline constexpr std::int64_t kMostMapRows = 10'000'000;
+
 /// What is mapped, and how finely.
 struct MapSettings {
-  std::optional<std::int64_t> samples;  ///< rows over the range, >= 2; none: as many as the profile's run has
-  double tolerance = 1e-9;              ///< largest overlap at which a contact counts as free, relative to
-                                        ///< the size of the bodies
+  std::optional<std::int64_t>
+      samples;  ///< rows over the range, 2 to kMostMapRows; none: as many as the profile's run has
+  double tolerance = 1e-9;  ///< largest overlap at which a contact counts as free, relative to
+                            ///< the size of the bodies
   const std::atomic<bool>* stop = nullptr;  ///< once true, the map is abandoned
 };
 

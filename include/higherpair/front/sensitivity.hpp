@@ -93,7 +93,7 @@ struct SensitivityReport {
   std::vector<SensitivityNumber> numbers;
   std::vector<ResultSensitivity> results;
   std::vector<Event> events;  ///< of the run, as Motion::events
-  bool good = true;           ///< as Motion::good
+  bool good = true;           ///< as Motion::good; false if stopped
   bool stopped = false;       ///< stopped early: slopes are missing
   Diagnostics notes;          ///< as Analysis::notes
 };

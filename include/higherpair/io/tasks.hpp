@@ -41,10 +41,11 @@ inline constexpr std::array<std::string_view, 9> kMeasureNames = {"max", "min", 
 struct Measure {
   std::string column;
   MeasureKind of = MeasureKind::kMax;
-  double at = 0;     ///< for kAt: position of the (first) driver, or the time in a run in time; in the
-                     ///< unit of tables
-  Place place;       ///< of the column's name in the profile
-  std::string path;  ///< key path of the same, "sweep.results.peak.column"
+  double at = 0;          ///< for kAt: position of the (first) driver, or the time in a run in time; in the
+                          ///< unit of tables
+  Place place;            ///< of the column's name in the profile
+  std::string path;       ///< key path of the same, "sweep.results.peak.column"
+  bool followed = false;  ///< one of the places of a column that is followed
 };
 
 /// A column of a sweep's table: one number about the run of each variant.

@@ -34,7 +34,7 @@ bool run_through(Analysis& analysis, CheckReport& report) {
   }
   report.stopped = analysis.stopped();
   report.events = analysis.events();
-  report.good = analysis.good();
+  report.good = analysis.good() && !report.stopped;
   report.notes = analysis.notes();
   return !report.stopped;
 }
@@ -185,10 +185,10 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   add_size_figures(profile, figures);
   figures.note_unused();
   report.stopped = is_stopped(start);
-  report.good =
-      report.good && std::all_of(report.figures.begin(), report.figures.end(), [](const CheckFigure& figure) {
-        return figure.verdict == Verdict::kNoLimit || figure.verdict == Verdict::kKept;
-      });
+  report.good = report.good && !report.stopped &&
+                std::all_of(report.figures.begin(), report.figures.end(), [](const CheckFigure& figure) {
+                  return figure.verdict == Verdict::kNoLimit || figure.verdict == Verdict::kKept;
+                });
   return report;
 }
 

@@ -17,9 +17,13 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-// Whether the body that a contact moves, the later one in the order of solution, is its second one.
+// Whether the body that a contact moves, the later one in the order of solution, is its second one. Ground is
+// never moved.
 bool moves_second(const Run& run, int index) {
   const Contact& contact = run.mechanism().contacts[index];
+  if (contact.second.body == kGround) {
+    return false;
+  }
   for (const Group& group : run.plan().groups) {
     if (contains(group.bodies, contact.first.body)) {
       return true;
@@ -163,7 +167,11 @@ private:
                    {curve_of(run.mechanism(), follower_), follower, freedom_ ? &*freedom_ : nullptr}, at,
                    second_ ? motion.phi : motion.phi + kPi);
     const bool back = split_ && goes_back(row, at);
-    if (const auto pressure = roller_center_B_ ? pressure_of_roller(follower, at) : details.pressure) {
+    // A body that touches ground moves along it: its own direction says nothing about what drives it.
+    const auto pressure = other_.body == kGround ? std::nullopt
+                          : roller_center_B_     ? pressure_of_roller(follower, at)
+                                                 : details.pressure;
+    if (pressure) {
       out[back ? kBack : kOut] = *pressure;
     }
     if (details.transmission) {

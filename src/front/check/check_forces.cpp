@@ -70,11 +70,8 @@ public:
 
   void read_contact(std::size_t i, const PathRanges& ranges, CheckFigures& figures) const {
     figures.about("contacts." + mechanism_.contacts[i].name);
-    if (const auto most = peak_of(ranges[kOfContact * i + kForce])) {
-      mark_growing(figures.add("contact_force", dimension::kForce, most->value, most->driver,
-                               figures.of_contact(i, LimitKey::kMaxContactForce), Bound::kMost),
-                   ranges[kOfContact * i + kForce], figures);
-    }
+    add_peak("contact_force", dimension::kForce, ranges[kOfContact * i + kForce],
+             figures.of_contact(i, LimitKey::kMaxContactForce), figures);
     read_least(i, figures);
     if (pressures_[i]) {
       read_pressure(i, ranges, figures);
@@ -86,16 +83,11 @@ public:
       const Driver& driver = mechanism_.drivers[i];
       const auto joint = static_cast<std::size_t>(driver.joint);
       const bool turns = has_angle(mechanism_.joints[joint].type);
-      const PathRange& range = ranges[kOfContact * mechanism_.contacts.size() + i];
-      const auto peak = peak_of(range);
-      if (peak) {
-        figures.about(driver_path(driver));
-        CheckFigure& figure = figures.add(
-            turns ? "driving_torque" : "driving_force", effort_dimension(turns), peak->value, peak->driver,
-            figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
-            Bound::kMost);
-        mark_growing(figure, range, figures);
-      }
+      figures.about(driver_path(driver));
+      add_peak(turns ? "driving_torque" : "driving_force", effort_dimension(turns),
+               ranges[kOfContact * mechanism_.contacts.size() + i],
+               figures.of_joint(joint, turns ? LimitKey::kMaxDrivingTorque : LimitKey::kMaxDrivingForce),
+               figures);
     }
   }
 

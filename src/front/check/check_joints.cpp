@@ -14,8 +14,6 @@
 namespace higherpair {
 namespace {
 
-using Bound = CheckFigures::Bound;
-
 constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
 constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
 
@@ -78,10 +76,7 @@ public:
         const GivenLimit* limit = figures.of_joint(joint, key);
         // That a driver runs evenly is worth a figure only where it is limited.
         const bool worth = peak && (!joints_[i].driven || peak->value != 0 || limit != nullptr);
-        if (worth) {
-          mark_growing(figures.add(quantity, of, peak->value, peak->driver, limit, Bound::kMost), range,
-                       figures);
-        }
+        if (worth) add_peak(quantity, of, range, limit, figures);
       };
       add("acceleration", turns ? dimension::kAngularAcceleration : dimension::kAcceleration,
           accelerations[i], turns ? LimitKey::kMaxAngularAcceleration : LimitKey::kMaxAcceleration);

@@ -95,6 +95,10 @@ void mark_growing(CheckFigure& figure, const PathExtreme& extreme, const CheckFi
 /// The same for a figure that is the peak_of() a range, and may grow with the other sign as well.
 void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigures& figures);
 
+/// Adds such a figure, by size and with its sign, if there is one. \param limit  may be null
+void add_peak(const std::string& quantity, const Dimension& dimension, const PathRange& range,
+              const GivenLimit* limit, CheckFigures& figures);
+
 /// The same for a figure that is not at the place of the extreme. \param how  it grows: "with the other sign
 /// it" \param least  what goes on beyond the extreme, but not beyond this size, does not count
 void mark_growing_elsewhere(CheckFigure& figure, const PathExtreme& extreme, const CheckFigures& figures,

@@ -65,6 +65,16 @@ void mark_growing(CheckFigure& figure, const PathRange& range, const CheckFigure
   }
 }
 
+void add_peak(const std::string& quantity, const Dimension& dimension, const PathRange& range,
+              const GivenLimit* limit, CheckFigures& figures) {
+  if (const auto peak = peak_of(range)) {
+    CheckFigure& figure =
+        figures.add(quantity, dimension, peak->value, peak->driver, limit, CheckFigures::Bound::kMost);
+    figure.by_size = true;
+    mark_growing(figure, range, figures);
+  }
+}
+
 Event end_of_examination(const Profile& profile, const DriverSchedule& schedule, double end) {
   Event event;
   event.type = EventType::kEnd;

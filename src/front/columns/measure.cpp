@@ -15,6 +15,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -103,10 +104,11 @@ std::string place_objection(const std::vector<double>& places, const Measure& me
                      next, in_time ? "driver.time_step" : "driver.samples or driver.positions");
 }
 
-// The key `at` beside the key `column`.
-std::string path_of_at(const Measure& measure) {
+// Where a measure's place is written: the key `at` beside the key `column`, or a pair of `follow`.
+std::string place_named(const Measure& measure) {
   const std::size_t dot = measure.path.rfind('.');
-  return dot == std::string::npos ? "at" : measure.path.substr(0, dot + 1) + "at";
+  const std::string table = dot == std::string::npos ? "" : measure.path.substr(0, dot + 1);
+  return measure.followed ? table + "follow" : fmt::format("{}at = {}", table, measure.at);
 }
 
 Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measure> measures,
@@ -124,8 +126,7 @@ Diagnostics place_mistakes(const DriverSchedule& schedule, std::span<const Measu
     std::string objection =
         measure.of == MeasureKind::kAt ? place_objection(places, measure, settings.in_time) : std::string();
     if (!objection.empty()) {
-      mistakes.push_back(
-          {measure.place, fmt::format("{} = {}: {}", path_of_at(measure), measure.at, objection)});
+      mistakes.push_back({measure.place, fmt::format("{}: {}", place_named(measure), objection)});
     }
   }
   return mistakes;
@@ -137,7 +138,9 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
     mistakes.push_back({measure.place, fmt::format("{}{}\"{}\": {}", measure.path,
                                                    measure.path.empty() ? "" : " = ", measure.column, rule)});
   };
+  std::set<std::string> followed;
   for (const Measure& measure : measures) {
+    if (measure.followed && !followed.insert(measure.path).second) continue;  // another place of a column
     const auto index = available.find(measure.column);
     if (!index) {
       object(measure, "there is no such column; " + suggestion(measure.column, available.names));

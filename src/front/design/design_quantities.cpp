@@ -9,6 +9,7 @@
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -64,8 +65,17 @@ DesignQuantities quantities_of(const DesignTask& task) {
                         [&](const auto& other) { add(entry, other, 1); }},
                entry.of);
   };
-  for (const DesignTask::Objective& objective : task.objectives) add_entry(objective);
-  for (const DesignTask::Constraint& constraint : task.constraints) add_entry(constraint);
+  const auto mark_sign = [&](const auto& entry, bool with_sign) {
+    if (std::holds_alternative<DesignTask::Figure>(entry.of)) quantities.all.back().with_sign = with_sign;
+  };
+  for (const DesignTask::Objective& objective : task.objectives) {
+    add_entry(objective);
+    mark_sign(objective, objective.target.has_value());
+  }
+  for (const DesignTask::Constraint& constraint : task.constraints) {
+    add_entry(constraint);
+    mark_sign(constraint, constraint.below && *constraint.below < 0);
+  }
   return quantities;
 }
 
@@ -114,7 +124,8 @@ std::vector<double> figures_of(const Model& model, const std::vector<DesignQuant
     if (wanted == nullptr) continue;
     const auto figure = std::find_if(report->figures.begin(), report->figures.end(),
                                      [&](const CheckFigure& one) { return is_meant(one, *wanted); });
-    if (figure != report->figures.end()) values[k] = figure->value.value_or(values[k]);
+    if (figure == report->figures.end() || !figure->value) continue;
+    values[k] = figure->by_size && !quantities[k].with_sign ? std::abs(*figure->value) : *figure->value;
   }
   return values;
 }

@@ -28,6 +28,8 @@ struct DesignQuantity {
   std::string unit;         ///< as in tables
   Place place;              ///< of the objective or constraint
   std::string path_of_key;  ///< and its path in the profile
+  /// The sign of a figure that `check` gives by size counts: it has a target, or a limit below 0.
+  bool with_sign = false;
 
   /// Null where it is of another kind.
   template <class Kind>

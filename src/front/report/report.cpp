@@ -160,6 +160,7 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
     report.stopped = is_raised(settings.stop);
     report.html = report.stopped ? "" : filled(report_page(), json);
   }
+  report.good = report.good && !report.stopped;
   return report;
 }
 

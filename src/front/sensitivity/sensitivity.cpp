@@ -57,6 +57,7 @@ public:
     if (!stopped()) combine(exact, report);
     if (!stopped()) differences(report);
     report.stopped = stopped();
+    report.good = report.good && !report.stopped;
     return std::nullopt;
   }
 

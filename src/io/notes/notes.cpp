@@ -163,8 +163,8 @@ Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedu
     notes.push_back(io_detail::mistake(
         profile, i, "velocity",
         fmt::format(
-            "is {:.6g} {}{}, but the rows go from {:.6g} to {:.6g} {}: rates and friction are those of the "
-            "motion in the other direction; {} velocity = {:.6g}",
+            "is {:.6g} {}{}, but the rows go from {:.6g} to {:.6g} {}: rates are those of the motion in "
+            "the other direction; {} velocity = {:.6g}",
             velocity, unit_text(position / dimension::kTime, profile.units),
             is_default ? ", the default" : "", from, to, unit_text(position, profile.units),
             is_default ? "give" : "exchange start and end, or set", -velocity)));

@@ -160,8 +160,19 @@ private:
       add("bodies." + body.name, "no joint and no contact holds this body");
     }
     angle_unit("bodies." + body.name + ".pose.angle");
-    if (body.mass && body.mass->mass > 0 && body.mass->inertia > 0) {
-      inertia(body);
+    if (body.mass && body.mass->mass > 0) {
+      center_of_mass(body);
+      if (body.mass->inertia > 0) inertia(body);
+    }
+  }
+
+  // Far outside of everything.
+  void center_of_mass(const Body& body) {
+    const double size = size_of(mechanism_), off = body.mass->center_of_mass_B.norm();
+    const std::string path = "bodies." + body.name + ".center_of_mass";
+    if (off > kFarCenterOfMass * size && at(path) != nullptr) {
+      add_with_value(
+          path, fmt::format("{} from the body's origin, in a mechanism of {}", length(off), length(size)));
     }
   }
 
@@ -174,6 +185,10 @@ private:
     }
     for (const NamedCurve& curve : body.curves) {
       extent = std::max(extent, (curve.curve.vertex_B - center_B).norm());
+      for (std::size_t k = 0; curve.boundary && k < curve.boundary->spans().size(); ++k) {
+        const Span& span = *curve.boundary->spans()[k];
+        extent = std::max(extent, (span.at(span.range().low).p_B - center_B).norm());
+      }
     }
     const double gyration = std::sqrt(body.mass->inertia / body.mass->mass);
     if (extent > 0 && (gyration > kGyrationOff * extent || gyration < extent / kGyrationOff)) {
@@ -254,6 +269,14 @@ private:
       for (const char* key : {".end", ".samples"}) {
         if (at(path + key) != nullptr) add_with_value(path + key, "not used, for `positions` are given");
       }
+    } else if (has_law()) {
+      if (at(path + ".end") != nullptr) {
+        add_with_value(path + ".end",
+                       "not used, for another driver follows a law: all move in time, this one with its "
+                       "`velocity` and `acceleration`");
+      }
+    } else if (program.end && *program.end == program.start && !program.duration) {
+      add_with_value(path + ".end", "the start: the driver stays there, and all rows are alike");
     } else if (!turns && !program.end && !program.duration) {
       add(path + ".joint", "this joint slides, and without an `end` it stays at its start");
     } else {
@@ -265,6 +288,12 @@ private:
     if (program.time_step && program.duration && *program.time_step > *program.duration) {
       add_with_value(path + ".time_step", "longer than the duration");
     }
+  }
+
+  // Whether a driver follows a law.
+  [[nodiscard]] bool has_law() const {
+    return std::any_of(profile_.programs.begin(), profile_.programs.end(),
+                       [](const DriverProgram& program) { return program.law.has_value(); });
   }
 
   // 360 samples over 360 degrees although both ends are rows.

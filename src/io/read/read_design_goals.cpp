@@ -85,6 +85,7 @@ std::optional<DesignTask::Followed> read_follow(TableReader& table, const Item& 
     measure.column = as_text(reading, *column).value_or("");
   }
   measure.of = MeasureKind::kAt;
+  measure.followed = true;
   if (std::holds_alternative<std::string>(follow.value->content)) {
     follow_law(reading, follow, profile, laws, followed);
   } else {

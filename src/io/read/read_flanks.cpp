@@ -50,7 +50,7 @@ public:
                            carried.freedom,
                            carried.sign,
                            joint_motion(mechanism_, moved, posed_bodies(mechanism_)).position,
-                           laws_.made(*law)};
+                           flank_law(laws_.made(*law), carried_cam.freedom.turns)};
     shape(late, motion, *follower, choice == 1U, cam.curves[late.curve]);
   }
 
@@ -101,14 +101,14 @@ private:
     const Curve& curve = curve_of(mechanism_, follower);
     auto spans = cam_flank(motion, curve, outer);
     if (!spans) {
-      report(reading_, late.law, explain(spans.error(), {motion, curve, outer}));
+      const FlankOrigin origin{motion, curve, outer};
+      report(reading_, late.law, step_at_the_end(motion).value_or(explain(spans.error(), origin)));
       return;
     }
     auto boundary = Boundary::make(*std::move(spans), closes(motion), kFlankMeets);
     if (!boundary) {
-      report(reading_, late.law,
-             velocity_jump(motion).value_or(
-                 "the flank does not close: the law ends at another value than it begins with"));
+      const auto jump = velocity_jump(motion);
+      report(reading_, late.law, jump ? *jump : step_at_the_end(motion).value_or("the flank does not close"));
       return;
     }
     if (const auto crossing = crossing_of(*boundary, {motion, curve, outer})) {
@@ -123,18 +123,34 @@ private:
   // A law that lacks little of a turn.
   void note_missing_part(const Item& law, const CamMotion& motion) {
     const double over = motion.law.end() - motion.law.begin();
-    if (motion.cam.turns && !closes(motion) && over > kNearlyATurn * 2 * kPi) {
+    if (!motion.cam.turns || closes(motion)) return;
+    const auto note = [&](std::string_view how) {
       reading_.notes.push_back(
-          {law.value->mark,
-           fmt::format("{}: the law goes over {} of the cam, and the flank ends there; over {} it "
-                       "would be closed",
-                       path_of(reading_, law), cam_coordinate(motion, over),
-                       cam_coordinate(motion, 2 * kPi))});
+          {law.value->mark, fmt::format("{}: the law goes over {} of the cam, and the flank ends there; {}",
+                                        path_of(reading_, law), cam_coordinate(motion, over), how)});
+    };
+    if (motion.law.repeats()) {
+      note(
+          "it repeats on the cam where a whole number of repetitions makes a turn, each as high as the "
+          "first");
+    } else if (over > kNearlyATurn * 2 * kPi) {
+      note(fmt::format("over {} it would be closed", cam_coordinate(motion, 2 * kPi)));
     }
   }
 
   [[nodiscard]] std::string cam_coordinate(const CamMotion& motion, double x) const {
     return with_unit(x, coordinate_dimension(motion.cam.turns), reading_.units);
+  }
+
+  // Explains that a law over a whole turn ends at another value than it begins with.
+  [[nodiscard]] std::optional<std::string> step_at_the_end(const CamMotion& motion) const {
+    if (!closes(motion) || std::abs(motion.law.advance()) <= kFlankMeets * size_of(mechanism_)) {
+      return std::nullopt;
+    }
+    return fmt::format(
+        "the flank does not close: over the turn of the cam the law ends {} off the value with which it "
+        "begins",
+        with_unit(motion.law.advance(), coordinate_dimension(motion.follower.turns), reading_.units));
   }
 
   // Explains where the law's velocity jumps: there the flank has a gap for any follower but a knife edge,
@@ -181,9 +197,23 @@ private:
     if (jump) {
       return *jump;
     }
+    if (is_line(cam.curve) && can_be_cut(turned_over(cam))) {
+      const Vector2d& n_B = cam.curve.axis_B;  // an axis points into the material
+      return fmt::format(
+          "the follower's face points away from the cam: its normal points out of the follower's material, "
+          "to the "
+          "flank; write normal = [{:.6g}, {:.6g}]",
+          n_B.x() + 0.0, n_B.y() + 0.0);
+    }
     const auto largest = has_roller(cam) ? largest_follower(cam, 0) : std::nullopt;
     return "from " + at + " of the cam on the flank would be undercut: " +
            remedies(cam, smallest_for_radius(cam, {}), largest ? largest->value : 0);
+  }
+
+  // The same for a face with the other normal.
+  static FlankOrigin turned_over(FlankOrigin cam) {
+    cam.curve.axis_B = -cam.curve.axis_B;
+    return cam;
   }
 
   // Whether a flank can be made that closes and does not cross itself.

@@ -1,10 +1,9 @@
 #include "mpi/dispatcher.hpp"
 
 #include "sweep/block_bytes.hpp"
+#include "tell.hpp"
 
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -53,10 +52,10 @@ void Dispatcher::serve(const Received& message) {
     case Message::kHello:
       agreed_[rank] = message.bytes == identity_;
       if (!agreed_[rank]) {
-        fmt::print(stderr,
-                   "higherpair: rank {} does not take part: it has another profile, or another version of "
-                   "this program\n",
-                   message.rank);
+        tell(
+            "higherpair: rank {} does not take part: it has another profile, or another version of "
+            "this program\n",
+            message.rank);
       }
       break;
     case Message::kAsk:

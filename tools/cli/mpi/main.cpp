@@ -6,6 +6,7 @@
 #include "mpi/worker.hpp"
 #include "run_command.hpp"
 #include "sweep_command.hpp"
+#include "tell.hpp"
 
 #include <atomic>
 #include <cstdio>
@@ -15,7 +16,6 @@
 #include <sstream>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
@@ -81,10 +81,10 @@ int main(int argc, char** argv) {
     code = higherpair::cli::run(argc, argv);
     std::fflush(stdout);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "higherpair: out of memory\n");
+    higherpair::cli::tell("higherpair: out of memory\n");
     MPI_Abort(MPI_COMM_WORLD, code);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "higherpair: {}\n", error.what());
+    higherpair::cli::tell("higherpair: {}\n", error.what());
     MPI_Abort(MPI_COMM_WORLD, code);
   }
   MPI_Finalize();

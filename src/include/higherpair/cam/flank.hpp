@@ -62,6 +62,10 @@ struct FlankOrigin {
 /// The coordinate of the cam's joint at a parameter of a span made by cam_flank; none for other spans.
 [[nodiscard]] std::optional<double> flank_coordinate(const Span& span, double t);
 
+/// The law of a flank: of a turning cam all of its repetitions in one turn, where a whole number of them
+/// makes one and each begins as high as the first. A cam of several equal lobes is described by one of them.
+[[nodiscard]] MotionLaw flank_law(const MotionLaw& law, bool cam_turns);
+
 /// Whether the flank is closed: a turning cam whose law repeats after one turn and ends where it began.
 [[nodiscard]] bool closes(const CamMotion& motion);
 

@@ -8,8 +8,8 @@
 namespace higherpair {
 
 // Necessary size of a cam, from the exact derivatives of its law (Norton, Cam Design and Manufacturing
-// Handbook, 7; Rothbart, Cam Design Handbook, 3). The follower's curve is round (a roller, a knife edge) or
-// flat, the cam turns; lengths [m], angles [rad], coordinates of joints as in CamMotion.
+// Handbook, 7; Rothbart, Cam Design Handbook, 6 and 7). The follower's curve is round (a roller, a knife
+// edge) or flat, the cam turns; lengths [m], angles [rad], coordinates of joints as in CamMotion.
 
 /// A value and the coordinate of the cam's joint at which it occurs.
 struct CamPlace {

@@ -11,7 +11,7 @@ namespace higherpair {
 
 /// Four bodies in a loop of four pins, anywhere in a mechanism, as a four-bar: its frame is the body closest
 /// to ground, its link 2 that one of the frame's two neighbours which is closer to ground, a driven joint
-/// counting half.
+/// counting half. Of bodies equally close to ground it is the one closer to a driven joint, then the shorter.
 struct FourBarInMechanism {
   int ground = 0;  ///< the frame of the loop; it moves if it is not body 0
   int crank = 0;

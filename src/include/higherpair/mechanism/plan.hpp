@@ -191,7 +191,7 @@ struct Group : BodySet {
 [[nodiscard]] CarriedBody carried_body(const Mechanism& mechanism, const Joint& joint, int body);
 
 /// How a body moves on its revolute or prismatic joint to ground, the first if it has several; none if it has
-/// none. A slide's direction is the joint's, whichever of its two bodies is on ground.
+/// none, and for ground. A slide's direction is the joint's, whichever of its two bodies is on ground.
 [[nodiscard]] std::optional<OneFreedom> grounded_freedom(const Mechanism& mechanism, int body);
 
 /// The order of solution.
