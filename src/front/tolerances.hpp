@@ -234,6 +234,8 @@ inline constexpr double kNoFitEffect = 1e-11;
 inline constexpr double kNoSpread = 1e-12;
 /// The same for residuals: those below are not noise but rounding of exact values.
 inline constexpr double kNoisyColumn = 1e-9;
+/// R² of a column that the fit does not explain. That of values without any trend is hardly below 0.
+inline constexpr double kUnexplained = -0.1;
 /// Rounding of a value, relative to the largest of its column.
 inline constexpr double kValueNoise = 1e-15;
 /// Fraction of the range of each unknown: searches that end closer together have found the same solution.

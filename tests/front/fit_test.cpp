@@ -558,6 +558,33 @@ TEST(Fit, ValuesInAnotherUnitAreRecognised) {
             "");
 }
 
+TEST(Fit, ATableOfAnglesThatIsWhollyInRadiansIsRecognised) {
+  const Model model = shipped_model("four_bar", {R"(design.variables.a={path="bodies.crank.points.A.0"})"});
+  const Motion motion = model.run().value();
+  const auto driver = motion.column("driver"), angle = motion.column("rocker.angle");
+  std::string text = "driver,rocker.angle\n";
+  for (std::size_t k = 0; k < motion.size(); k += 12) {
+    text += fmt::format("{},{}\n", driver[k] * kPi / 180, angle[k] * kPi / 180);
+  }
+  const auto report = fit(model, table_of(text), {});
+  ASSERT_FALSE(report);
+  EXPECT_THAT(to_string(report.error()), AllOf(HasSubstr("write driver[rad] in the header"),
+                                               HasSubstr("write rocker.angle[rad] in the header")));
+}
+
+// The eccentricity that it takes is far beyond its bounds.
+TEST(Fit, WhatIsFartherFromItThanFromItsMeanIsNotGood) {
+  const Model model =
+      model_of(std::string(kCam) +
+               "[design.variables]\ne = { path = \"bodies.cam.curves.disc.center.0\", min = 9, max = 11 }\n");
+  const FitReport report = fitted(
+      model,
+      table_of(lift_table("driver[deg],follower.y[mm]", [](double t) { return 30 - 10 * std::sin(t); })));
+  EXPECT_NEAR(report.columns[0].explained, 1 - 19.0 * 19.0 / 100, 1e-6);
+  EXPECT_TRUE(report.columns[0].unexplained);
+  EXPECT_FALSE(report.good);
+}
+
 TEST(Fit, WhatIsMeasuredWronglyIsSaidWithItsPlace) {
   EXPECT_THAT(message_of(kCamFit, "driver,folower.y\n0,30\n"),
               HasSubstr("measured.csv:1:8: \"folower.y\": there is no "

@@ -94,6 +94,14 @@ std::string judgement(const FitReport& report) {
         "wrong\n",
         report.noise_ratio, report.chance);
   }
+  for (const FitReport::Column& column : report.columns) {
+    if (column.unexplained) {
+      text += fmt::format(
+          "{}: the values are farther from the fitted motion than from their own mean: look at their "
+          "unit, the branch and the bounds\n",
+          column.name);
+    }
+  }
   for (const std::string& sentence : report.undetermined) text += sentence + "\n";
   return text;
 }

@@ -72,6 +72,7 @@ struct FitReport {
     double largest = kUndefined;      ///< the residual of largest size, with its sign: measured less fitted
     double largest_at = kUndefined;   ///< driver or time
     double explained = kUndefined;    ///< R²: share of the variance that the motion explains
+    bool unexplained = false;         ///< the values are farther from the fit than from their own mean
     double succession = kUndefined;   ///< autocorrelation of successive residuals
     bool systematic = false;          ///< the autocorrelation is more than chance
   };
@@ -109,7 +110,8 @@ struct FitReport {
   int iterations = 0;  ///< of the fit from the best one
   bool exact = false;  ///< derivatives are exact, not differences
   FitEnd end = FitEnd::kConverged;
-  /// Whether it converged, every number is determined, all rows are reached and `too_large` is false.
+  /// Whether it converged, every number is determined, all rows are reached, no column is unexplained and
+  /// `too_large` is false.
   bool good = false;
   /// The new profile: the text of the old one with new numbers.
   std::string text;

@@ -43,7 +43,9 @@ public:
     report_.exact = problem_.motion().is_exact();
     report_.end = solution_.end;
     report_.good = report_.end == FitEnd::kConverged && report_.undetermined.empty() &&
-                   report_.missing == 0 && !report_.too_large;
+                   report_.missing == 0 && !report_.too_large &&
+                   std::none_of(report_.columns.begin(), report_.columns.end(),
+                                [](const FitReport::Column& column) { return column.unexplained; });
     add_notes();
     return std::move(report_);
   }
@@ -128,6 +130,7 @@ private:
         if (residual.column == c) spread += std::pow(residual.measured - mean, 2);
       }
       if (spread > 0) column.explained = 1 - square / spread;
+      column.unexplained = column.explained < kUnexplained && !solution_.constant[c];
       std::stable_sort(by_place.begin(), by_place.end(),
                        [](const auto& a, const auto& b) { return a.first < b.first; });
       std::vector<double> residuals;

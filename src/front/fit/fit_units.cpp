@@ -46,6 +46,13 @@ std::string advice(const std::string& name, const std::string& own, const OtherU
       name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
 }
 
+// Takes columns whose unit nothing says for ones in another unit, as the driver's.
+void scale_columns(const std::string& unit, double factor, FitData& data) {
+  for (FitColumn& column : data.columns) {
+    for (double& value : column.values) value *= column.unit == unit && !column.unit_given ? factor : 1;
+  }
+}
+
 // The mean misfit of all columns; none where the motion cannot be run.
 std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<double>& variables,
                                    const FitData& data) {
@@ -91,17 +98,28 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
     const FitWhere& where = data.where[i];
     if (where.unit_given || where.offset) continue;
     std::optional<OtherUnit> best;
+    bool with_columns = false;
     double least = std::min(kNearMisfit, kBetterMisfit * *as_it_is);
     for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
       FitData scaled = data;
       for (double& value : scaled.where[i].values) value *= other.factor;
-      const auto there = whole_misfit(problem, variables, scaled);
-      if (there && *there < least) {
-        least = *there;
-        best = other;
+      for (const bool columns_too : {false, true}) {
+        if (columns_too) scale_columns(data.where_unit(), other.factor, scaled);
+        const auto there = whole_misfit(problem, variables, scaled);
+        if (there && *there < least) {
+          least = *there;
+          best = other;
+          with_columns = columns_too;
+        }
       }
     }
-    if (best) suspicions.push_back({where.place, advice(where.name, data.where_unit(), *best)});
+    if (!best) continue;
+    suspicions.push_back({where.place, advice(where.name, data.where_unit(), *best)});
+    for (const FitColumn& column : data.columns) {
+      if (with_columns && column.unit == data.where_unit() && !column.unit_given) {
+        suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
+      }
+    }
   }
   return suspicions;
 }
