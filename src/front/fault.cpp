@@ -124,6 +124,10 @@ private:
       case CurveKind::kSupport:
         expect(curve.support != nullptr && curve.piece < curve.support->pieces().size(), at,
                "is given by its support and needs one that has its piece");
+        for (std::size_t k = 0; found_.empty() && !named.boundary && k < curve.support->pieces().size();
+             ++k) {
+          check_support(at, *curve.support, k);
+        }
         break;
       case CurveKind::kLine:
       case CurveKind::kPoint:
@@ -132,6 +136,25 @@ private:
         expect(curve.semi_latus > 0, at + ".semi_latus", "must be > 0");
     }
     check_references(at, named, body.curves);
+  }
+
+  // Values that are no numbers, or bounds that do not hold, would keep every search from ending.
+  void check_support(const std::string& at, const SupportCurve& support, std::size_t k) {
+    const SupportPiece& piece = support.pieces()[k];
+    const Bounds phi = piece.kind == PieceKind::kClosed ? Bounds{-kPi, kPi} : piece.phi;
+    const Bounds radius = support.radius(k, phi);
+    for (int i = 0; i <= kSupportSamples && found_.empty(); ++i) {
+      const double at_phi = phi.low + i * phi.width() / kSupportSamples;
+      const SupportValue value = support.at(k, at_phi);
+      const std::string where = fmt::format("{}, piece {} at {:.4g} rad", at, k, at_phi);
+      expect(std::isfinite(value.h) && std::isfinite(value.dh) && std::isfinite(value.rho) &&
+                 std::isfinite(value.drho) && std::isfinite(value.error),
+             where, "its support has to be finite");
+      const double rounding = kSupportRounding * (std::abs(value.rho) + std::abs(value.h));
+      expect(piece.kind == PieceKind::kFace ||
+                 (radius.low <= value.rho + rounding && value.rho - rounding <= radius.high),
+             where, "its radius of curvature is not within the bounds that it gives");
+    }
   }
 
   void check_references(const std::string& at, const NamedCurve& named,

@@ -38,6 +38,10 @@ inline constexpr double kMostDriverTurns = 1e7;
 inline constexpr double kLeastChainTolerance = 1e-9;
 /// Largest deviation from 1 of the length of a unit vector.
 inline constexpr double kUnitDirection = 1e-9;
+/// Parts of a piece at whose ends a support function from outside is looked at.
+inline constexpr int kSupportSamples = 16;
+/// By how much its radius of curvature may miss its bounds through rounding, relative to its size.
+inline constexpr double kSupportRounding = 1e-12;
 
 // Results of a path.
 

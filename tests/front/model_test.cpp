@@ -531,6 +531,38 @@ TEST(Model, WithACurveByItsSupportUnderAFaceThatEndsRuns) {
   EXPECT_THAT(run(0.008).events(), ::testing::Contains(::testing::Field(&Event::type, EventType::kEnd)));
 }
 
+// A disc whose support, or the bounds of its radius of curvature, are wrong at some normals.
+class WrongDisc final : public SupportCurve {
+public:
+  WrongDisc(double h, Bounds radius) : h_(h), radius_(radius) {}
+  [[nodiscard]] const std::vector<SupportPiece>& pieces() const override { return pieces_; }
+  [[nodiscard]] SupportValue at(std::size_t, double phi) const override {
+    return {phi > 1 ? h_ : 0.03, 0, 0.03, 0, 1e-16};
+  }
+  [[nodiscard]] Bounds radius(std::size_t, const Bounds&) const override { return radius_; }
+
+private:
+  double h_;
+  Bounds radius_;
+  std::vector<SupportPiece> pieces_{{PieceKind::kClosed, {}, {}}};
+};
+
+TEST(Model, RefusesACurveWhoseSupportIsNoNumber) {
+  const auto refusal = [](double h, const Bounds& radius) {
+    const WrongDisc disc(h, radius);
+    const auto model = Model::from(cam_under_face(disc, 0.02));
+    return model ? "" : to_string(model.error());
+  };
+  EXPECT_EQ(refusal(0.03, {0.03, 0.03}), "");
+  EXPECT_THAT(refusal(NAN, {0.03, 0.03}),
+              HasSubstr("bodies.cam.curves.edge, piece 0 at 1.178 rad: its support has to "
+                        "be finite"));
+  for (const Bounds& radius : {Bounds{NAN, NAN}, Bounds{0.031, 0.032}, Bounds{1, -1}}) {
+    EXPECT_THAT(refusal(0.03, radius),
+                HasSubstr("its radius of curvature is not within the bounds that it gives"));
+  }
+}
+
 // h = a + b cos 3φ has h + h'' = a - 8 b cos 3φ, which changes sign where 8 b > a.
 TEST(Model, RefusesACuspedCurveThatIsToBoundABody) {
   const testing::LobedCurve smooth(0.03, 0.003), cusped(0.03, 0.005);

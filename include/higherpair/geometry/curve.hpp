@@ -44,7 +44,7 @@ struct SupportValue {
 /// A boundary given piecewise by its support function: any curve of smooth arcs, corners and flat faces. This
 /// interface is all that the library needs to find, follow and list contacts without missing any: a new kind
 /// of curve is a class that implements it (see make_curve). Conics, lines and points have closed forms
-/// instead.
+/// instead. All values must be finite: Model::from() looks at some of each piece, and refuses others.
 class SupportCurve {
 public:
   SupportCurve() = default;
