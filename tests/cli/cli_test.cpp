@@ -230,6 +230,13 @@ TEST_F(Program, FailsWhereItCannotWrite) {
   EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --csv /dev/full").code, 1);
 }
 
+TEST_F(Program, SaysThatANumberHasToBeWhole) {
+  EXPECT_THAT(run("analyze " + profile("four_bar.toml") + " --derivatives 3.5").err,
+              HasSubstr("--derivatives 3.5: must be an integer from 3 to 6"));
+  EXPECT_THAT(run("map " + profile("ellipse_cam_roller.toml") + " --samples 1").err,
+              HasSubstr("--samples 1: must be an integer from 2 to 10000000"));
+}
+
 // Events, notes, messages and errors of arguments.
 TEST_F(Program, DoesTheSameWhereStandardErrorCannotBeWritten) {
   const fs::path table = folder_ / "table.csv";

@@ -76,7 +76,7 @@ TEST_F(Draw, RefusesPositionsAndWidthsWithoutAPlace) {
   EXPECT_THAT(message("--at nan"), HasSubstr("--at: 'nan' is no number"));
   EXPECT_THAT(message("--at 1e20"), HasSubstr("driver = 1e+20: expected a position of at most 1e9 turns"));
   EXPECT_THAT(message("--at 1e300"), HasSubstr("expected a position of at most 1e9 turns"));
-  EXPECT_THAT(message("--width 1e300"), HasSubstr("--width: Value 1e300 not in range 50"));
+  EXPECT_THAT(message("--width 1e300"), HasSubstr("--width 1e300: must be a number from 50 to 10000;"));
   EXPECT_THAT(message("--strip"), HasSubstr("--strip requires --every"));
 }
 

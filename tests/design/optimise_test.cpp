@@ -254,7 +254,10 @@ TEST(Optimise, NothingThatIsFiniteIsNoDesign) {
     values.cost = std::numeric_limits<double>::infinity();
   });
   problem.has_cost = true;
-  EXPECT_TRUE(optimise(problem, few(20)).best.x.empty());
+  const DesignPoint best = optimise(problem, few(20)).best;
+  EXPECT_TRUE(best.x.empty());
+  EXPECT_EQ(best.objective, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(best.violation, std::numeric_limits<double>::infinity());
 }
 
 TEST(Optimise, StaysWithinBounds) {

@@ -2,8 +2,11 @@
 
 #include "front/sliding_cam.hpp"
 #include "higherpair/cam/hertz.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include <fmt/core.h>
@@ -670,7 +673,23 @@ TEST(Check, FailsAsARunDoes) {
   EXPECT_EQ(report.error().kind, ErrorKind::kMechanism);
   CheckSettings settings;
   settings.tolerance = -1;
-  EXPECT_EQ(check(model_of(four_quarters(kRoller, 2)), settings).error().kind, ErrorKind::kInput);
+  const Model model = model_of(four_quarters(kRoller, 2));
+  EXPECT_THAT(to_string(check(model, settings).error()),
+              HasSubstr("CheckSettings::tolerance = -1: must be > 0"));
+  const auto limited = [&](const std::function<void(CheckLimits&)>& change) {
+    CheckLimits limits;
+    change(limits);
+    CheckSettings with_limits;
+    with_limits.limits = std::make_shared<const CheckLimits>(std::move(limits));
+    const auto refused = check(model, with_limits);
+    return refused ? "" : to_string(refused.error());
+  };
+  const GivenLimit none{kNoValue, {}, "limits.max_pressure_angle", {}};
+  EXPECT_EQ(limited([](CheckLimits& limits) { limits.contacts.resize(1); }), "");
+  EXPECT_THAT(limited([&](CheckLimits& limits) { limits.all[0] = none; }),
+              HasSubstr("CheckLimits::all: limits.max_pressure_angle must be finite"));
+  EXPECT_THAT(limited([](CheckLimits& limits) { limits.contacts.resize(9); }),
+              HasSubstr("CheckLimits::contacts: there are 9 for 1"));
 }
 
 TEST(Check, EndsWhereItIsStopped) {

@@ -2,6 +2,7 @@
 
 #include "unknown_argument.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,24 @@ std::string not_converted(const CLI::App& command, std::string_view text) {
   return fmt::format("{} {}: must be {}", option, text.substr(equals + 3), kind_of_value(command, option));
 }
 
+// Rewords "--samples: Value 2.5 not in range 2 to 100", which is also said of a number that is not whole.
+std::optional<std::string> not_in_range(const CLI::App& command, const std::string& text) {
+  constexpr std::string_view kValue = ": Value ", kRange = " not in range ";
+  const std::size_t value = text.find(kValue), range = text.find(kRange);
+  if (value == std::string::npos || range == std::string::npos) {
+    return std::nullopt;
+  }
+  const std::string option = text.substr(0, value);
+  const std::size_t from = value + kValue.size();
+  std::string limits = text.substr(range + kRange.size());
+  constexpr std::string_view kDecimals = ".000000";
+  for (std::size_t at = limits.find(kDecimals); at != std::string::npos; at = limits.find(kDecimals)) {
+    limits.erase(at, kDecimals.size());
+  }
+  return fmt::format("{} {}: must be {} from {}", option, text.substr(from, range - from),
+                     kind_of_value(command, option), limits);
+}
+
 // Rewords "--csv: 1 required TEXT missing" and "--csv: At Most 1 required but received 2".
 std::string wrong_count(const std::string& text) {
   const std::string option = text.substr(0, text.find(':'));
@@ -43,7 +62,9 @@ std::string sentence(const CLI::App& command, const CLI::ParseError& error) {
       text.compare(0, kNotConverted.size(), kNotConverted) == 0) {
     return not_converted(command, text);
   }
-  return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ? wrong_count(text) : text;
+  return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr
+             ? wrong_count(text)
+             : not_in_range(command, text).value_or(text);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -90,16 +91,16 @@ struct DesignProgress {
 
 /// A design and its values.
 struct DesignPoint {
-  std::vector<double> x;  ///< of the variables, within their bounds
+  std::vector<double> x;  ///< of the variables, within their bounds; empty where no value was finite
   int branch = 0;
-  double objective = 0;
-  double violation = 0;  ///< the largest constraint; <= 0: all hold
+  double objective = std::numeric_limits<double>::infinity();
+  double violation = std::numeric_limits<double>::infinity();  ///< the largest constraint; <= 0: all hold
 };
 
 /// Result of one search.
 struct DesignSearchEnd {
-  int number = 0;    ///< 0 … DesignOptions::starts - 1
-  DesignPoint best;  ///< x is empty where no value was finite
+  int number = 0;  ///< 0 … DesignOptions::starts - 1
+  DesignPoint best;
   std::int64_t evaluations = 0;
 };
 

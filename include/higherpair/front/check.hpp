@@ -57,7 +57,8 @@ struct CheckReport {
 /// with the limits: pressure angles, radii of curvature, the width of flat faces, sliding and rolling speeds,
 /// contact forces and Hertzian pressure, accelerations and jerks, driving efforts, the speed up to which no
 /// contact opens; for flanks generated from a law also the dimensions that would keep the limits. Extremes
-/// are taken over the whole path, between its rows too. Fails as Model::run does.
+/// are taken over the whole path, between its rows too. Fails as Model::run does, and for limits that are not
+/// finite or not as many as the mechanism has contacts, joints or bodies.
 [[nodiscard]] Result<CheckReport> check(const Model& model, const CheckSettings& settings = {});
 
 /// "exceeded", "kept", "undecided", "" as results print it.

@@ -1,6 +1,7 @@
 #include "higherpair/front/check.hpp"
 
 #include "check_parts.hpp"
+#include "front/demands.hpp"
 #include "front/tolerances.hpp"
 
 #include <algorithm>
@@ -25,6 +26,29 @@ std::optional<std::int64_t> few_rows(const Profile& profile, bool in_time) {
     if (!in_time) most = std::min(most, program.samples.value_or(kDefaultSamples));
   }
   return most;
+}
+
+// What is wrong with limits that a program has made; empty: nothing.
+std::string fault_of(const CheckLimits& limits, const Mechanism& mechanism) {
+  const auto in = [](const char* name, const std::vector<LimitSet>& sets, std::size_t count) -> std::string {
+    if (!sets.empty() && sets.size() != count) {
+      return fmt::format("CheckLimits::{}: there are {} for {}", name, sets.size(), count);
+    }
+    for (const LimitSet& set : sets) {
+      for (const auto& limit : set) {
+        if (limit && !std::isfinite(limit->value))
+          return fmt::format("CheckLimits::{}: {} must be finite", name, limit->path);
+      }
+    }
+    return "";
+  };
+  for (std::string fault :
+       {in("all", {limits.all}, 1), in("contacts", limits.contacts, mechanism.contacts.size()),
+        in("joints", limits.joints, mechanism.joints.size()),
+        in("bodies", limits.bodies, mechanism.bodies.size())}) {
+    if (!fault.empty()) return fault;
+  }
+  return "";
 }
 
 // Runs through all rows for the events between them. False if the run was stopped.
@@ -155,6 +179,11 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   const Profile& profile = model.profile();
   const CheckLimits none;
   const CheckLimits& limits = settings.limits ? *settings.limits : profile.limits ? *profile.limits : none;
+  std::string fault = first_unmet({positive("CheckSettings::tolerance", settings.tolerance)});
+  if (fault.empty()) fault = fault_of(limits, profile.mechanism);
+  if (!fault.empty()) {
+    return wrong(model, std::move(fault));
+  }
   RunSettings run;
   run.in_time = settings.in_time;
   run.tolerance = settings.tolerance;
