@@ -98,6 +98,19 @@ TEST(Model, ThatIsBuiltRunsAsTheOneThatIsRead) {
   EXPECT_EQ(text_of(one), text_of(other));
 }
 
+// A second coupler of another length.
+TEST(Model, WithALinkTooManySaysSoWhereItCannotStart) {
+  const Model model =
+      shipped_model("four_bar", {"bodies.brace.points={P=[0,0],Q=[7.5,0]}",
+                                 R"(joints.P={type="revolute",between=["crank.A","brace.P"]})",
+                                 R"(joints.Q={type="revolute",between=["brace.Q","rocker.B"]})"});
+  const auto motion = model.run();
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(to_string(motion.error()), HasSubstr("joints, contacts and drivers make 1 condition more than "
+                                                   "the bodies can meet, unless the dimensions "
+                                                   "are special: one of them may be too many"));
+}
+
 TEST(Model, HasSlots) {
   Mechanism yoke;
   const PointRef O = add_point(yoke, kGround, "O", {0, 0});

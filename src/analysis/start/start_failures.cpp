@@ -57,14 +57,23 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
         far ? "reach together" : "differ in length");
   }
   const std::vector<int> phased = phase_bodies_of(run.plan(), group);
+  const int surplus = run.plan().surplus;
+  const std::string too_many =
+      surplus == 0
+          ? ""
+          : fmt::format(
+                "; joints, contacts and drivers make {} condition{} more than the bodies can meet, unless "
+                "the dimensions are special: one of them may be too many (`higherpair mobility` counts)",
+                surplus, surplus == 1 ? "" : "s");
   return fmt::format(
       "bodies {} cannot be put together at the first driver position near their poses, or branches cross "
       "there{}; give them the poses they have there (others may lead elsewhere), or change that position "
-      "or the dimensions",
+      "or the dimensions{}",
       names_of(run.mechanism().bodies, group.bodies),
       phased.empty() ? ""
                      : fmt::format(" ({}, turned by rolling alone, with the angle of the pose)",
-                                   names_of(run.mechanism().bodies, phased)));
+                                   names_of(run.mechanism().bodies, phased)),
+      too_many);
 }
 
 }  // namespace higherpair
