@@ -89,9 +89,8 @@ std::string judgement(const FitReport& report) {
   }
   if (report.too_large) {
     text += fmt::format(
-        "the residuals are {:.3g} times the deviations given (chance {:.1g}): the model or the deviations "
-        "are "
-        "wrong\n",
+        "the residuals are {:.3g} times the deviations given (chance {:.1g}): the model or the "
+        "deviations are wrong\n",
         report.noise_ratio, report.chance);
   }
   for (const FitReport::Column& column : report.columns) {

@@ -40,9 +40,8 @@ double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted
 std::string advice(const std::string& name, const std::string& own, const OtherUnit& other) {
   const double times = 1 / other.factor;
   return fmt::format(
-      "{}: these values are far from the motion of the profile in {}, but near it if they are in {} (a "
-      "factor of "
-      "{:.6g}); write {}[{}] in the header, or {}[{}] if they are right as they are",
+      "{}: these values are far from the motion of the profile in {}, but near it if they are in {} "
+      "(a factor of {:.6g}); write {}[{}] in the header, or {}[{}] if they are right as they are",
       name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
 }
 

@@ -148,8 +148,8 @@ private:
       return std::nullopt;
     }
     return fmt::format(
-        "the flank does not close: over the turn of the cam the law ends {} off the value with which it "
-        "begins",
+        "the flank does not close: over the turn of the cam the law ends {} off the value with which "
+        "it begins",
         with_unit(motion.law.advance(), coordinate_dimension(motion.follower.turns), reading_.units));
   }
 
@@ -185,9 +185,8 @@ private:
                                        "turn the face, or the guide";
       case FlankFault::Kind::kNoNormal:
         return "at " + at +
-               " of the cam no point of the follower's curve could touch a flank; use a curve that goes "
-               "farther "
-               "round, or another pose";
+               " of the cam no point of the follower's curve could touch a flank; use a curve that "
+               "goes farther round, or another pose";
       case FlankFault::Kind::kTooLong:
         return "the law goes over more than a turn of the cam, whose flank would cross itself";
       case FlankFault::Kind::kUndercut:
@@ -200,9 +199,8 @@ private:
     if (is_line(cam.curve) && can_be_cut(turned_over(cam))) {
       const Vector2d& n_B = cam.curve.axis_B;  // an axis points into the material
       return fmt::format(
-          "the follower's face points away from the cam: its normal points out of the follower's material, "
-          "to the "
-          "flank; write normal = [{:.6g}, {:.6g}]",
+          "the follower's face points away from the cam: its normal points out of the follower's "
+          "material, to the flank; write normal = [{:.6g}, {:.6g}]",
           n_B.x() + 0.0, n_B.y() + 0.0);
     }
     const auto largest = has_roller(cam) ? largest_follower(cam, 0) : std::nullopt;
