@@ -123,7 +123,7 @@ MotionLaw MotionLaw::repeated(int count) const {
     law.set_end(data_->begin() + (turn + 1) * data_->length());
   }
   data->last = data_->first + count * advance();
-  const MotionLaw law_of_all(data);
+  MotionLaw law_of_all(data);
   data->joins = joins_of(law_of_all, law);
   return law_of_all;
 }
