@@ -319,7 +319,7 @@ TEST_F(Export, SaysHowLargeACutterMayBe) {
   settings.cutter = 0.025;
   const std::string message = refused(ring, settings);
   EXPECT_THAT(message, HasSubstr("a cutter or roller of radius 25 mm is too large for ring.hole: at ("));
-  EXPECT_THAT(message, HasSubstr("that is hollower than the cutter is round; anything below 20 mm can"));
+  EXPECT_THAT(message, HasSubstr("that is concave with a smaller radius than the cutter; anything below 20 mm can"));
   settings.cutter = 0.020;
   EXPECT_EQ(taken(ring, settings).size(), 1U);
 }

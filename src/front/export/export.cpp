@@ -113,7 +113,7 @@ Result<std::vector<NamedRef>> wanted_curves(const Model& model, const ExportSett
   }
   if (wanted.empty()) {
     return wrong(model, all.empty() ? "there are no curves"
-                                    : "say which curve goes out: " + joined_words(names_of(all)));
+                                    : "name the curve to export: " + joined_words(names_of(all)));
   }
   return wanted;
 }
@@ -193,7 +193,7 @@ std::string text_of(const Model& model, const std::string& name, double radius, 
       return fmt::format("{} has a hollow corner at {}, which no round cutter can cut: round it first", name,
                          place);
     case CutterFault::Kind::kHollow:
-      text += fmt::format("at {} that is hollower than the cutter is round", place);
+      text += fmt::format("at {} that is concave with a smaller radius than the cutter", place);
       break;
     case CutterFault::Kind::kCrossing:
       text += fmt::format("its path crosses itself at {}, where it cuts into another part", place);
