@@ -102,7 +102,7 @@ TEST_F(ExportCommand, RefusesWhatIsWrong) {
   EXPECT_THAT(refused("cam.toml --curve cam.flnk -o w.dxf"),
               HasSubstr("there is no curve cam.flnk; did you mean `cam.flank`?"));
   EXPECT_THAT(refused("cam.toml -o w.dxf"),
-              HasSubstr("say which curve goes out: cam.flank, follower.roller"));
+              HasSubstr("name the curve to export: cam.flank, follower.roller"));
   EXPECT_THAT(refused("nothing.toml -o w.dxf"), HasSubstr("nothing.toml"));
   EXPECT_THAT(refused(flank + "-o w.dxf --curves a"), HasSubstr("did you mean `--curve`?"));
 }

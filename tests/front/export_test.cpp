@@ -270,7 +270,7 @@ TEST_F(Export, SaysWhatIsWrong) {
   const Model cam = *Model::from_text(testing::kCam, "cam.toml");
   EXPECT_THAT(refused(cam, of("cam.disk")),
               HasSubstr("cam.toml: there is no curve cam.disk; did you mean `cam.disc`?"));
-  EXPECT_THAT(refused(cam, {}), HasSubstr("say which curve goes out: cam.disc, follower.face"));
+  EXPECT_THAT(refused(cam, {}), HasSubstr("name the curve to export: cam.disc, follower.face"));
   ExportSettings settings;
   settings.body = "can";
   EXPECT_THAT(refused(cam, settings), HasSubstr("there is no body can; did you mean `cam`?"));
@@ -319,7 +319,7 @@ TEST_F(Export, SaysHowLargeACutterMayBe) {
   settings.cutter = 0.025;
   const std::string message = refused(ring, settings);
   EXPECT_THAT(message, HasSubstr("a cutter or roller of radius 25 mm is too large for ring.hole: at ("));
-  EXPECT_THAT(message, HasSubstr("that is concave with a smaller radius than the cutter; anything below 20 mm can"));
+  EXPECT_THAT(message, HasSubstr("it is concave with a smaller radius; anything below 20 mm can"));
   settings.cutter = 0.020;
   EXPECT_EQ(taken(ring, settings).size(), 1U);
 }

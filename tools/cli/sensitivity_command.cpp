@@ -238,7 +238,8 @@ CommandRun add_sensitivity(CLI::App& command) {
                   "check the bands of [tolerances] by so many random variants, such as 100000")
       ->check(CLI::Range(kFewestVariants, kMostToleranceVariants));
   command.add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
-  command.add_option("--top", options->top, "number of dimensions that are printed of each result (default 10)")
+  command
+      .add_option("--top", options->top, "number of dimensions that are printed of each result (default 10)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   command.add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
   add_tolerance_option(command, options->settings.tolerance);

@@ -193,7 +193,7 @@ std::string text_of(const Model& model, const std::string& name, double radius, 
       return fmt::format("{} has a hollow corner at {}, which no round cutter can cut: round it first", name,
                          place);
     case CutterFault::Kind::kHollow:
-      text += fmt::format("at {} that is concave with a smaller radius than the cutter", place);
+      text += fmt::format("at {} it is concave with a smaller radius", place);
       break;
     case CutterFault::Kind::kCrossing:
       text += fmt::format("its path crosses itself at {}, where it cuts into another part", place);
