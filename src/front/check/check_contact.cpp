@@ -17,12 +17,12 @@ namespace {
 
 using Bound = CheckFigures::Bound;
 
-// Whether the body that a contact moves, the later one in the order of solution, is its second one. Ground is
-// never moved.
+// Whether the body that a contact moves, the later one in the order of solution, is its second one. Ground
+// comes before all others.
 bool moves_second(const Run& run, int index) {
   const Contact& contact = run.mechanism().contacts[index];
-  if (contact.second.body == kGround) {
-    return false;
+  if (contact.first.body == kGround || contact.second.body == kGround) {
+    return contact.first.body == kGround;
   }
   for (const Group& group : run.plan().groups) {
     if (contains(group.bodies, contact.first.body)) {

@@ -45,11 +45,20 @@ std::string advice(const std::string& name, const std::string& own, const OtherU
       name, own, other.unit, times > 1 ? times : other.factor, name, other.unit, name, own);
 }
 
-// Takes columns whose unit nothing says for ones in another unit, as the driver's.
-void scale_columns(const std::string& unit, double factor, FitData& data) {
-  for (FitColumn& column : data.columns) {
-    for (double& value : column.values) value *= column.unit == unit && !column.unit_given ? factor : 1;
+// Whether the unit of a column is only presumed; that of a point in a frame of its own has no part in it.
+bool is_presumed(const FitData& data, std::size_t c) {
+  return !data.columns[c].unit_given &&
+         std::none_of(data.frames.begin(), data.frames.end(),
+                      [&](const FitFrame& frame) { return frame.x == c || frame.y == c; });
+}
+
+// The columns whose unit is presumed to be the driver's.
+std::vector<std::size_t> with_the_driver(const FitData& data) {
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < data.columns.size(); ++c) {
+    if (is_presumed(data, c) && data.columns[c].unit == data.where_unit()) columns.push_back(c);
   }
+  return columns;
 }
 
 // The mean misfit of all columns; none where the motion cannot be run.
@@ -75,11 +84,9 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   if (!table) return suspicions;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
     const FitColumn& column = data.columns[c];
-    bool in_frame = false;
-    for (const FitFrame& frame : data.frames) in_frame = in_frame || frame.x == c || frame.y == c;
     const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
     const double as_it_is = misfit(column.values, fitted, 1, column.offset);
-    if (column.unit_given || in_frame || !(as_it_is > kFarMisfit)) continue;
+    if (!is_presumed(data, c) || !(as_it_is > kFarMisfit)) continue;
     std::optional<OtherUnit> best;
     double least = std::min(kNearMisfit, kBetterMisfit * as_it_is);
     for (const OtherUnit& other : other_units(column.unit, data.model.units())) {
@@ -93,6 +100,7 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   }
   if (!suspicions.empty()) return suspicions;
   const auto as_it_is = whole_misfit(problem, variables, data);
+  const std::vector<std::size_t> alike = with_the_driver(data);
   for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
     const FitWhere& where = data.where[i];
     if (where.unit_given || where.offset) continue;
@@ -103,7 +111,10 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
       FitData scaled = data;
       for (double& value : scaled.where[i].values) value *= other.factor;
       for (const bool columns_too : {false, true}) {
-        if (columns_too) scale_columns(data.where_unit(), other.factor, scaled);
+        if (columns_too && alike.empty()) continue;
+        for (const std::size_t c : columns_too ? alike : std::vector<std::size_t>()) {
+          for (double& value : scaled.columns[c].values) value *= other.factor;
+        }
         const auto there = whole_misfit(problem, variables, scaled);
         if (there && *there < least) {
           least = *there;
@@ -114,10 +125,9 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
     }
     if (!best) continue;
     suspicions.push_back({where.place, advice(where.name, data.where_unit(), *best)});
-    for (const FitColumn& column : data.columns) {
-      if (with_columns && column.unit == data.where_unit() && !column.unit_given) {
-        suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
-      }
+    for (const std::size_t c : with_columns ? alike : std::vector<std::size_t>()) {
+      const FitColumn& column = data.columns[c];
+      suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
     }
   }
   return suspicions;
