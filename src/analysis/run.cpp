@@ -196,22 +196,28 @@ std::optional<Run> started_from_beside(const Run& run) {
 }
 
 // Sets the shares of all events. With a single driver, its coordinate at an event determines the share,
-// whatever path the event was found on.
+// whatever path the event was found on; what rounding puts beyond a row is at the row.
 void set_shares(Run& run) {
   const double from = run.work.row_before[0];
-  const double length = run.at.targets[0] - from;
+  const double to = run.at.targets[0];
+  const double length = to - from;
   const bool by_driver = run.at.targets.size() == 1 && length != 0;
   for (RunEvent& event : run.events) {
+    if (by_driver) event.driver = std::clamp(event.driver, std::min(from, to), std::max(from, to));
     event.share = std::clamp(by_driver ? (event.driver - from) / length : event.share, 0.0, 1.0);
   }
 }
 
 // A driver position, within two turns of the start, at which a rolling pair is in the same position as at u.
 // About two pivots only circles about their centres and equal ellipses about their foci roll through a whole
-// turn, and after any number of turns they are as they were.
-double within_two_turns(const ContactPair& pair, double start, double u) {
-  const double turned = u - start;
-  return pair.motion1.turns && std::abs(turned) > 4 * kPi ? start + std::fmod(turned, 2 * kPi) : u;
+// turn, and after any number of turns they are as they were; so is a circle on a line that slides, after
+// turns of its own.
+double within_two_turns(const ContactPair& pair, const ContactPosition& start, double u) {
+  const double turn = pair.motion1.turns                    ? 2 * kPi
+                      : pair.motion2.turns && start.dq != 0 ? 2 * kPi / std::abs(start.dq)
+                                                            : kInf;
+  const double moved = u - start.u;
+  return std::abs(moved) > 2 * turn ? start.u + std::fmod(moved, turn) : u;
 }
 
 }  // namespace
@@ -264,6 +270,7 @@ std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& dr
 
 void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   run.events.clear();
+  run.smooth_joints.clear();
   if (run.at.limit_here || run.at.limit_before) {
     run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
   }
@@ -316,11 +323,12 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       if (is_stopped(run)) {
         return std::nullopt;
       }
-      const double u = within_two_turns(tracked->pair, start->at.u, tracked->driver_sign * position);
+      const double u = within_two_turns(tracked->pair, start->at, tracked->driver_sign * position);
       const RollingResult result = roll_to(track, u);
-      // A large angle is known only to within its rounding.
+      // A large angle or slide is known only to within its rounding.
       const double known = kRollingUlps * std::numeric_limits<double>::epsilon() * std::abs(u);
-      const double largest = (run.tolerance + known) * run.plan().size;
+      const double size = run.plan().size;
+      const double largest = run.tolerance * size + known * (tracked->pair.motion1.turns ? size : 1);
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
         return Slip{tracked->driver_sign * u, track.at.sliding, tracked->contact};
       }

@@ -332,6 +332,9 @@ inline constexpr double kStartsApart = 1e-4;
 /// Contacts whose coordinates at the start differ by less than this [rad, or relative to the size] are made
 /// at the same time.
 inline constexpr double kTouchAtOnce = 1e-11;
+/// A follower that is posed less than this [rad, or relative to the size] beyond a contact starts at it,
+/// whatever the sense of its approach.
+inline constexpr double kTouchAtStart = 1e-9;
 /// Product of the sines between a normal and those of two neighbouring samples, below which it is one of
 /// theirs to within rounding.
 inline constexpr double kOnSample = 1e-12;

@@ -3,6 +3,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
+#include "sample_steps.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 constexpr double kFewest = 48;          // least number of parts of a path
 constexpr double kMostSamples = 1e6;    // of a path
 constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
-constexpr double kMarks = 24;           // positions of the run that are kept to go on from
+constexpr double kRoomInStep = 1e-6;    // by so much more than a step is one step
+constexpr double kMarks = 256;          // positions of the run that are kept to go on from, on a path
 // Between samples a motion should not be lost. To take it up again costs thousands of steps: after so many
 // times the best value found so far is the extreme.
 constexpr int kMostLost = 10;
@@ -85,8 +87,8 @@ struct Approach {
 class Search {
 public:
   Search(const Run& start, const DriverPath& path, const std::vector<PathQuantities>& blocks,
-         const PathLook& look)
-      : start_(start), path_(path), blocks_(blocks), look_(look) {}
+         const std::vector<double>& breaks)
+      : start_(start), path_(path), blocks_(blocks), breaks_(breaks) {}
 
   std::vector<std::vector<PathRange>> run() {
     sample();
@@ -119,29 +121,30 @@ private:
       end(mover.at());
       return;
     }
-    const double whole = path_.knots.back() - path_.knots.front();
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
       const double from = path_.knots[i - 1], to = path_.knots[i];
-      const double parts =
-          std::max(parts_between(start_, path_, from, to), look_.parts * (to - from) / whole);
+      const double longest = (to - from) / parts_between(start_, path_, from, to);
       std::vector<double> ends{from};
-      for (const double at : look_.breaks) {
+      for (const double at : breaks_) {
         if (at > from && at < to) ends.push_back(at);
       }
       ends.push_back(to);
-      mark_every_ = parts / kMarks;
       for (std::size_t k = 1; k < ends.size() && !is_stopped(start_); ++k) {
         sample_between(mover, ends[k - 1], ends[k],
-                       std::max(kFewestInStretch, std::ceil(parts * (ends[k] - ends[k - 1]) / (to - from))));
+                       std::min(longest, (ends[k] - ends[k - 1]) / kFewestInStretch));
       }
     }
   }
 
-  void sample_between(Mover& mover, double from, double to, double parts) {
+  void sample_between(Mover& mover, double from, double to, double longest) {
     begin(from);
-    for (double k = 0; k <= parts && !is_stopped(start_); ++k) {
-      const double share = std::clamp(k / parts, kInsideStretch, 1 - kInsideStretch);
-      take(mover, std::lerp(from, to, share));
+    const double last = std::lerp(from, to, 1 - kInsideStretch);
+    double at = std::lerp(from, to, kInsideStretch);
+    take(mover, at);
+    while (at < last && !is_stopped(start_)) {
+      const double left = std::ceil((last - at) / steps_.next(mover.run(), at, longest) - kRoomInStep);
+      at = left > 1 ? at + (last - at) / left : last;
+      take(mover, at);
     }
     end(to);
   }
@@ -155,13 +158,22 @@ private:
     const double was = mover.at();
     const Run& run = mover.move(at);
     bool skip = false;
+    std::vector<double> breaks;
+    for (const double share : run.smooth_joints) {
+      breaks.push_back(path_.place_of(share, was, at));
+    }
     for (const RunEvent& event : run.events) {
       const double place = path_.place_of(event.share, was, at);
       if (is_singular(event)) {
         part_at(place, at, kApartFromSingular * (at - was));
         skip = skip || at - place < kApartFromSingular * (at - was);
-      } else if (is_break(event) && place > stretches_.back().from && !stretches_.back().at.empty() &&
-                 place < at) {
+      } else if (is_break(event)) {
+        breaks.push_back(place);
+      }
+    }
+    std::sort(breaks.begin(), breaks.end());
+    for (const double place : breaks) {
+      if (place > stretches_.back().from && !stretches_.back().at.empty() && place < at) {
         end(place);
         begin(place);
       }
@@ -179,9 +191,8 @@ private:
       }
       first += values.size();
     }
-    if (since_mark_++ >= mark_every_ || marks_.empty()) {
+    if (marks_.empty() || at - marks_.back().at() >= between_marks_) {
       marks_.push_back(mover);
-      since_mark_ = 0;
     }
   }
 
@@ -262,8 +273,9 @@ private:
         return kNoValue;
       }
       // Start from the last mark before the first position that is asked for, then move back and forth:
-      // between neighbouring samples the branch is not lost.
-      if (!mover || !mover->run().at.on_branch || std::abs(at - mover->at()) > near_) {
+      // between neighbouring samples of a stretch the branch is not lost, but back over a break it may be.
+      if (!mover || !mover->run().at.on_branch || std::abs(at - mover->at()) > between_marks_ ||
+          &stretch_at(at) != &stretch_at(mover->at())) {
         const auto after = mark_after(at);
         mover.emplace(after == marks_.begin() ? marks_.front() : after[-1]);
       }
@@ -325,12 +337,16 @@ private:
     });
   }
 
-  // The outermost sample of a stretch counts as its end, as does any position within rounding of it.
-  [[nodiscard]] double settled(double at) const {
+  [[nodiscard]] const Stretch& stretch_at(double at) const {
     const auto after =
         std::upper_bound(stretches_.begin(), stretches_.end(), at,
                          [](double place, const Stretch& stretch) { return place < stretch.from; });
-    const Stretch& stretch = after == stretches_.begin() ? stretches_.front() : after[-1];
+    return after == stretches_.begin() ? stretches_.front() : after[-1];
+  }
+
+  // The outermost sample of a stretch counts as its end, as does any position within rounding of it.
+  [[nodiscard]] double settled(double at) const {
+    const Stretch& stretch = stretch_at(at);
     const auto is_end = [&](double distance) {
       const double share = distance / (stretch.to - stretch.from);
       return share < kJumpPlace * 10 || std::abs(share - kInsideStretch) < kJumpPlace * 10;
@@ -344,14 +360,13 @@ private:
   const Run& start_;
   const DriverPath& path_;
   const std::vector<PathQuantities>& blocks_;
-  const PathLook& look_;
+  const std::vector<double>& breaks_;
   std::size_t count_ = 0;  // number of quantities
+  SampleSteps steps_{start_.mechanism()};
   std::vector<Stretch> stretches_;
   std::vector<Approach> approaches_;
   std::vector<Mover> marks_;
-  double mark_every_ = 0;
-  double since_mark_ = 0;
-  double near_ = (path_.knots.back() - path_.knots.front()) / kFewest;
+  double between_marks_ = (path_.knots.back() - path_.knots.front()) / kMarks;
 };
 
 }  // namespace
@@ -373,8 +388,8 @@ std::optional<double> cut_to_examined(const Run& start, DriverPath& path) {
 
 std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                   const std::vector<PathQuantities>& blocks,
-                                                  const PathLook& look) {
-  return Search(start, path, blocks, look).run();
+                                                  const std::vector<double>& breaks) {
+  return Search(start, path, blocks, breaks).run();
 }
 
 }  // namespace higherpair

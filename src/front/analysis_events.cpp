@@ -35,6 +35,18 @@ std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const U
                      shown.apply(jump.before), shown.apply(jump.after), unit);
 }
 
+// The positions of the drivers after the first.
+std::string further_drivers_text(const RunEvent& what, const Mechanism& mechanism, const Units& units) {
+  std::string text;
+  for (std::size_t i = 0; i < what.further_drivers.size(); ++i) {
+    const Dimension dimension = driver_dimension(mechanism, i + 1);
+    text +=
+        fmt::format("{} driver.{} = {:.10g} {}", i == 0 ? "; with" : ",", mechanism.drivers[i + 1].name,
+                    from_si(dimension, units).apply(what.further_drivers[i]), unit_text(dimension, units));
+  }
+  return text;
+}
+
 std::string cause_of(const RunEvent& what, const Mechanism& mechanism, const Units& units) {
   std::string cause = what.cause;
   if (what.curvature) {
@@ -43,7 +55,8 @@ std::string cause_of(const RunEvent& what, const Mechanism& mechanism, const Uni
     cause += fmt::format(" from {:.6g} to {:.6g} {}", shown.apply((*what.curvature)[0]),
                          shown.apply((*what.curvature)[1]), unit_text(curvature, units));
   }
-  return what.jump ? cause + jump_text(*what.jump, mechanism, units) : cause;
+  if (what.jump) cause += jump_text(*what.jump, mechanism, units);
+  return cause + further_drivers_text(what, mechanism, units);
 }
 
 }  // namespace

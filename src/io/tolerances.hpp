@@ -62,6 +62,8 @@ inline constexpr double kOneTurn = 1e-6;
 inline constexpr double kNoiseWorthSaying = 0.01;
 /// How far a number may be from a whole one and count as whole, relative to the larger of itself and 1.
 inline constexpr double kWholeNumber = 1e-9;
+/// Relative to the step: steps of a driver from row to row that differ by less are equal.
+inline constexpr double kSameStep = 1e-9;
 /// Relative to the duration: times that are closer to each other count as one.
 inline constexpr double kSameTime = 1e-12;
 /// In time steps: a smaller remainder of the duration is due to rounding of the two numbers.

@@ -37,9 +37,11 @@ struct PeakLimits {
 /// last terms are small and do not fall any more, so that they are rounding. The half next to the larger
 /// values comes first; a half over which the series stays below what is already known, by many times its last
 /// terms, is left out.
-/// \param last  size of the last terms of the interval that was halved to give this one
+/// \param last  size of the last terms of the interval that was halved to give this one, and of that before:
+/// at a kink one of them may not fall
 template <class F>
-void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best, double last = kInf) {
+void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best,
+           const std::array<double, 2>& last = {kInf, kInf}) {
   ChebyshevSeries values;
   const auto place = [&](double t) { return (from + to) / 2 + t * (to - from) / 2; };
   bool whole = true;
@@ -61,7 +63,8 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best, d
   if (whole) {
     const ChebyshevSeries series = interpolate(values);
     tail = std::abs(series[kNodes - 1]) + std::abs(series[kNodes - 2]) + std::abs(series[kNodes - 3]);
-    if (tail <= limits.noise || (tail <= kRoughTerms * limits.noise && tail * kTermsFall >= last)) {
+    if (tail <= limits.noise || (tail <= kRoughTerms * limits.noise && tail * kTermsFall >= last[0] &&
+                                 last[0] * kTermsFall >= last[1])) {
       LowestValue lowest{0, kInf};
       find_lower(series, std::max(kFineOfNoise * limits.noise, kFineOfTerms * tail), lowest);
       const double t = settled_minimum(series, lowest.t);
@@ -83,7 +86,8 @@ void raise(const F& f, double from, double to, PeakLimits& limits, Peak& best, d
     if (highest[first ? 0 : 1] < std::max(best.value, limits.known) - limits.noise) {
       continue;
     }
-    first ? raise(f, from, middle, limits, best, tail) : raise(f, middle, to, limits, best, tail);
+    const std::array terms{tail, last[0]};
+    first ? raise(f, from, middle, limits, best, terms) : raise(f, middle, to, limits, best, terms);
   }
 }
 
@@ -101,9 +105,14 @@ public:
       if (!std::isfinite(values[i]) || before >= values[i] || after > values[i]) {
         continue;
       }
-      const auto rise = [&](double beside) { return std::isfinite(beside) ? values[i] - beside : kInf; };
-      const double open = std::max(i > 0 ? rise(before) : 0.0, i + 1 < values.size() ? rise(after) : 0.0);
       const double low = i > 0 ? at[i - 1] : from, high = i + 1 < values.size() ? at[i + 1] : to;
+      const auto slope = [&](double beside, double distance) {
+        return std::isfinite(beside) ? (values[i] - beside) / distance : kInf;
+      };
+      const double steepest = std::max(i > 0 ? slope(before, at[i] - low) : 0.0,
+                                       i + 1 < values.size() ? slope(after, high - at[i]) : 0.0);
+      double open = kOpenRises * steepest * std::max(at[i] - low, high - at[i]);
+      if (values.size() == 1 && to > from) open = kInf;
       candidates_.push_back({low, high, {at[i], values[i]}, open});
     }
   }
@@ -150,6 +159,9 @@ private:
     double open = 0;  // how much higher the function may be between the samples
   };
   static constexpr int kMostCalls = 40000;
+  // How much higher a function may be beside a sample, in multiples of what it rises by at the slope up to
+  // it: towards an end it may rise ever faster.
+  static constexpr double kOpenRises = 2;
 
   std::vector<Candidate> candidates_;
   double scale_ = 0;  // largest absolute value

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {
@@ -427,6 +429,117 @@ TEST(BeyondLimits, AccelerationsOfTwoOpenCurvesKeepTheirDigitsFarOut) {
     EXPECT_NEAR(motion.value(1, "slider.x"), r, 1e-9);
     EXPECT_NEAR(motion.value(1, "slider.vx"), -r_h / beta_h, 1e-8 * r);
     EXPECT_NEAR(motion.value(1, "slider.ax"), (r_hh - r_h / beta_h * beta_hh) / (beta_h * beta_h), 1e-7 * r);
+  }
+}
+
+// Two cranks whose links meet in a tool; the left one is held.
+constexpr const char* kHeldFiveBar = R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [120, 0]
+[bodies.left_crank]
+pose     = { x = 0, y = 0, angle = 90 }
+points.O = [0, 0]
+points.A = [80, 0]
+[bodies.right_crank]
+pose     = { x = 120, y = 0, angle = 70 }
+points.O = [0, 0]
+points.B = [80, 0]
+[bodies.left_link]
+pose     = { x = 0, y = 80, angle = 20 }
+points.A = [0, 0]
+points.T = [110, 0]
+[bodies.right_link]
+pose     = { x = 147, y = 75, angle = 140 }
+points.B = [0, 0]
+points.T = [110, 0]
+[joints]
+left_pivot  = { type = "revolute", between = ["ground.O1", "left_crank.O"] }
+right_pivot = { type = "revolute", between = ["ground.O2", "right_crank.O"] }
+A = { type = "revolute", between = ["left_crank.A", "left_link.A"] }
+B = { type = "revolute", between = ["right_crank.B", "right_link.B"] }
+T = { type = "revolute", between = ["left_link.T", "right_link.T"] }
+)";
+constexpr const char* kHeld = R"([drivers.left]
+joint = "left_pivot"
+start = 90
+end = 90
+samples = 181
+)";
+constexpr const char* kSwung = R"([drivers.right]
+joint = "right_pivot"
+start = 70
+end = -300
+samples = 181
+)";
+
+// At a limit the links are in line: |A - B| = 220 with A = (0, 80).
+TEST(BeyondLimits, AreTheSameWhicheverDriverIsNamedFirst) {
+  const RunTable held_first = analyze_text(std::string(kHeldFiveBar) + kHeld + kSwung);
+  const RunTable swung_first = analyze_text(std::string(kHeldFiveBar) + kSwung + kHeld);
+  const std::vector<double> limits = limits_of(swung_first);
+  ASSERT_EQ(limits.size(), 2U);
+  ASSERT_EQ(limits_of(held_first).size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double swung = limits[i];
+    EXPECT_NEAR(std::hypot(0.12 + 0.08 * std::cos(swung), 0.08 * std::sin(swung) - 0.08), 0.22, 1e-12);
+    EXPECT_NEAR(held_first.events()[i].driver, kPi / 2, 1e-15);
+    EXPECT_THAT(held_first.events()[i].cause,
+                ::testing::EndsWith(fmt::format("; with driver.right = {:.10g} deg", swung * 180 / kPi)));
+    EXPECT_THAT(swung_first.events()[i].cause, ::testing::EndsWith("; with driver.left = 90 deg"));
+  }
+}
+
+// A crank and a slide carry the ends of a dyad of 3 and 3. Whether the drivers have come back from the limit
+// that the first step leads to must not depend on what a turn counts against a slide.
+TEST(BeyondLimits, OfATurnAndASlideAreTheSameInAnyUnitOfLength) {
+  constexpr const char* kCrankAndSlide = R"(
+[units]
+length = "{}"
+[bodies.ground]
+points.O = [0, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [2, 0]
+[bodies.cart]
+pose = {{ x = 5, y = 0 }}
+points.P = [0, 0]
+[bodies.one]
+pose = {{ x = 2, y = 0, angle = 40 }}
+points.A = [0, 0]
+points.C = [3, 0]
+[bodies.other]
+pose = {{ x = 5, y = 0, angle = 140 }}
+points.P = [0, 0]
+points.C = [3, 0]
+[joints]
+o = {{ type = "revolute", between = ["ground.O", "crank.O"] }}
+s = {{ type = "prismatic", between = ["ground.O", "cart.P"], direction = [1, 0] }}
+a = {{ type = "revolute", between = ["crank.A", "one.A"] }}
+p = {{ type = "revolute", between = ["cart.P", "other.P"] }}
+c = {{ type = "revolute", between = ["one.C", "other.C"] }}
+[drivers.crank]
+joint = "o"
+positions = {}
+[drivers.cart]
+joint = "s"
+positions = {}
+)";
+  const std::vector<std::pair<const char*, const char*>> paths = {{"[0, 6, 12]", "[5, 9, 6]"},
+                                                                  {"[0, 6, 3]", "[5, 9, 20]"}};
+  for (const auto& [crank, cart] : paths) {
+    std::vector<double> in_millimetres;
+    for (const char* unit : {"mm", "m", "km"}) {
+      SCOPED_TRACE(unit);
+      const std::vector<double> limits =
+          limits_of(analyze_text(fmt::format(kCrankAndSlide, unit, crank, cart)));
+      if (in_millimetres.empty()) in_millimetres = limits;
+      ASSERT_EQ(limits.size(), in_millimetres.size());
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        EXPECT_NEAR(limits[i], in_millimetres[i], 1e-13);
+      }
+    }
+    EXPECT_FALSE(in_millimetres.empty());
   }
 }
 

@@ -341,6 +341,20 @@ TEST(BoundaryCams, AreNotReachedFromAPoseThatOverlaps) {
   EXPECT_TRUE(started_from(0.021, Approach::kNearest));
 }
 
+// The roller is posed where the base circle carries it, which rounding puts on either side of the contact.
+TEST(BoundaryCams, StartFromAPoseAtTheContactWhateverTheSenseOfApproach) {
+  for (const char* approach : {"+", "-"}) {
+    for (int at = 185; at < 355; ++at) {
+      const testing::RunTable motion = testing::analyze(
+          testing::shipped("four_arc_cam", {"bodies.follower.pose.y=20", fmt::format("driver.start={}", at),
+                                            fmt::format("driver.end={}", at + 1), "driver.samples=2",
+                                            fmt::format("contacts.touch.approach=\"{}\"", approach)}));
+      ASSERT_EQ(motion.failure(), "") << approach << at;
+      EXPECT_NEAR(motion.value(0, "follower.y"), 20, 1e-13) << approach << at;
+    }
+  }
+}
+
 // A trolley on two wheels of 20, pulled along a rail of any length.
 TEST(BoundaryCams, AStraightRailCarriesWheelsWhereverItEnds) {
   for (const double half : {200.0, 400.0, 20000.0}) {

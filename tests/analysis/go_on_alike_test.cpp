@@ -70,10 +70,11 @@ TEST(GoingOnElsewhere, IsJudgedRelativeToTheSize) {
   add_driver(m, add_prismatic(m, "guide", add_point(m, kGround, "O", Vector2d::Zero()),
                               add_point(m, slider, "P", Vector2d(size, 0)), Vector2d::UnitX()));
   auto run = start_run(m, {0}).value();
-  run.at.reported = {{0, size / 2}};
+  run.at.reported.resize(1);
+  run.at.reported[0].driver = size / 2;
   auto other = run;
   EXPECT_TRUE(go_on_alike(run, other));
-  other.at.reported = {{0, 0.505 * size}};
+  other.at.reported[0].driver = 0.505 * size;
   EXPECT_FALSE(go_on_alike(run, other));
 }
 

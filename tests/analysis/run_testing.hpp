@@ -32,7 +32,7 @@ public:
     motion_ = *std::move(motion);
     for (const Event& event : motion_->events()) {
       events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause,
-                         std::nullopt, event.value, std::nullopt});
+                         std::nullopt, event.value, std::nullopt, {}});
     }
   }
 

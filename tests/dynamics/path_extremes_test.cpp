@@ -25,14 +25,14 @@ between = ["ground.O", "crank.O"]
 joint = "O"
 )";
 
-PathRange range_of(const std::function<double(double)>& f, double from, double to, const PathLook& look = {},
-                   double noise = 0) {
+PathRange range_of(const std::function<double(double)>& f, double from, double to,
+                   const std::vector<double>& breaks = {}, double noise = 0) {
   const Analysis analysis(kCrank);
   const PathQuantities quantity{{{true, true, noise}},
                                 [&](const higherpair::Run& run, double, std::span<double> out) {
                                   out[0] = f(run.row.bodies[1].theta);
                                 }};
-  return path_extremes(analysis.run, straight_path({{from, 1, 0}}, {{to, 1, 0}}), {quantity}, look)
+  return path_extremes(analysis.run, straight_path({{from, 1, 0}}, {{to, 1, 0}}), {quantity}, breaks)
       .at(0)
       .at(0);
 }
@@ -75,9 +75,9 @@ TEST(PathExtremes, TakeBothSidesOfAJump) {
   const double jump = 1.234567890123;
   const auto f = [&](double x) { return x < jump ? x : 0.2 - x; };
   for (const bool known : {false, true}) {
-    PathLook look;
-    if (known) look.breaks = {jump / 3};
-    const auto range = range_of(f, 0, 3, look);
+    std::vector<double> breaks;
+    if (known) breaks = {jump / 3};
+    const auto range = range_of(f, 0, 3, breaks);
     EXPECT_NEAR(range.greatest->value, jump, 1e-11);
     EXPECT_NEAR(range.greatest->driver, jump, 1e-11);
     EXPECT_NEAR(range.least->value, -2.8, 1e-14);

@@ -477,6 +477,31 @@ TEST(Check, DoesNotDependOnTheNumberOfRows) {
   }
 }
 
+// A round outline with a fine ripple, of 300 points. What samples of equal distance on the whole path miss
+// in one turn they would find in the next.
+TEST(Check, OfACamWithAFineRippleIsTheSameForAnyNumberOfTurns) {
+  std::string points;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 2 * kPi * i / 300;
+    const double r =
+        40 + 5 * std::sin(angle) + 0.005 * std::sin(angle * 300 / 3.7) * (1 + std::sin(17 * angle) / 2);
+    points +=
+        fmt::format("{}[{:.12g}, {:.12g}]", i > 0 ? ", " : "", r * std::cos(angle), r * std::sin(angle));
+  }
+  const Model model = model_of(profile_of(
+      {fmt::format(R"(curves.flank = {{ type = "spline", closed = true, points = [{}] }})", points),
+       R"(pose = { x = 0, y = 55 }
+curves.roller = { type = "circle", center = [0, 0], radius = 10 })",
+       "direction = [0, 1]", R"(between = ["cam.flank", "follower.roller"])", "end = 360"}));
+  const CheckReport once = checked(model);
+  const CheckReport often = checked(model.with({{"driver.end", 1800}}).value());
+  ASSERT_EQ(once.figures.size(), often.figures.size());
+  for (std::size_t i = 0; i < once.figures.size(); ++i) {
+    const CheckFigure &a = once.figures[i], &b = often.figures[i];
+    EXPECT_NEAR(std::abs(a.value.value() / b.value.value()), 1, 1e-7) << a.item << " " << a.quantity;
+  }
+}
+
 TEST(Check, OfAMirroredAndTurnedCamIsTheSame) {
   const CheckReport forward = checked(shipped_model("checked_cam"));
   const CheckReport backward = checked(

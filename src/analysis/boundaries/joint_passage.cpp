@@ -8,6 +8,8 @@
 namespace higherpair {
 namespace {
 
+constexpr std::size_t kMostSmoothJoints = 200;
+
 // A joint of the contact's group, whose acceleration is reported where it jumps.
 std::optional<int> reported_joint(const Run& run, std::size_t contact) {
   const auto g = group_with_contact(run.plan(), static_cast<int>(contact));
@@ -79,6 +81,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   set_rates(run, run.work.motions, run.at.state);
   const auto type = type_of(run, passage);
   if (!type) {
+    if (run.smooth_joints.size() < kMostSmoothJoints) run.smooth_joints.push_back(share_at(path, s));
     return;
   }
   RunEvent& event = report_contact(run, *type, path, s, passage.contact, cause_of(run, passage, *type));

@@ -189,14 +189,16 @@ bool find_overlaps(Run& run) {
 }
 
 std::optional<double> second_contact_within(Run& run, const Path& path, double s, double h) {
+  std::optional<double> first;
   for (std::size_t i = 0; i < run.at.watches.size(); ++i) {
     const bool begins = run.work.overlaps[i].overlaps && !run.at.watches[i].overlaps;
     const Contact& contact = run.mechanism().contacts[i];
     if (begins && contact.jump && tracked_group(run, static_cast<int>(i))) {
-      return closing_between(run, path, contact, s, h, run.work.overlaps[i].n_W);
+      const double x = closing_between(run, path, contact, s, h, run.work.overlaps[i].n_W);
+      if (!first || std::abs(x) < std::abs(*first)) first = x;
     }
   }
-  return std::nullopt;
+  return first;
 }
 
 bool watch_overlaps(Run& run, const Path& path, double s, double h) {

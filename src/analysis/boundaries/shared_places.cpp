@@ -1,6 +1,7 @@
 #include "shared_places.hpp"
 
 #include "analysis/follow/step.hpp"
+#include "analysis/follow/straight_path.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
 #include "higherpair/analysis/touching_places.hpp"
@@ -228,8 +229,9 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
   if (run.events.size() > 1) {
     const auto last = run.events.end() - 2;
     if (last->type == EventType::kCorner && last->contact == event.contact &&
-        std::abs(last->driver - event.driver) <= kAtCorner * driver_scale(run, 0)) {
+        is_at_same_drivers(run, *last, event, kAtCorner)) {
       event.driver = last->driver;
+      event.further_drivers = last->further_drivers;
       event.share = last->share;
       run.events.erase(last);
     }

@@ -171,21 +171,19 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
 
 void note_crossings(Run& run, const Path& path, double s, double end) {
   for (const Crossing& crossing : run.work.crossings) {
-    const double driver = driver_at(path, crossing.s);
-    const double near = kSameChangePoint * (driver_scale(run, 0) + std::abs(driver));
+    RunEvent event = event_at(EventType::kDeadPoint, path, crossing.s,
+                              "branches cross here: the input cannot tell which way the mechanism goes on; "
+                              "it is taken straight on");
+    name_item(run, crossing.group, event);
     const bool known =
-        std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const Crossing& other) {
-          return other.group == crossing.group && std::abs(other.s - driver) <= near;
+        std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const RunEvent& other) {
+          return is_same_item(event, other) && is_at_same_drivers(run, event, other, kSameChangePoint);
         });
     const bool on_the_way = (crossing.s - s) * (end - s) >= 0 && (end - crossing.s) * (end - s) >= 0;
     if (known || !on_the_way) {
       continue;
     }
-    run.at.reported.push_back({crossing.group, driver});
-    RunEvent event = event_at(EventType::kDeadPoint, path, crossing.s,
-                              "branches cross here: the input cannot tell which way the mechanism goes on; "
-                              "it is taken straight on");
-    name_item(run, crossing.group, event);
+    run.at.reported.push_back(event);
     run.events.push_back(std::move(event));
   }
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/tolerances.hpp"
 #include "step.hpp"
+#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,8 @@ bool all_alike(const std::vector<T>& a, const std::vector<T>& b, const Alike& al
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
 }
 
-bool is_same_limit(const std::optional<RunEvent>& a, const std::optional<RunEvent>& b) {
-  return a.has_value() == b.has_value() &&
-         (!a || (a->type == b->type && a->joint == b->joint && a->contact == b->contact));
+bool have_same_item(const std::optional<RunEvent>& a, const std::optional<RunEvent>& b) {
+  return a.has_value() == b.has_value() && (!a || is_same_item(*a, *b));
 }
 
 bool on_same_branch(const State& a, const State& b) {
@@ -57,7 +57,7 @@ const State* row_of(const Run& run) {
 }
 
 bool is_lost_alike(const Run& a, const Run& b) {
-  if (!is_same_limit(a.at.lost.event, b.at.lost.event)) {
+  if (!have_same_item(a.at.lost.event, b.at.lost.event)) {
     return false;
   }
   for (std::size_t i = 0; i < a.at.lost.at.size(); ++i) {
@@ -76,14 +76,13 @@ bool has_alike_past(const Run& a, const Run& b) {
   const auto same_watch = [](const OverlapWatch& one, const OverlapWatch& other) {
     return one.overlaps == other.overlaps && one.interrupted == other.interrupted;
   };
-  const auto same_crossing = [&](const Crossing& one, const Crossing& other) {
-    return one.group == other.group &&
-           std::abs(one.s - other.s) <= kSameRunPosition * (driver_scale(a, 0) + std::abs(one.s));
+  const auto same_event = [&](const RunEvent& one, const RunEvent& other) {
+    return is_same_item(one, other) && is_at_same_drivers(a, one, other, kSameRunPosition);
   };
   return all_alike(a.at.outputs, b.at.outputs, same_sense) &&
          all_alike(a.at.watches, b.at.watches, same_watch) &&
-         all_alike(a.at.reported, b.at.reported, same_crossing) &&
-         is_same_limit(a.at.limit_here, b.at.limit_here);
+         all_alike(a.at.reported, b.at.reported, same_event) &&
+         have_same_item(a.at.limit_here, b.at.limit_here);
 }
 
 }  // namespace

@@ -14,14 +14,6 @@
 #include <fmt/core.h>
 
 namespace higherpair {
-namespace {
-
-bool is_same_item(const RunEvent& a, const RunEvent& b) {
-  return a.type == b.type && a.joint == b.joint && a.contact == b.contact;
-}
-
-}  // namespace
-
 RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) {
   RunEvent event = event_at(EventType::kLimitPosition, path, s, limit_cause(run.plan().groups[g]));
   name_item(run, g, event);
@@ -43,8 +35,7 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
 }
 
 bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b) {
-  return is_same_item(a, b) &&
-         std::abs(a.driver - b.driver) <= kSameLimit * (driver_scale(run, 0) + std::abs(a.driver));
+  return is_same_item(a, b) && is_at_same_drivers(run, a, b, kSameLimit);
 }
 
 void report_limit(Run& run, const Path& path, RunEvent event) {

@@ -63,9 +63,10 @@ bool has_coupled_far_out(const Run& run) {
 bool has_come_back(const Run& run, const std::vector<double>& drivers) {
   double beyond = 0;
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    const double ahead = run.at.lost.at[i] - run.at.lost.from[i];
-    const double near = kOnLimit / 2 * (driver_scale(run, i) + std::abs(drivers[i]));
-    beyond += (drivers[i] - run.at.lost.at[i]) * ahead - near * std::abs(ahead);
+    const double scale = driver_scale(run, i);
+    const double ahead = (run.at.lost.at[i] - run.at.lost.from[i]) / scale;
+    const double near = kOnLimit / 2 * (1 + std::abs(drivers[i]) / scale);
+    beyond += (drivers[i] - run.at.lost.at[i]) / scale * ahead - near * std::abs(ahead);
   }
   return beyond <= 0;
 }

@@ -1,12 +1,28 @@
 #include "straight_path.hpp"
 
 #include "analysis/tolerances.hpp"
+#include "step.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace higherpair {
+
+bool is_same_item(const RunEvent& a, const RunEvent& b) {
+  return a.type == b.type && a.joint == b.joint && a.contact == b.contact;
+}
+
+bool is_at_same_drivers(const Run& run, const RunEvent& a, const RunEvent& b, double near) {
+  const auto is_near = [&](double at, double other, std::size_t driver) {
+    return std::abs(at - other) <= near * (driver_scale(run, driver) + std::abs(at));
+  };
+  bool all = is_near(a.driver, b.driver, 0);
+  for (std::size_t i = 0; i < a.further_drivers.size(); ++i) {
+    all = all && is_near(a.further_drivers[i], b.further_drivers[i], i + 1);
+  }
+  return all;
+}
 
 void name_item(const Run& run, std::size_t g, RunEvent& event) {
   const Group& group = run.plan().groups[g];
@@ -17,11 +33,18 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
   }
 }
 
+double share_at(const Path& path, double s) {
+  return std::lerp(path.share_from, path.share_to, path.length == 0 ? 1 : s / path.length);
+}
+
 RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
   RunEvent event;
   event.type = type;
-  event.driver = driver_at(path, s);
-  event.share = std::lerp(path.share_from, path.share_to, path.length == 0 ? 1 : s / path.length);
+  std::vector<double> drivers;
+  path.positions(std::clamp(s, std::min(path.length, 0.0), std::max(path.length, 0.0)), drivers);
+  event.driver = drivers.front();
+  event.further_drivers.assign(drivers.begin() + 1, drivers.end());
+  event.share = share_at(path, s);
   event.cause = cause;
   return event;
 }

@@ -15,8 +15,18 @@ void set_path(Path& path, const std::vector<double>& from, const std::vector<dou
 /// The first driver's coordinate at s.
 [[nodiscard]] double driver_at(const Path& path, double s);
 
+/// How far s is on the way from row to row, of which the path may be a part: 0 to 1.
+[[nodiscard]] double share_at(const Path& path, double s);
+
 /// An event at s on the path.
 [[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
+
+/// Whether two events have the same type and are of the same joint or contact.
+[[nodiscard]] bool is_same_item(const RunEvent& a, const RunEvent& b);
+
+/// Whether all drivers are at the same positions at two events.
+/// \param near  relative to a driver's scale and to its position
+[[nodiscard]] bool is_at_same_drivers(const Run& run, const RunEvent& a, const RunEvent& b, double near);
 
 /// Adds an event of a contact at s on the path to the run's events.
 /// \returns the event, for what else is known of it

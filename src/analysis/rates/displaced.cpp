@@ -2,7 +2,7 @@
 
 #include "analysis/boundaries/span_ends.hpp"
 #include "analysis/tolerances.hpp"
-#include "higherpair/geometry/boundary.hpp"
+#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/mechanism/condition_system.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
@@ -128,7 +128,7 @@ private:
     other.local->bodies[ref.body].curves[ref.curve].curve =
         local_curve(point, corner, boundary.is_arc(place.span));
     p_W = other.row.bodies[ref.body].X_WB * point.p_B;
-    rho = corner || point.kappa == 0 ? 0 : 1 / point.kappa;
+    rho = radius_of(point, corner);
   }
 
   const Run& run_;

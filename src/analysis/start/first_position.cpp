@@ -5,6 +5,7 @@
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
 #include "assembly.hpp"
+#include "higherpair/contact/finder.hpp"
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -23,12 +24,16 @@
 namespace higherpair {
 namespace {
 
+// The sense in which the follower's coordinate moves to the first contact.
+int first_sense(Approach approach, double sign) {
+  return (approach == Approach::kPositive) == (sign > 0) ? 1 : -1;
+}
+
 FindResult first_contact(const ContactPair& pair, Approach approach, double u, double q, double sign) {
   if (approach == Approach::kNearest) {
     return find_nearest_contact(pair, u, q);
   }
-  const double sense = (approach == Approach::kPositive ? 1 : -1) * sign;
-  return find_contact(pair, u, q, sense > 0 ? 1 : -1, false);
+  return find_contact(pair, u, q, first_sense(approach, sign), false);
 }
 
 // Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`;
@@ -38,37 +43,38 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
 std::optional<BoundaryContact> first_boundary_contact(const Run& run, const BoundaryPair& pair,
                                                       const Contact& contact, double u, double q,
                                                       double sign) {
-  const double sense = contact.approach == Approach::kNearest    ? 0
-                       : contact.approach == Approach::kPositive ? sign
-                                                                 : -sign;
+  const int sense = contact.approach == Approach::kNearest ? 0 : first_sense(contact.approach, sign);
+  const double size = run.plan().size;
+  const double unit = pair.motion2.turns ? 1 : size;
   std::vector<BoundaryContact> contacts = find_boundary_contacts(pair, u);
+  const auto distance = [&](const BoundaryContact& found) {
+    return sense == 0 ? std::abs(found.q - q)
+                      : distance_ahead(pair.motion2, q, sense, found.q, kTouchAtStart * unit);
+  };
   for (BoundaryContact& found : contacts) {
     if (pair.motion2.turns) {
       found.q = nearest_turn(found.q, q);
-      found.q += sense * (found.q - q) < 0 ? sense * 2 * kPi : 0;
+      found.q = nearest_turn(found.q, q + sense * distance(found));
     }
   }
-  const auto distance = [&](const BoundaryContact& found) {
-    return sense == 0 ? std::abs(found.q - q) : sense * (found.q - q);
-  };
   std::sort(contacts.begin(), contacts.end(),
             [&](const BoundaryContact& a, const BoundaryContact& b) { return distance(a) < distance(b); });
   const auto rank = [&](const BoundaryContact& found) {
     return std::tuple(sense * found.gap_q > 0, found.place1.span, found.place1.t);
   };
-  const double size = run.plan().size;
-  const double same = kTouchAtOnce * (pair.motion2.turns ? 1 : size);
   std::optional<BoundaryContact> first;
+  double last = kInf;  // the greatest distance at which a contact is made at the same time as the first
   for (const BoundaryContact& found : contacts) {
     if (is_stopped(run)) {
       return std::nullopt;
     }
-    if (first && !(distance(found) - distance(*first) <= same)) {
+    if (!(distance(found) <= last)) {
       break;
     }
     if ((!first || rank(found) < rank(*first)) && distance(found) >= 0 && found.gap_q != 0 &&
         (contact.both_sides || !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
                                                pose_at(pair.motion2, found.q), kOverlapDepth * size))) {
+      if (!first) last = distance(found) + kTouchAtOnce * unit;
       first = found;
     }
   }

@@ -38,7 +38,7 @@ public:
         cyclic_(motions.motion1.turns) {
     const double size = trace.sheet(true).size();
     unit1_ = cyclic_ ? 1 : size;
-    unit2_ = motions.motion2.turns ? 1 : size;
+    slowest_ = kSlowestOnBoundaries * (motions.motion2.turns ? size : 1);
   }
 
   [[nodiscard]] BoundaryCuts run() {
@@ -109,8 +109,7 @@ private:
       return;
     }
     if (std::all_of(moving.begin(), moving.end(), [&](const MonotonicPart& part) {
-          return std::max(std::abs(part.at_from.gap_q), std::abs(part.at_to.gap_q)) <=
-                 kSlowestOnBoundaries * unit2_;
+          return std::max(std::abs(part.at_from.gap_q), std::abs(part.at_to.gap_q)) <= slowest_;
         })) {
       cuts_.idle = true;
       return;
@@ -246,7 +245,8 @@ private:
   const std::array<bool, 2>& unbounded_;
   const MapRange& range_;
   bool cyclic_;
-  double unit1_ = 1, unit2_ = 1;
+  double unit1_ = 1;
+  double slowest_ = 0;  // of the gap, per unit of the follower [m/rad, or 1]
   BoundaryCuts cuts_;
 };
 

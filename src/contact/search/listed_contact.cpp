@@ -11,20 +11,13 @@
 #include <limits>
 
 namespace higherpair {
-namespace {
 
-// How far the follower moves from q in the sense of `direction` to a contact; if it turns, less than a
-// whole turn.
-// \param near  a contact that is behind q by less than this counts as at q
-double distance_to(const ContactPair& pair, double q, int direction, const CurveContact& contact,
-                   double near) {
-  const double distance = direction * (contact.q - q);
+double distance_ahead(const OneFreedom& follower, double q, int direction, double contact, double near) {
+  const double distance = direction * (contact - q);
   const double turn = 2 * kPi;
-  const double ahead = pair.motion2.turns ? distance - turn * std::floor((distance + near) / turn) : distance;
+  const double ahead = follower.turns ? distance - turn * std::floor((distance + near) / turn) : distance;
   return ahead < 0 && ahead >= -near ? 0 : ahead;
 }
-
-}  // namespace
 
 double size_at(const ContactPair& pair, double u, double q) {
   const Vector2d p1 = pose_at(pair.motion1, u) * anchor(pair.curve1);
@@ -58,7 +51,7 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   double shortest = kInf;
   for (const CurveContact& contact : list_->contacts) {
     const double distance =
-        distance_to(pair, q, direction, contact, kTouching * (pair.motion2.turns ? 1 : size));
+        distance_ahead(pair.motion2, q, direction, contact.q, kTouching * (pair.motion2.turns ? 1 : size));
     if (!contact.free || !(distance >= 0) || !(distance < shortest)) {
       continue;
     }

@@ -103,35 +103,24 @@ std::optional<FlankOrigin> flank_of(const Mechanism& mechanism, const CurveRef& 
                                                                : std::nullopt;
 }
 
-PathLook look_at(const CheckedPath& checked, const DriverPath& path) {
+std::vector<double> known_breaks(const CheckedPath& checked, const DriverPath& path) {
   const Mechanism& mechanism = checked.start.mechanism();
-  PathLook look;
+  std::vector<double> breaks;
   const bool straight =
       !checked.schedule.is_timed() && !checked.schedule.is_listed() && path.knots.size() == 2;
   for (const ShapedFlank& flank : flanks_of(mechanism)) {
     const MotionLaw& law = flank.origin.motion.law;
-    look.parts = std::max(look.parts, static_cast<double>(law.breaks(law.begin(), law.end()).size()));
     if (straight && drives(mechanism, flank.ref.body)) {
       for (const LawJoin& join : law.joins()) {
-        add_passages(path, join.x, flank.origin.motion.cam.turns, look.breaks);
+        add_passages(path, join.x, flank.origin.motion.cam.turns, breaks);
       }
     }
   }
-  std::sort(look.breaks.begin(), look.breaks.end());
+  std::sort(breaks.begin(), breaks.end());
   const double same = path.knots.empty() ? 0 : kSameBreak * (path.knots.back() - path.knots.front());
-  look.breaks.erase(
-      std::unique(look.breaks.begin(), look.breaks.end(), [&](double a, double b) { return b - a <= same; }),
-      look.breaks.end());
-  for (const Body& body : mechanism.bodies) {
-    for (const NamedCurve& curve : body.curves) {
-      double parts = 0;
-      for (std::size_t i = 0; curve.boundary && i < curve.boundary->spans().size(); ++i) {
-        parts += curve.boundary->spans()[i]->parts();
-      }
-      look.parts = std::max(look.parts, parts);
-    }
-  }
-  return look;
+  breaks.erase(std::unique(breaks.begin(), breaks.end(), [&](double a, double b) { return b - a <= same; }),
+               breaks.end());
+  return breaks;
 }
 
 namespace {

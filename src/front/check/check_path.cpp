@@ -104,7 +104,7 @@ std::optional<double> add_path_figures(const CheckedPath& checked, CheckFigures&
   }
   RowPath rows = path_of(checked.schedule);
   const auto end = cut_to_examined(checked.start, rows.path);
-  const auto ranges = path_extremes(checked.start, rows.path, blocks, look_at(checked, rows.path));
+  const auto ranges = path_extremes(checked.start, rows.path, blocks, known_breaks(checked, rows.path));
   const std::size_t count = contacts.size();
   for (std::size_t i = 0; i < count; ++i) {
     contacts[i].read(ranges[i], figures);

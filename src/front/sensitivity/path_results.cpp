@@ -287,9 +287,9 @@ void PathResults::take_extremes(std::span<const Measure> measures, bool ties) {
     columns_.values(run, columns_.place(at), values);
     std::copy(values.begin(), values.end(), out.begin());
   };
-  const PathLook look =
-      look_at({columns_.data().profile, columns_.drivers().schedule(), columns_.start(), nullptr}, path_);
-  const auto ranges = path_extremes(columns_.start(), path_, {quantities}, look);
+  const std::vector<double> breaks = known_breaks(
+      {columns_.data().profile, columns_.drivers().schedule(), columns_.start(), nullptr}, path_);
+  const auto ranges = path_extremes(columns_.start(), path_, {quantities}, breaks);
   if (is_stopped(columns_.start())) {
     return;
   }

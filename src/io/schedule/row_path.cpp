@@ -1,5 +1,7 @@
 #include "higherpair/io/row_path.hpp"
 
+#include "io/tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,24 +9,35 @@
 namespace higherpair {
 namespace {
 
+// Whether all drivers go on from row k as they came to it.
+bool is_straight_at(const std::vector<std::vector<DriverMotion>>& rows, std::size_t k) {
+  for (std::size_t i = 0; i < rows[k].size(); ++i) {
+    const double before = rows[k][i].position - rows[k - 1][i].position;
+    const double after = rows[k + 1][i].position - rows[k][i].position;
+    if (std::abs(after - before) > kSameStep * std::abs(before)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // The path parameter for positions given one by one: the distance that the driver has travelled, or with
-// several drivers the number of rows, so that the rows along one direction form one stretch between knots.
+// several drivers the number of rows. Knots are where a driver turns back, or several do not go on straight.
 RowPath path_through(const DriverSchedule& schedule) {
   const auto last = static_cast<std::size_t>(schedule.size() - 1);
   std::vector<std::vector<DriverMotion>> rows;
   std::vector<double> travelled{0};
   RowPath result;
   result.path.knots = {0};
-  double sense = 0;
   for (std::size_t k = 0; k <= last; ++k) {
     rows.push_back(drivers_in(schedule, static_cast<std::int64_t>(k)));
-    if (k == 0) {
-      continue;
-    }
+  }
+  double sense = 0;
+  for (std::size_t k = 1; k <= last; ++k) {
     const double step = rows[k][0].position - rows[k - 1][0].position;
     const bool single = schedule.driver_count() == 1;
-    const bool turns_back = single ? step * sense < 0 : k > 1;
-    if (turns_back && travelled.back() > result.path.knots.back()) {
+    const bool is_knot = single ? step * sense < 0 : k > 1 && !is_straight_at(rows, k - 1);
+    if (is_knot && travelled.back() > result.path.knots.back()) {
       result.path.knots.push_back(travelled.back());
     }
     sense = step != 0 ? step : sense;

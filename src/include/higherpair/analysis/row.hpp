@@ -42,6 +42,7 @@ struct RunEvent {
   std::optional<EventJump> jump;
   std::optional<double> value;  ///< for a reversal: the joint's coordinate there [rad or m]
   std::optional<std::array<double, 2>> curvature;  ///< for a jump of curvature: before and after [1/m]
+  std::vector<double> further_drivers;  ///< coordinates of the other ones, in their order [rad or m]
 };
 
 }  // namespace higherpair

@@ -107,7 +107,7 @@ struct RunPosition {
   Loss lost;              ///< where, if so
   std::vector<OutputJoint> outputs;
   std::vector<OverlapWatch> watches;     ///< of Mechanism::contacts
-  std::vector<Crossing> reported;        ///< change points ahead that events have reported; s: the driver
+  std::vector<RunEvent> reported;        ///< the events of change points ahead that have been reported
   std::optional<RunEvent> limit_here;    ///< a limit at the last row itself
   std::optional<RunEvent> limit_before;  ///< the same for the previous row
 
@@ -136,6 +136,9 @@ struct Run {
   StepWorkspace work;
   MotionRow row;                 ///< result of the last move_to
   std::vector<RunEvent> events;  ///< events of the last move_to
+  /// Where on the drivers' path of the last move_to contacts passed smooth joints of boundaries, at which
+  /// higher derivatives jump: fractions of it, at most some hundred.
+  std::vector<double> smooth_joints;
   /// Once true, move_to gives up within an inner step, and its row and events are then meaningless; may be
   /// null.
   const std::atomic<bool>* stop = nullptr;

@@ -35,4 +35,10 @@ struct FindResult {
 [[nodiscard]] FindResult find_nearest_contact(const ContactPair& pair, double u, double q,
                                               std::optional<int> branch = std::nullopt);
 
+/// How far a follower moves from `q` in the sense of `direction` (+1, -1) to the contact at coordinate
+/// `contact` [rad or m]: less than a whole turn if it turns, else < 0 where the contact is behind.
+/// \param near  a contact that is behind by no more than this is at q: 0
+[[nodiscard]] double distance_ahead(const OneFreedom& follower, double q, int direction, double contact,
+                                    double near);
+
 }  // namespace higherpair

@@ -47,27 +47,23 @@ struct PathRange {
   std::optional<PathExtreme> least, greatest;
 };
 
-/// How densely a path is examined.
-struct PathLook {
-  std::vector<double> breaks;  ///< ascending parameters at which derivatives are known to jump
-  double parts = 0;            ///< the whole path is sampled in at least this many equal parts
-};
-
 /// Cuts a path where path_extremes() can examine no more of it: a million samples, some 1400 turns of a
 /// driver, fill hundreds of megabytes. Returns the parameter at which it was cut; none if it has fewer.
 [[nodiscard]] std::optional<double> cut_to_examined(const Run& start, DriverPath& path);
 
 /// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
-/// degree of a turning driver, or more) show near which places they can lie; there the quantity is
+/// degree of a turning driver, and one in each part of a boundary that a contact passes) show near which
+/// places they can lie; there the quantity is
 /// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
 /// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
 /// first one on the path is taken. Extremes that lie entirely between two samples may be missed. The stretch
 /// between a limit position or dead point and the samples next to it is not searched, since rates there are
 /// rounding or unbounded; from a few positions on it growth beyond the extreme is told. Ends early where
 /// is_stopped(start). \param start  the mechanism at the path's first positions, as start_run returns it
+/// \param breaks  ascending parameters of the path at which derivatives are known to jump
 /// \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,
-                                                                const PathLook& look = {});
+                                                                const std::vector<double>& breaks = {});
 
 }  // namespace higherpair
