@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace higherpair {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 // error.
 CurveResult vertex_form_of_ellipse(const Vector2d& center_B, double a, double b, Vector2d axis_B, Side side) {
   const double distance = center_B.stableNorm();
-  if (a == b && distance > 0) {
+  if (a == b && distance >= std::numeric_limits<double>::min()) {
     axis_B = center_B / distance;
   }
   if (center_B.dot(axis_B) < 0) {

@@ -265,7 +265,7 @@ private:
 }  // namespace
 
 ContourPiece bow_piece(const Vector2d& from, const Vector2d& to, double sweep) {
-  if (sweep == 0) {
+  if (std::abs(sweep) < kStraightSweep) {
     return LinePiece{from, to};
   }
   const double k = std::tan(sweep / 4);

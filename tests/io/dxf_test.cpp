@@ -252,7 +252,7 @@ TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {
   EXPECT_THAT(first(drawing("0 LINE 8 0 10 0 20 0 11 1")), HasSubstr(where + "6: LINE has no second point "
                                                                              "(group 21)"));
   EXPECT_THAT(first(drawing("0 CIRCLE 8 0 10 +-5 20 0 40 1")), HasSubstr("\"+-5\" is not a number"));
-  for (const char* flags : {"-1", "1e300", "0.5"}) {
+  for (const char* flags : {"-1", "1e30", "0.5"}) {
     EXPECT_THAT(first(drawing(fmt::format("0 LWPOLYLINE 8 0 90 2 70 {} 10 0 20 0 10 2 20 0", flags))),
                 HasSubstr("LWPOLYLINE has flags (group 70) that are not an integer from 0 to 65535"));
   }
@@ -295,6 +295,40 @@ TEST_F(Dxf, MalformedFilesAreRefusedWithTheLine) {
                                     "file")));
   EXPECT_THAT(messages_of("{ type = \"dxf\", file = \"no.dxf\" }"),
               ElementsAre(HasSubstr("c.file = \"no.dxf\": cannot be opened")));
+}
+
+TEST_F(Dxf, NumbersOutOfRangeAreRefusedWithTheLine) {
+  const auto expect = [&](const std::string& entities, const std::string& message,
+                          const std::string& keys = "") {
+    EXPECT_THAT(messages_about(drawing(entities), keys), ElementsAre(HasSubstr(message))) << entities;
+  };
+  const std::string wide = "\"1e308\" is too large, numbers go up to 1e50 in SI units (group ";
+  expect("0 CIRCLE 8 0 10 0 20 0 40 1e308", "line 14: " + wide + "40 of CIRCLE)");
+  expect("0 ARC 8 0 10 0 20 0 40 1e308 50 0 51 90", "line 14: " + wide + "40 of ARC)");
+  expect("0 ARC 8 0 10 0 20 0 40 1 50 0 51 1e308", "line 18: " + wide + "51 of ARC)");
+  expect("0 LWPOLYLINE 8 0 90 2 70 0 10 -1e307 20 0 10 2 20 0", "line 14: \"-1e307\" is too large");
+  expect("0 CIRCLE 8 0 10 1e307 20 0 40 1", "\"1e307\" is too large", ", units = \"km\"");
+  expect("0 CIRCLE 8 0 10 1e48 20 0 40 1", "\"1e48\" is too large", ", units = \"km\"");
+  const std::string tiny = " has an arc too small to compute with: are the units right?";
+  expect("0 CIRCLE 8 0 10 0 20 0 40 1e-310", "line 6: CIRCLE" + tiny);
+  expect("0 ARC 8 0 10 0 20 0 40 1e-310 50 0 51 90", "line 6: ARC" + tiny);
+  expect("0 LWPOLYLINE 8 0 90 2 70 1 10 0 20 0 42 1 10 1e-200 20 0 42 1", "line 6: LWPOLYLINE" + tiny);
+  EXPECT_NEAR(of("0 CIRCLE 8 0 10 0 20 0 40 1e52").curve.semi_latus / 1e49, 1, 1e-15);
+  EXPECT_EQ(of("0 CIRCLE 8 0 10 1e-320 20 1e-320 40 11").curve.semi_latus, 0.011);
+}
+
+// Between ends 100 mm apart: an arc that is as good as straight is a line, whatever its radius would be.
+TEST_F(Dxf, SlightBulgesAreLines) {
+  const auto spans_with = [&](const std::string& bulge) {
+    const NamedCurve curve =
+        of(fmt::format("0 LWPOLYLINE 8 0 90 3 70 1 10 0 20 0 42 {} 10 100 20 0 10 50 20 70", bulge));
+    EXPECT_NEAR(left_area(curve), 3500e-6, 1e-7) << bulge;
+    return curve.boundary->spans();
+  };
+  for (const char* bulge : {"1e-160", "-1e-160", "9e-9", "-9e-9"}) {
+    EXPECT_EQ(spans_with(bulge).front()->range().width(), spans_with("0").front()->range().width()) << bulge;
+  }
+  EXPECT_NE(spans_with("1.1e-8").front()->range().width(), spans_with("0").front()->range().width());
 }
 
 TEST_F(Dxf, TenThousandEntitiesAreOneContour) {

@@ -236,6 +236,9 @@ TEST_F(ProfileBoundaries, WrongNumbersOfArcsAndSegmentsAreRefused) {
   EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = -5, from = 0, to = 90 }"),
               ElementsAre("test.toml:13:47: bodies.crank.curves.c.radius = -5 mm: must be > 0"));
   EXPECT_THAT(
+      messages_of("{ type = \"arc\", center = [0, 0], radius = 1e-310, from = 0, to = 360 }"),
+      ElementsAre(HasSubstr("c.radius = 1e-310: has numbers too large or too small to compute with")));
+  EXPECT_THAT(
       messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 30, to = 30 }"),
       ElementsAre("test.toml:13:66: bodies.crank.curves.c.to = 30: an arc goes counter-clockwise from "
                   "`from` to `to`: 0 deg from here to there"));

@@ -35,6 +35,13 @@ ContourPiece mirrored(const ContourPiece& piece) {
   return ArcPiece{mirror(arc.center), arc.radius, kPi - arc.from, -arc.sweep};
 }
 
+void check_arc(DxfNumbers& numbers, const ContourPiece& piece) {
+  const auto* arc = std::get_if<ArcPiece>(&piece);
+  if (arc != nullptr && !make_circle(arc->center, arc->radius)) {
+    numbers.refuse("has an arc too small to compute with: are the units right?");
+  }
+}
+
 ReadShape line(DxfNumbers& numbers) {
   const LinePiece piece = {numbers.need_point(10, "first point"), numbers.need_point(11, "second point")};
   return result(numbers, piece.from == piece.to ? DxfShape{} : DxfShape{{piece}, std::nullopt});
@@ -47,12 +54,14 @@ ReadShape arc(DxfNumbers& numbers) {
   piece.from = numbers.need(50, "start angle") * kDegree;
   const double sweep = std::fmod(numbers.need(51, "end angle") * kDegree - piece.from, 2 * kPi);
   piece.sweep = sweep > 0 ? sweep : sweep + 2 * kPi;
+  check_arc(numbers, piece);
   return result(numbers, {{numbers.facing() < 0 ? mirrored(piece) : piece}, std::nullopt});
 }
 
 ReadShape circle(DxfNumbers& numbers) {
   ArcPiece piece = {numbers.need_point(10, "centre"), numbers.need_radius(), 0, 2 * kPi};
   piece.center.x() *= numbers.facing();
+  check_arc(numbers, piece);
   if (numbers.fault()) {
     return tl::unexpected(*numbers.fault());
   }
@@ -95,10 +104,6 @@ struct Vertex {
   double bulge = 0;  // tan(angle of the arc to the next vertex / 4), > 0 counter-clockwise
 };
 
-ContourPiece piece_between(const Vertex& a, const Vertex& b) {
-  return bow_piece(a.p, b.p, 4 * std::atan(a.bulge));
-}
-
 ReadShape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, bool closed) {
   const bool below = numbers.facing() < 0;
   DxfShape shape;
@@ -106,7 +111,8 @@ ReadShape polyline(DxfNumbers& numbers, const std::vector<Vertex>& vertices, boo
     const Vertex& a = vertices[i];
     const Vertex& b = vertices[(i + 1) % vertices.size()];
     if (a.p != b.p) {
-      const ContourPiece piece = piece_between(a, b);
+      const ContourPiece piece = bow_piece(a.p, b.p, 4 * std::atan(a.bulge));
+      check_arc(numbers, piece);
       shape.pieces.push_back(below ? mirrored(piece) : piece);
     }
   }
@@ -117,9 +123,9 @@ ReadShape light_polyline(DxfNumbers& numbers) {
   std::vector<Vertex> vertices;
   for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 10) {
-      vertices.push_back({{numbers.length(numbers.value(pair)), 0}});
+      vertices.push_back({{numbers.length(pair), 0}});
     } else if (pair.code == 20 && !vertices.empty()) {
-      vertices.back().p.y() = numbers.length(numbers.value(pair));
+      vertices.back().p.y() = numbers.length(pair);
     } else if (pair.code == 42 && !vertices.empty()) {
       vertices.back().bulge = numbers.value(pair);
     }
@@ -182,9 +188,9 @@ ReadShape spline(DxfNumbers& numbers) {
   for (const DxfPair& pair : numbers.pairs()) {
     if (pair.code == 40) curve.knots.push_back(numbers.value(pair));
     if (pair.code == 41) curve.weights.push_back(numbers.value(pair));
-    if (pair.code == 10) curve.control.emplace_back(numbers.length(numbers.value(pair)), 0);
+    if (pair.code == 10) curve.control.emplace_back(numbers.length(pair), 0);
     if (pair.code == 20 && !curve.control.empty()) {
-      curve.control.back().y() = numbers.length(numbers.value(pair));
+      curve.control.back().y() = numbers.length(pair);
     }
   }
   const double degree = numbers.need(71, "degree");

@@ -27,7 +27,6 @@ public:
   [[nodiscard]] const std::optional<DxfFault>& fault() const { return fault_; }
   [[nodiscard]] const std::vector<DxfPair>& pairs() const { return entity_.pairs; }
   [[nodiscard]] const Scaling& unit() const { return unit_; }
-  [[nodiscard]] double length(double x) const { return unit_.apply(x); }
 
   void refuse(int line, std::string message) {
     if (!fault_) {
@@ -36,34 +35,28 @@ public:
   }
   void refuse(std::string_view message) { refuse(entity_.line, fmt::format("{} {}", entity_.type, message)); }
 
-  double value(const DxfPair& pair) {
-    const auto x = number_in(pair.value);
-    if (!x) {
-      refuse(pair.line, fmt::format("\"{}\" is not a number (group {} of {})",
-                                    visible(pair.value.substr(0, 20)), pair.code, entity_.type));
-    }
-    return x.value_or(0);
-  }
+  double value(const DxfPair& pair) { return number(pair, Scaling()); }
+  /// [m]
+  double length(const DxfPair& pair) { return number(pair, unit_); }
 
   std::optional<double> find(int code) {
-    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
-                                   [&](const DxfPair& p) { return p.code == code; });
-    return pair == entity_.pairs.end() ? std::nullopt : std::optional(value(*pair));
+    const DxfPair* pair = pair_of(code);
+    return pair == nullptr ? std::nullopt : std::optional(value(*pair));
   }
 
-  double need(int code, std::string_view what) {
-    const auto x = find(code);
-    if (!x) refuse(fmt::format("has no {} (group {})", what, code));
-    return x.value_or(0);
+  double need(int code, std::string_view what, const Scaling& scaling = Scaling()) {
+    const DxfPair* pair = pair_of(code);
+    if (pair == nullptr) refuse(fmt::format("has no {} (group {})", what, code));
+    return pair == nullptr ? 0 : number(*pair, scaling);
   }
 
   Vector2d need_point(int code, std::string_view what) {
-    const double x = length(need(code, what));
-    return {x, length(need(code + 10, what))};
+    const double x = need(code, what, unit_);
+    return {x, need(code + 10, what, unit_)};
   }
 
   double need_radius() {
-    const double radius = length(need(40, "radius"));
+    const double radius = need(40, "radius", unit_);
     if (!fault_ && !(radius > 0)) refuse("has a radius that is not > 0");
     return radius;
   }
@@ -87,6 +80,22 @@ public:
   }
 
 private:
+  [[nodiscard]] const DxfPair* pair_of(int code) const {
+    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
+                                   [&](const DxfPair& p) { return p.code == code; });
+    return pair == entity_.pairs.end() ? nullptr : &*pair;
+  }
+
+  double number(const DxfPair& pair, const Scaling& scaling) {
+    const auto x = number_in(pair.value);
+    const double scaled = scaling.apply(x.value_or(0));
+    if (x && std::abs(scaled) <= kLargestQuantity) return scaled;
+    refuse(pair.line, fmt::format("\"{}\" is {} (group {} of {})", visible(pair.value.substr(0, 20)),
+                                  x ? "too large, numbers go up to 1e50 in SI units" : "not a number",
+                                  pair.code, entity_.type));
+    return 0;
+  }
+
   const DxfGroup& entity_;
   const Scaling& unit_;
   std::optional<DxfFault> fault_;

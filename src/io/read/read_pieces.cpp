@@ -24,6 +24,10 @@ std::optional<ContourPiece> arc_piece(TableReader& table) {
   if (!mistakes.none()) {
     return std::nullopt;
   }
+  if (const auto circle = make_circle(arc.center, arc.radius); !circle) {
+    report(table.reading(), *table.take("radius"), describe(circle.error()));
+    return std::nullopt;
+  }
   const double sweep = to - arc.from;
   if (std::abs(sweep) < kSweepRounding || sweep > 2 * kPi + kSweepRounding) {
     report(table.reading(), *table.take("to"),

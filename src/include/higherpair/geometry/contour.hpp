@@ -57,7 +57,7 @@ struct PieceEnd {
 /// \pre every piece ends where the next begins, to within rounding
 void close_gaps(std::vector<ContourPiece>& pieces, bool closed);
 
-/// The line (sweep 0) or arc between two points that turns through `sweep` [rad].
+/// The arc between two points that turns through `sweep` [rad]; below kStraightSweep a line.
 [[nodiscard]] ContourPiece bow_piece(const Vector2d& from, const Vector2d& to, double sweep);
 
 /// How an arc was given by rounded numbers.

@@ -26,6 +26,10 @@ inline constexpr double kNearlyEqualRoots = 0.01;
 /// Relative precision of an arc length found by quadrature.
 inline constexpr double kArcPrecision = 1e-13;
 
+/// An arc that turns through less is a line [rad]. Its height over the chord, sweep / 8 of its length, is
+/// then less than the rounding of its radius, 2e-16 / sweep of its length.
+inline constexpr double kStraightSweep = 4e-8;
+
 // Conics.
 
 /// Rounding error of the coefficients of a conic's axis form, relative to the terms from which they are
