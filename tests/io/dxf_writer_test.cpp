@@ -114,6 +114,15 @@ TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
   EXPECT_THAT(dxf_text({{"b", two}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));
 }
 
+TEST(DxfWriter, NumbersLayersThatWouldBeAlike) {
+  const std::string same(31, 'x');
+  const auto pairs = pairs_of(dxf_text(
+      {{same + "-a", kSlot}, {same + "-b", kSlot}, {same + "-c", kSlot}, {"b", kSlot}}, Unit::kMillimetre));
+  const std::string cut = same.substr(2);
+  EXPECT_THAT(pairs, ::testing::IsSupersetOf({"2 " + same, "2 " + cut + "-2", "2 " + cut + "-3", "8 " + same,
+                                              "8 " + cut + "-2", "8 " + cut + "-3"}));
+}
+
 class WrittenDxf : public testing::ProfileWithFiles {};
 
 TEST_F(WrittenDxf, IsReadBackAsItWas) {
@@ -129,6 +138,17 @@ TEST_F(WrittenDxf, IsReadBackAsItWas) {
       EXPECT_NEAR(std::hypot(beyond, p.y()), 0.0127, 1e-16);
     }
   }
+}
+
+TEST_F(WrittenDxf, LayersWithLongNamesAreReadBackOneByOne) {
+  const std::string name(40, 'x');
+  ArcPolyline moved = kSlot;
+  for (ArcVertex& vertex : moved.vertices) vertex.p_B.y() += 0.1;
+  write("two.dxf", dxf_text({{name + "1", kSlot}, {name + "2", moved}}, Unit::kMillimetre));
+  const std::string second = name.substr(0, 29) + "-2";
+  const NamedCurve read = curve("{ type = \"dxf\", file = \"two.dxf\", layer = \"" + second + "\" }");
+  ASSERT_TRUE(read.boundary);
+  EXPECT_NEAR(read.boundary->middle_B().y(), 0.1, 1e-12);
 }
 
 }  // namespace

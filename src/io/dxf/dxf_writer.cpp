@@ -1,7 +1,6 @@
 #include "higherpair/io/dxf_writer.hpp"
 
 #include "dxf_units.hpp"
-#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "io/tolerances.hpp"
 #include "numeric/decimal.hpp"
@@ -9,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -82,9 +83,20 @@ private:
   std::string text_;
 };
 
-std::string layer_name(const DxfOutline& outline) {
+// Each outline's own layer.
+std::vector<std::string> layers_of(const std::vector<DxfOutline>& outlines) {
   constexpr std::size_t kLongest = 31;
-  return outline.layer.substr(0, kLongest);
+  std::vector<std::string> layers;
+  std::set<std::string> taken;
+  for (const DxfOutline& outline : outlines) {
+    std::string layer = outline.layer.substr(0, kLongest);
+    for (int k = 2; !taken.insert(layer).second; ++k) {
+      const std::string number = "-" + std::to_string(k);
+      layer = outline.layer.substr(0, kLongest - number.size()) + number;
+    }
+    layers.push_back(std::move(layer));
+  }
+  return layers;
 }
 
 void write_header(Writer& writer, const std::vector<DxfOutline>& outlines, Unit length) {
@@ -102,13 +114,7 @@ void write_header(Writer& writer, const std::vector<DxfOutline>& outlines, Unit 
   writer.add(0, "ENDSEC");
 }
 
-void write_layers(Writer& writer, const std::vector<DxfOutline>& outlines) {
-  std::vector<std::string> layers;
-  for (const DxfOutline& outline : outlines) {
-    if (!contains(layers, layer_name(outline))) {
-      layers.push_back(layer_name(outline));
-    }
-  }
+void write_layers(Writer& writer, const std::vector<std::string>& layers) {
   writer.add(0, "SECTION");
   writer.add(2, "TABLES");
   writer.add(0, "TABLE");
@@ -126,9 +132,8 @@ void write_layers(Writer& writer, const std::vector<DxfOutline>& outlines) {
   writer.add(0, "ENDSEC");
 }
 
-void write_outline(Writer& writer, const DxfOutline& outline) {
-  const std::string layer = layer_name(outline);
-  if (const auto circle = circle_of(outline.line)) {
+void write_outline(Writer& writer, const ArcPolyline& line, const std::string& layer) {
+  if (const auto circle = circle_of(line)) {
     writer.add(0, "CIRCLE");
     writer.add(8, layer);
     writer.place(10, circle->center_B);
@@ -139,8 +144,8 @@ void write_outline(Writer& writer, const DxfOutline& outline) {
   writer.add(8, layer);
   writer.add(66, 1);  // vertices follow
   writer.place(10, Vector2d::Zero());
-  writer.add(70, outline.line.closed ? 1 : 0);
-  for (const ArcVertex& vertex : outline.line.vertices) {
+  writer.add(70, line.closed ? 1 : 0);
+  for (const ArcVertex& vertex : line.vertices) {
     writer.add(0, "VERTEX");
     writer.add(8, layer);
     writer.place(10, vertex.p_B);
@@ -157,12 +162,11 @@ void write_outline(Writer& writer, const DxfOutline& outline) {
 std::string dxf_text(const std::vector<DxfOutline>& outlines, Unit length) {
   Writer writer(length);
   write_header(writer, outlines, length);
-  write_layers(writer, outlines);
+  const std::vector<std::string> layers = layers_of(outlines);
+  write_layers(writer, layers);
   writer.add(0, "SECTION");
   writer.add(2, "ENTITIES");
-  for (const DxfOutline& outline : outlines) {
-    write_outline(writer, outline);
-  }
+  for (std::size_t i = 0; i < outlines.size(); ++i) write_outline(writer, outlines[i].line, layers[i]);
   writer.add(0, "ENDSEC");
   writer.add(0, "EOF");
   return writer.take();

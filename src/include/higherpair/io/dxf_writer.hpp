@@ -8,9 +8,10 @@
 
 namespace higherpair {
 
-/// An outline and the layer that it is drawn on.
+/// An outline and the name of its layer.
 struct DxfOutline {
-  std::string layer;  ///< letters, digits, - and _; cut off after 31, the limit of R12
+  std::string layer;  ///< letters, digits, - and _; cut off after 31, the limit of R12, and numbered (cam-2)
+                      ///< if an outline before it has the same
   ArcPolyline line;   ///< in metres
 };
 
