@@ -331,6 +331,14 @@ TEST_F(Dxf, SlightBulgesAreLines) {
   EXPECT_NE(spans_with("1.1e-8").front()->range().width(), spans_with("0").front()->range().width());
 }
 
+// One comparison per entity and layer would take minutes.
+TEST_F(Dxf, ManyLayersAreToldApartInALittleTime) {
+  std::string entities;
+  for (int i = 0; i < 100000; ++i) entities += fmt::format("0 INSERT 8 L{} ", i);
+  EXPECT_EQ(of(entities + kTriangle, ", layer = \"0\"").boundary->spans().size(),
+            of(kTriangle).boundary->spans().size());
+}
+
 TEST_F(Dxf, TenThousandEntitiesAreOneContour) {
   std::string entities;
   const int count = 10000;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -164,13 +165,9 @@ private:
 
   std::size_t layer_of(const DxfGroup& entity) {
     const std::string_view name = value_of(entity, 8, "0");
-    auto& layers = drawing_.layers;
-    const auto found = std::find(layers.begin(), layers.end(), name);
-    if (found == layers.end()) {
-      layers.emplace_back(name);
-      return layers.size() - 1;
-    }
-    return static_cast<std::size_t>(found - layers.begin());
+    const auto [layer, is_new] = layers_.try_emplace(name, drawing_.layers.size());
+    if (is_new) drawing_.layers.emplace_back(name);
+    return layer->second;
   }
 
   DxfPairs pairs_;
@@ -180,6 +177,7 @@ private:
   bool head_ = false;
   std::optional<DxfFault> fault_;
   DxfDrawing drawing_;
+  std::map<std::string_view, std::size_t> layers_;  // indices of drawing_.layers; names are in the text
 };
 
 }  // namespace
