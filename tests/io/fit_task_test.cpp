@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -174,6 +175,20 @@ TEST(MeasuredTable, SaysWhatIsWrongWithIt) {
   const MeasuredTable comma = measured("driver;x\n1;2,5\n");
   EXPECT_THAT(comma.columns[1].mistake->message,
               HasSubstr("`2,5` is no number: decimals are written with a point"));
+}
+
+TEST(MeasuredTable, HasAtMostFiveThousandColumns) {
+  std::string head = "driver", row = "1";
+  for (int k = 1; k < 5000; ++k) {
+    head += fmt::format(",c{}", k);
+    row += ",2";
+  }
+  EXPECT_EQ(measured(fmt::format("{}\n{}\n", head, row)).columns.size(), 5000U);
+  EXPECT_EQ(
+      refusal(head + ",x\n"),
+      "m.csv:1:1: has 5001 columns, and at most 5000 are read: leave out those that are not to be fitted");
+  EXPECT_EQ(read_measured_text(head + ",x\n1\n", "m.csv").error().size(), 1U);
+  EXPECT_EQ(read_measured_text(std::string(4000, ','), "m.csv").error().size(), 5U);  // all without a name
 }
 
 TEST(MeasuredTable, MayHaveNoHeaderWhereItsColumnsAreKnown) {

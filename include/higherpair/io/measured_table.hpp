@@ -32,7 +32,8 @@ struct MeasuredTable {
 /// Reads a text of columns separated by commas, semicolons, tabs or spaces. The first line names them, each
 /// with a unit in brackets or without. Missing values are empty fields, `nan`, `na` or `null`. Empty lines
 /// and lines that begin with # are left out. A field that is not a number invalidates its column only. Fails
-/// for a missing header, no rows, a row with a different number of fields, and a repeated name.
+/// for a missing header, no rows, a row with a different number of fields, a repeated name, and more than
+/// 5000 columns.
 /// \param names  of the columns, for a text without a header; empty: it must have one
 [[nodiscard]] tl::expected<MeasuredTable, Diagnostics> read_measured_text(
     std::string_view text, const std::string& source, const std::vector<std::string>& names = {});

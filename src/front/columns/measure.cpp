@@ -5,7 +5,6 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
-#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "measure_series.hpp"
 
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -31,13 +31,13 @@ std::string where_column(const Mechanism& mechanism, bool in_time) {
 struct Available {
   std::vector<Column> columns;
   std::vector<std::string> names;
+  std::map<std::string, std::size_t> index_of;
   std::size_t plain = 0;   // number of columns without forces and jerk
   std::size_t forces = 0;  // number of columns without jerk
 
   [[nodiscard]] std::optional<std::size_t> find(const std::string& name) const {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(found - names.begin()));
+    const auto found = index_of.find(name);
+    return found == index_of.end() ? std::nullopt : std::optional(found->second);
   }
 };
 
@@ -48,7 +48,7 @@ Result<Available> available_columns(const Model& model, RunSettings settings) {
   const auto add = [&]() -> Result<void> {
     return columns_of(model.data(), settings, units).map([&](const ColumnSet& set) {
       for (const Column& column : set.columns()) {
-        if (available.find(column.name)) continue;
+        if (!available.index_of.try_emplace(column.name, available.names.size()).second) continue;
         available.columns.push_back(column);
         available.names.push_back(column.name);
       }
@@ -151,12 +151,6 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
   return mistakes;
 }
 
-void add_once(const std::string& name, std::vector<std::string>& names) {
-  if (!contains(names, name)) {
-    names.push_back(name);
-  }
-}
-
 }  // namespace
 
 Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
@@ -179,12 +173,16 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
       !mistakes.empty()) {
     return wrong(std::move(mistakes));
   }
-  add_once(where_column(model.mechanism(), settings.in_time), settings.columns);
+  std::set<std::string> chosen(settings.columns.begin(), settings.columns.end());
+  const auto add_once = [&](const std::string& name) {
+    if (chosen.insert(name).second) settings.columns.push_back(name);
+  };
+  add_once(where_column(model.mechanism(), settings.in_time));
   for (const Measure& measure : measures) {
     const std::size_t index = *available->find(measure.column);
     settings.forces = settings.forces || (index >= available->plain && index < available->forces);
     settings.jerk = settings.jerk || index >= available->forces;
-    add_once(measure.column, settings.columns);
+    add_once(measure.column);
   }
   return settings;
 }

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -179,12 +181,12 @@ private:
 
   void read_columns(const std::vector<const MeasuredColumn*>& used) {
     const auto columns = columns_of(data_.model.data(), data_.settings, data_.model.units());
+    std::map<std::string_view, const Column*> own;
+    for (const Column& column : columns->columns()) own.emplace(column.name, &column);
     for (const MeasuredColumn* column : used) {
       FitColumn& fitted = data_.columns.emplace_back();
       fitted.name = column->name;
-      for (const Column& own : columns->columns()) {
-        if (own.name == column->name) fitted.unit = own.unit;
-      }
+      if (const auto found = own.find(column->name); found != own.end()) fitted.unit = found->second->unit;
       fitted.values = scaled(*column, fitted.unit);
       fitted.unit_given = !column->unit.empty();
       fitted.place = column->place;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -20,6 +21,7 @@ using io_detail::trimmed;
 using io_detail::visible;
 
 constexpr std::size_t kMostTableMistakes = 5;
+constexpr std::size_t kMostColumns = 5000;
 
 bool is_missing(std::string_view field) {
   std::string lower;
@@ -34,7 +36,8 @@ public:
   }
 
   void line(std::string_view text, int number) {
-    if (mistakes_.size() >= kMostTableMistakes) return;
+    const bool refused = separator_ != 0 && table_.columns.empty();  // at its header
+    if (refused || mistakes_.size() >= kMostTableMistakes) return;
     if (separator_ == 0) {
       separator_ = io_detail::separator_of(trimmed(text));
       if (has_no_header(text)) {
@@ -74,7 +77,16 @@ private:
   void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
 
   void header(std::string_view line, int number) {
-    for (const std::string_view field : io_detail::fields_of(line, separator_)) {
+    const std::vector<std::string_view> fields = io_detail::fields_of(line, separator_);
+    if (fields.size() > kMostColumns) {
+      fail({table_.source, number, 1},
+           fmt::format("has {} columns, and at most {} are read: leave out those that are not to be fitted",
+                       fields.size(), kMostColumns));
+      return;
+    }
+    std::set<std::string> names;
+    for (const std::string_view field : fields) {
+      if (mistakes_.size() >= kMostTableMistakes) return;
       const std::size_t open = field.find('[');
       MeasuredColumn column;
       column.name = trimmed(field.substr(0, open));
@@ -92,10 +104,8 @@ private:
         }
         column.unit = trimmed(field.substr(open + 1, field.size() - open - 2));
       }
-      for (const MeasuredColumn& other : table_.columns) {
-        if (other.name == column.name) {
-          fail(column.place, fmt::format("`{}`: two columns have this name", visible(column.name)));
-        }
+      if (!names.insert(column.name).second) {
+        fail(column.place, fmt::format("`{}`: two columns have this name", visible(column.name)));
       }
       table_.columns.push_back(std::move(column));
     }
