@@ -13,6 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::messages;
+using ::testing::Not;
 using testing::slider_profile;
 
 // The messages about the crank's profile with text appended to it from line 12 on.
@@ -250,6 +251,12 @@ TEST(ProfileMessages, KeysOfTheTopLevelAreToBeMovedUp) {
       ElementsAre(
           "test.toml:13:9: bodies.title = \"x\": it belongs to the top level: move it above the first "
           "[table]"));
+  for (const char* table : {"limits", "drawing", "sweep", "design", "tolerances", "fit", "extra"}) {
+    EXPECT_THAT(
+        about(fmt::format("{}.a = 1\n", table)),
+        ElementsAre(HasSubstr(fmt::format("driver.{}: unknown key; it belongs to the top level", table))));
+  }
+  EXPECT_THAT(about("sweep = 90\n"), ElementsAre(Not(HasSubstr("top level"))));  // a number is no table
   // Not `units.time`, though that is near.
   EXPECT_THAT(messages(crank_profile("", "[units]\ntitle = \"x\"\n")),
               Contains(HasSubstr("units.title: unknown key; it belongs to the top level")));

@@ -6,15 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {
 namespace {
 
-constexpr std::array<std::string_view, 14> kTopLevelKeys = {
-    "format",   "title",  "description", "gravity", "units", "bodies",  "joints",
-    "contacts", "driver", "drivers",     "laws",    "loads", "springs", "limits"};
+// Those that hold tables.
+constexpr std::array<std::string_view, 16> kTopLevelTables = {
+    "units",   "bodies",  "joints", "contacts", "driver", "drivers",    "laws", "loads",
+    "springs", "drawing", "limits", "sweep",    "design", "tolerances", "fit",  "extra"};
 
 constexpr std::array<std::string_view, 8> kDriverKeys = {"start",    "end",          "samples",  "positions",
                                                          "velocity", "acceleration", "duration", "time_step"};
@@ -32,8 +34,8 @@ std::vector<std::string> each_once(const std::vector<std::string>& names) {
   return once;
 }
 
-bool is_top_level(std::string_view key) {
-  return contains(kTopLevelKeys, key);
+[[maybe_unused]] bool is_top_level(std::string_view key) {
+  return contains(kOnlyTopLevel, key) || contains(kTopLevelTables, key);
 }
 
 }  // namespace
@@ -109,6 +111,7 @@ bool TableReader::has(std::string_view key) const {
 }
 
 void TableReader::finish() const {
+  assert(!path().empty() || std::all_of(known_.begin(), known_.end(), is_top_level));
   for (const Entry& entry : *table_) {
     if (!contains(known_, entry.key) && !contains(refused_, entry.key)) {
       report_unknown(entry);
@@ -123,8 +126,8 @@ void TableReader::report_unknown(const Entry& entry) const {
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
   std::string own = is_table ? "" : did_you_mean(entry.key, known);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
-  const bool move_up =
-      !path.empty() && (contains(kOnlyTopLevel, entry.key) || (is_top_level(entry.key) && own.empty()));
+  const bool move_up = !path.empty() && (contains(kOnlyTopLevel, entry.key) ||
+                                         (is_table && contains(kTopLevelTables, entry.key)));
   const bool is_of_driver = path.empty() && own.empty() && contains(kDriverKeys, entry.key);
   const std::string remedy =
       is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
@@ -179,7 +182,7 @@ void read_named_table(Reading& reading, const std::string& name, const Item& ite
   if (std::holds_alternative<Table>(item.value->content)) {
     TableReader reader(reading, *item.value);
     read(name, reader);
-  } else if (is_top_level(name)) {
+  } else if (contains(kOnlyTopLevel, name)) {
     report(reading, item, kMoveUp);
   } else {
     report_kind(reading, item, what);
