@@ -276,6 +276,20 @@ TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
   }
 }
 
+// What was found in time waits for a reader of the pipe.
+TEST_F(LongRun, OfASearchEndsWithoutAWordWhereItsResultIsInterrupted) {
+  copy_profiles({"design_eccentric", "sixbar_measured"});
+  ASSERT_EQ(run_script("mkfifo pipe").code, 0);
+  for (const std::string& command :
+       {std::string("design design_eccentric.toml --starts 1 --quiet -o pipe"),
+        "fit sixbar_measured.toml " + shipped_profile("sixbar_measured.csv") + " --quiet -o pipe"}) {
+    const Outcome outcome = run_script(
+        fmt::format("timeout --preserve-status -k 20 -s INT 3 {} {}", HIGHERPAIR_PROGRAM, command));
+    EXPECT_EQ(outcome.code, 130) << command;
+    EXPECT_EQ(outcome.out + outcome.err, "") << command;
+  }
+}
+
 // A motion that is lost once a turn: the stack does not grow with the number of turns.
 TEST_F(LongRun, IsTakenUpAgainAThousandTimesBetweenTwoRows) {
   const Outcome outcome = run_script(

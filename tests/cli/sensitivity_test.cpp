@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -184,6 +185,17 @@ TEST_F(SensitivityCommand, StopsWhenInterrupted) {
                               "kill -INT $program; wait $program");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "late.json"));
+}
+
+// The pipe is full, and nobody reads it: the rows wait for a reader when all of them are computed.
+TEST_F(SensitivityCommand, StopsWhenInterruptedAtTheEndOfItsRows) {
+  const Outcome outcome = run_script(fmt::format(
+      "mkfifo pipe; sleep 9 <pipe & reader=$!; exec 9>pipe; head -c 65536 /dev/zero >&9\n"
+      "timeout --preserve-status -s INT 1 {} sensitivity {} --samples 3 --rows pipe 9>&-; code=$?\n"
+      "kill $reader; exit $code\n",
+      HIGHERPAIR_PROGRAM, shipped_toml("toleranced_linkage")));
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
 }
 
 }  // namespace

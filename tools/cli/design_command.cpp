@@ -124,8 +124,9 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
     }
   }
   const bool to_output = options.output == "-" || options.json == "-" || options.page == "-";
-  if (!write_files(files)) {
-    return kExitMachine;
+  // The best so far is written after a signal, too.
+  if (!write_files(files, report.end == DesignEnd::kStopped ? nullptr : &interruption())) {
+    return exit_unwritten();
   }
   if (!to_output) {
     fmt::print("{}", design_text(report));

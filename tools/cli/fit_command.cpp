@@ -7,6 +7,7 @@
 #include "status_line.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -72,16 +73,17 @@ std::size_t index_of(const Names& names, const std::string& name) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-// Writes the outputs asked for, and the text to standard output unless another output goes there.
+// Writes the outputs asked for, and the text to standard output unless another output goes there; see
+// write_files.
 template <class Report>
-bool write(const FitCommandOptions& options, const Report& report) {
+bool write(const FitCommandOptions& options, const Report& report, const std::atomic<bool>* stop) {
   std::vector<FileText> files;
   if (options.output) files.push_back({*options.output, report.text});
   if (options.json) files.push_back({*options.json, fit_json(report)});
   if (options.csv) files.push_back({*options.csv, fit_csv(report)});
   const bool to_output =
       std::any_of(files.begin(), files.end(), [](const FileText& file) { return file.path == "-"; });
-  if (!write_files(files)) return false;
+  if (!write_files(files, stop)) return false;
   if (!to_output) fmt::print("{}", fit_text(report));
   return true;
 }
@@ -97,7 +99,7 @@ int fit_points(const FitCommandOptions& options) {
   if (!report) {
     return report_error(report.error());
   }
-  return write(options, *report) ? kExitOk : exit_unwritten();
+  return write(options, *report, &interruption()) ? kExitOk : exit_unwritten();
 }
 
 std::string how_far(const FitProgress& progress) {
@@ -135,8 +137,9 @@ int fit_command(const FitCommandOptions& options) {
   if (!report) {
     return report_error(report.error());
   }
-  if (!write(options, *report)) {
-    return kExitMachine;
+  // The results so far are written after a signal, too.
+  if (!write(options, *report, report->end == FitEnd::kStopped ? nullptr : &interruption())) {
+    return exit_unwritten();
   }
   if (report->end == FitEnd::kStopped) {
     return kExitInterrupted;

@@ -97,7 +97,8 @@ std::optional<int> write_rows(const SensitivityOptions& options, const Model& mo
     return kExitInterrupted;
   }
   rows.file().finish();
-  return commit_all({&rows.file()}) ? std::nullopt : std::optional(kExitMachine);
+  const bool written = !interruption() && commit_all({&rows.file()});
+  return written ? std::nullopt : std::optional(exit_unwritten());
 }
 
 Result<ToleranceVariants> run_variants(const SensitivityOptions& options, const Model& model,
