@@ -1,5 +1,6 @@
 // Columns: which ones exist, their units, and that only the requested ones are returned.
 #include "front/cam_profile.hpp"
+#include "front/columns/column_set.hpp"
 #include "higherpair/higherpair.hpp"
 
 #include <algorithm>
@@ -20,6 +21,19 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kCam;
 using testing::model_of;
+
+TEST(CsvText, IsQuotedWhereItHasWhatSeparatesFieldsOrLines) {
+  const auto text = [](std::string_view content) {
+    std::string out;
+    append_csv_text(content, out);
+    return out;
+  };
+  EXPECT_EQ(text("a b"), "a b");
+  EXPECT_EQ(text("a,b"), "\"a,b\"");
+  EXPECT_EQ(text("a\nb"), "\"a\nb\"");
+  EXPECT_EQ(text("a\rb"), "\"a\rb\"");
+  EXPECT_EQ(text("a \"b\""), "\"a \"\"b\"\"\"");
+}
 
 std::vector<std::string> heads(const std::vector<Column>& columns) {
   std::vector<std::string> heads;

@@ -137,7 +137,7 @@ std::string csv_head(const Column& column) {
 }
 
 void append_csv_text(std::string_view text, std::string& out) {
-  if (text.find_first_of(",\"\n") == std::string_view::npos) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
     out += text;
     return;
   }
