@@ -57,7 +57,8 @@ private:
 /// Whether a file has failed; reports it on standard error, unless the pipe's reader is gone.
 [[nodiscard]] bool report_failure(const OutputFile& file);
 
-/// Commits finished files, all or none; false if one has failed, with the reason on standard error.
+/// Commits finished files, none if one of them has failed. False on failure, with the reason on standard
+/// error; if it is a renaming that fails, files renamed before it stay.
 [[nodiscard]] bool commit_all(const std::vector<OutputFile*>& files);
 
 struct FileText {
@@ -65,8 +66,8 @@ struct FileText {
   std::string text;
 };
 
-/// Writes whole files, all or none. False on failure, with the reason on standard error, or silently if
-/// `stop` becomes true before all are written.
+/// Writes whole files and commits them, see commit_all(). False on failure, with the reason on standard
+/// error, or silently if `stop` becomes true before all are written.
 [[nodiscard]] bool write_files(const std::vector<FileText>& files, const std::atomic<bool>* stop = nullptr);
 
 /// The results of a command, each form made only if it is needed.
