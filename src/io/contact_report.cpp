@@ -27,7 +27,7 @@ double rounded_up(double value) {
 }
 
 // The nearest multiple of 10^-decimals, as the double that its decimal text reads as.
-double rounded_to(double value, int decimals) {
+double rounded_to_decimals(double value, int decimals) {
   const double power = std::pow(10.0, std::abs(decimals));
   return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
 }
@@ -128,7 +128,9 @@ std::optional<Advice> advice_for(const ContactForces& forces, const Profile& pro
       decimals.push_back(numbers[k].decimals((*exact)[k], kDigits[i]));
       rounding.margin.push_back(numbers[k].margin(decimals[k]));
     }
-    const auto rounded = [&](std::size_t k, double x) { return rounded_to(numbers[k].of(x), decimals[k]); };
+    const auto rounded = [&](std::size_t k, double x) {
+      return rounded_to_decimals(numbers[k].of(x), decimals[k]);
+    };
     rounding.round = [&](std::size_t k, double x) { return x == 0 ? 0 : numbers[k].addition(rounded(k, x)); };
     if (auto additions = smallest_preloads(forces, profile.mechanism, start.plan().size, &rounding)) {
       Advice advice{*std::move(additions), {}};
