@@ -26,8 +26,8 @@ bool is_earlier(const Event& a, const Event& b) {
 
 std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const Units& units) {
   const Joint& driver = driven_joint(mechanism, jump.driver);
-  Dimension rate = jump.turns ? dimension::kAngle : dimension::kLength;
-  for (int k = 0; k < jump.order; ++k) rate = rate / coordinate_dimension(driver);
+  const Dimension rate =
+      rate_of(jump.turns ? dimension::kAngle : dimension::kLength, jump.order, coordinate_dimension(driver));
   const Scaling shown = from_si(rate, units);
   const std::string unit = rate == dimension::kNumber ? "" : " " + unit_text(rate, units);
   return fmt::format("; for a unit rate of {} {} jumps from {:.6g} to {:.6g}{}",
@@ -127,7 +127,7 @@ void Analysis::Impl::add_law_jumps() {
     event.joint = profile.mechanism.drivers[jump.driver].joint;
     event.item = joint.name;
     for (std::size_t k = 1; k <= 2; ++k) {
-      dimension = dimension / dimension::kTime;
+      dimension = rate_of(dimension);
       if (jump.join.jumps(k)) {
         const auto shown = [&](double value) {
           return from_si(dimension, units).apply(to_si(dimension, profile.units).apply(value));

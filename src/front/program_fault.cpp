@@ -25,13 +25,12 @@ std::string fault_of(const DriverProgram& program, const std::string& driver, co
   };
   const auto bad = std::find_if_not(program.positions.begin(), program.positions.end(),
                                     [&](double value) { return can_be_position(value, position, units); });
-  const Dimension velocity = position / dimension::kTime;
   return first_unmet({
       place(".start", program.start),
       place(".end", program.end.value_or(0)),
       place(".positions", bad == program.positions.end() ? 0 : *bad),
-      rate(".velocity", velocity, program.velocity),
-      rate(".acceleration", velocity / dimension::kTime, program.acceleration),
+      rate(".velocity", rate_of(position), program.velocity),
+      rate(".acceleration", rate_of(position, 2), program.acceleration),
       within(1, DriverSchedule::kMostRows, driver + ".samples", program.samples.value_or(1)),
       at_least(0.0, driver + ".duration", program.duration.value_or(0)),
       positive(driver + ".time_step", program.time_step.value_or(1)),

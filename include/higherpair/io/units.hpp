@@ -92,6 +92,13 @@ inline constexpr Dimension kDamping = kForce * kTime / kLength;
 inline constexpr Dimension kAngularDamping = kTorque * kTime / kAngle;
 }  // namespace dimension
 
+/// The dimension of the derivative of this order by time, or by another quantity.
+[[nodiscard]] constexpr Dimension rate_of(Dimension of, int order = 1,
+                                          const Dimension& by = dimension::kTime) {
+  for (int k = 0; k < order; ++k) of = of / by;
+  return of;
+}
+
 /// The factor between two units of one dimension, held to twice the precision of a double:
 /// `apply(x)` is the double nearest to factor·x (80 mm are exactly the double 0.08, 90 deg exactly kPi/2).
 /// Infinities and NaN pass through; a result too large for a double is an infinity.

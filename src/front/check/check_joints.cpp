@@ -14,8 +14,8 @@
 namespace higherpair {
 namespace {
 
-constexpr Dimension kJerk = dimension::kAcceleration / dimension::kTime;
-constexpr Dimension kAngularJerk = dimension::kAngularAcceleration / dimension::kTime;
+constexpr Dimension kJerk = rate_of(dimension::kLength, 3);
+constexpr Dimension kAngularJerk = rate_of(dimension::kAngle, 3);
 
 // Accelerations and jerks of the joints on which bodies move against ground, driven ones included.
 class CheckedJoints {

@@ -10,13 +10,6 @@
 namespace higherpair {
 namespace {
 
-Dimension per_time(Dimension dimension, int order) {
-  for (int k = 0; k < order; ++k) {
-    dimension = dimension / dimension::kTime;
-  }
-  return dimension;
-}
-
 double* put_known(const std::optional<Vector2d>& v, double* out) {
   if (v) {
     out[0] = v->x();
@@ -40,7 +33,7 @@ void add_driver_jerks(ColumnSet& set, const Profile& profile) {
       continue;
     }
     const Driver& driver = profile.mechanism.drivers[i];
-    set.add({{driver_name(driver) + ".jerk", per_time(driver_dimension(profile.mechanism, i), 3)}},
+    set.add({{driver_name(driver) + ".jerk", rate_of(driver_dimension(profile.mechanism, i), 3)}},
             [i](const RowSource& source, double* out) { *out = source.drivers[i].higher_si[0]; });
   }
 }
@@ -64,8 +57,8 @@ double* put_body(const Run& run, const JerkRow& jerks, std::size_t index, double
 void add_jerk_columns(ColumnSet& set, const Profile& profile, const Plan& plan) {
   const Mechanism& mechanism = profile.mechanism;
   add_driver_jerks(set, profile);
-  const Dimension linear = per_time(dimension::kLength, 3);
-  const Dimension angular = per_time(dimension::kAngle, 3);
+  const Dimension linear = rate_of(dimension::kLength, 3);
+  const Dimension angular = rate_of(dimension::kAngle, 3);
   std::vector<NewColumn> columns;
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
@@ -105,10 +98,10 @@ void add_derivative_columns(ColumnSet& set, const Mechanism& mechanism, int orde
   for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
     const Body& body = mechanism.bodies[i];
     for (int k = 3; k <= order; ++k) {
-      const Dimension linear = per_time(dimension::kLength, k);
+      const Dimension linear = rate_of(dimension::kLength, k);
       columns.push_back({fmt::format("{}.d{}x", body.name, k), linear});
       columns.push_back({fmt::format("{}.d{}y", body.name, k), linear});
-      columns.push_back({fmt::format("{}.d{}angle", body.name, k), per_time(dimension::kAngle, k)});
+      columns.push_back({fmt::format("{}.d{}angle", body.name, k), rate_of(dimension::kAngle, k)});
       for (const NamedPoint& point : body.points) {
         columns.push_back({fmt::format("{}.{}.d{}x", body.name, point.name, k), linear});
         columns.push_back({fmt::format("{}.{}.d{}y", body.name, point.name, k), linear});

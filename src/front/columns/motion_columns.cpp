@@ -26,7 +26,7 @@ struct Coordinate {
 
 Coordinate coordinate_of(const Joint& joint) {
   const Dimension of = coordinate_dimension(joint);
-  return {of, of / dimension::kTime, of / dimension::kTime / dimension::kTime};
+  return {of, rate_of(of), rate_of(of, 2)};
 }
 
 double* put_vector(const Vector2d& v, double* out) {

@@ -18,18 +18,13 @@ std::optional<std::int64_t> PathPlace::on_row() const {
 DriverPlaces::DriverPlaces(const Profile& profile, DriverSchedule schedule)
     : schedule_(std::move(schedule)), time_from_si_(from_si(dimension::kTime, profile.units)) {
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
-    Dimension of = driver_dimension(profile.mechanism, i);
+    const Dimension of = driver_dimension(profile.mechanism, i);
     Scales scales;
     scales.position = of;
     scales.law = profile.programs[i].law;
-    for (Scaling& scale : scales.from_si) {
-      scale = from_si(of, profile.units);
-      of = of / dimension::kTime;
-    }
-    for (Scaling& scale : scales.higher_to_si) {
-      scale = to_si(of, profile.units);
-      of = of / dimension::kTime;
-    }
+    int order = 0;
+    for (Scaling& scale : scales.from_si) scale = from_si(rate_of(of, order++), profile.units);
+    for (Scaling& scale : scales.higher_to_si) scale = to_si(rate_of(of, order++), profile.units);
     drivers_.push_back(std::move(scales));
   }
 }

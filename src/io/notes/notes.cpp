@@ -165,9 +165,9 @@ Diagnostics direction_notes(const Profile& profile, const DriverSchedule& schedu
         fmt::format(
             "is {:.6g} {}{}, but the rows go from {:.6g} to {:.6g} {}: rates are those of the motion in "
             "the other direction; {} velocity = {:.6g}",
-            velocity, unit_text(position / dimension::kTime, profile.units),
-            is_default ? ", the default" : "", from, to, unit_text(position, profile.units),
-            is_default ? "give" : "exchange start and end, or set", -velocity)));
+            velocity, unit_text(rate_of(position), profile.units), is_default ? ", the default" : "", from,
+            to, unit_text(position, profile.units), is_default ? "give" : "exchange start and end, or set",
+            -velocity)));
   }
   return notes;
 }

@@ -91,13 +91,13 @@ void read_times(TableReader& table, DriverProgram& program) {
 void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& joint, DriverProgram& program) {
   const Units& units = table.reading().units;
   const Dimension position = coordinate_dimension(joint);
-  const Dimension velocity = position / dimension::kTime;
   program.start =
       read_number(table, "start", {position}).value_or(PoseCoordinate(mechanism, units).of(joint));
   program.end = read_number(table, "end", {position});
   read_positions(table, position, program);
-  program.velocity = read_number(table, "velocity", {velocity}).value_or(default_velocity(joint, units));
-  program.acceleration = read_number(table, "acceleration", {velocity / dimension::kTime}).value_or(0);
+  program.velocity =
+      read_number(table, "velocity", {rate_of(position)}).value_or(default_velocity(joint, units));
+  program.acceleration = read_number(table, "acceleration", {rate_of(position, 2)}).value_or(0);
 }
 
 constexpr const char* kMotionKeys[] = {"start", "end", "positions", "velocity", "acceleration"};

@@ -91,23 +91,19 @@ std::vector<DriverSchedule::OneDriver> DriverSchedule::drivers_of(const Profile&
   for (std::size_t i = 0; i < profile.programs.size(); ++i) {
     const DriverProgram& program = profile.programs[i];
     const Dimension position = driver_dimension(profile.mechanism, i);
-    const Dimension velocity = position / dimension::kTime;
     OneDriver driver{program.positions,
                      program.start,
                      end_of(profile, i).value_or(program.start),
                      program.velocity,
                      program.acceleration,
                      to_si(position, profile.units),
-                     to_si(velocity, profile.units),
-                     to_si(velocity / dimension::kTime, profile.units),
+                     to_si(rate_of(position), profile.units),
+                     to_si(rate_of(position, 2), profile.units),
                      {},
                      program.law,
                      {}};
-    Dimension higher = velocity / dimension::kTime;
-    for (Scaling& scaling : driver.higher_to_si) {
-      higher = higher / dimension::kTime;
-      scaling = to_si(higher, profile.units);
-    }
+    int order = 3;
+    for (Scaling& scaling : driver.higher_to_si) scaling = to_si(rate_of(position, order++), profile.units);
     drivers.push_back(std::move(driver));
   }
   return drivers;

@@ -16,11 +16,6 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Dimension rate_of(Dimension of, int order) {
-  for (int k = 0; k < order; ++k) of = of / dimension::kTime;
-  return of;
-}
-
 // Of a coordinate: "position", "velocity", ...
 std::optional<Dimension> coordinate_column(const Dimension& position, std::string_view last) {
   if (last == "position") return position;
