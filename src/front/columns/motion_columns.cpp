@@ -1,6 +1,7 @@
 #include "column_set.hpp"
 #include "higherpair/analysis/unit_motion.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/io/column_dimension.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
@@ -69,46 +70,39 @@ void add_drivers(ColumnSet& set, const Profile& profile, const Units& units) {
   }
 }
 
+std::vector<NewColumn> motion_columns_of(const std::string& owner, bool is_body) {
+  std::vector<NewColumn> columns;
+  for (std::size_t k = 0; k < kMotionEndings.size(); ++k) {
+    if (!is_body && MotionEnding::is_of_angle(k)) continue;
+    columns.push_back({fmt::format("{}.{}", owner, kMotionEndings[k].name), kMotionEndings[k].dimension});
+  }
+  return columns;
+}
+
 void add_point(ColumnSet& set, std::size_t body, const std::string& name, const Vector2d& p_B) {
-  set.add({{name + ".x", dimension::kLength},
-           {name + ".y", dimension::kLength},
-           {name + ".vx", dimension::kVelocity},
-           {name + ".vy", dimension::kVelocity},
-           {name + ".ax", dimension::kAcceleration},
-           {name + ".ay", dimension::kAcceleration}},
-          [body, p_B](const RowSource& source, double* out) {
-            const PointMotion motion = point_motion(source.run.row.bodies[body], p_B);
-            out = put_vector(motion.p_W, out);
-            if (source.run.row.has_rates[body]) {
-              put_vector(motion.a_W, put_vector(motion.v_W, out));
-            }
-          });
+  set.add(motion_columns_of(name, false), [body, p_B](const RowSource& source, double* out) {
+    const PointMotion motion = point_motion(source.run.row.bodies[body], p_B);
+    out = put_vector(motion.p_W, out);
+    if (source.run.row.has_rates[body]) {
+      put_vector(motion.a_W, put_vector(motion.v_W, out));
+    }
+  });
 }
 
 void add_body(ColumnSet& set, std::size_t index, const Body& body) {
-  const std::string& name = body.name;
-  set.add({{name + ".x", dimension::kLength},
-           {name + ".y", dimension::kLength},
-           {name + ".angle", dimension::kAngle},
-           {name + ".vx", dimension::kVelocity},
-           {name + ".vy", dimension::kVelocity},
-           {name + ".omega", dimension::kAngularVelocity},
-           {name + ".ax", dimension::kAcceleration},
-           {name + ".ay", dimension::kAcceleration},
-           {name + ".alpha", dimension::kAngularAcceleration}},
-          [index](const RowSource& source, double* out) {
-            const BodyMotion& motion = source.run.row.bodies[index];
-            out = put_vector(motion.X_WB.p_WB, out);
-            *out++ = motion.theta;
-            if (source.run.row.has_rates[index]) {
-              out = put_vector(motion.v_WB, out);
-              *out++ = motion.omega;
-              out = put_vector(motion.a_WB, out);
-              *out = motion.alpha;
-            }
-          });
+  set.add(motion_columns_of(body.name, true), [index](const RowSource& source, double* out) {
+    const BodyMotion& motion = source.run.row.bodies[index];
+    out = put_vector(motion.X_WB.p_WB, out);
+    *out++ = motion.theta;
+    if (source.run.row.has_rates[index]) {
+      out = put_vector(motion.v_WB, out);
+      *out++ = motion.omega;
+      out = put_vector(motion.a_WB, out);
+      *out = motion.alpha;
+    }
+  });
   for (const NamedPoint& point : body.points) {
-    add_point(set, index, name + "." + point.name, point.p_B);
+    add_point(set, index, body.name + "." + point.name, point.p_B);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "design_columns.hpp"
 
 #include "front/tolerances.hpp"
+#include "higherpair/io/column_dimension.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
@@ -10,28 +11,17 @@
 #include <map>
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace higherpair {
 namespace {
 
-struct Ending {
-  const char* ending;
-  Dimension dimension;
-};
-constexpr std::array<Ending, 9> kEndings = {{{".x", dimension::kLength},
-                                             {".y", dimension::kLength},
-                                             {".vx", dimension::kVelocity},
-                                             {".vy", dimension::kVelocity},
-                                             {".ax", dimension::kAcceleration},
-                                             {".ay", dimension::kAcceleration},
-                                             {".angle", dimension::kAngle},
-                                             {".omega", dimension::kAngularVelocity},
-                                             {".alpha", dimension::kAngularAcceleration}}};
-constexpr std::size_t kPointEndings = 6;  // only the first of these apply to points
 constexpr std::array kOfJoints = {".position", ".velocity", ".acceleration"};  // angle, omega and alpha
 
-std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) {
-    if (name == owner + kEndings[k].ending) return k;
+std::optional<std::size_t> quantity_of(const std::string& name, const std::string& owner, bool is_body) {
+  for (std::size_t k = 0; k < kMotionEndings.size(); ++k) {
+    if (!is_body && MotionEnding::is_of_angle(k)) continue;
+    if (name == fmt::format("{}.{}", owner, kMotionEndings[k].name)) return k;
   }
   return std::nullopt;
 }
@@ -44,7 +34,7 @@ std::optional<BodyColumn> joint_column(const Mechanism& mechanism, const std::st
     if (joint.type != JointType::kRevolute || is_driven(mechanism, static_cast<int>(j))) continue;
     for (std::size_t k = 0; k < kOfJoints.size(); ++k) {
       if (name != joint.name + kOfJoints[k]) continue;
-      return BodyColumn{static_cast<std::size_t>(joint.second.body), std::nullopt, kPointEndings + k, 1,
+      return BodyColumn{static_cast<std::size_t>(joint.second.body), std::nullopt, 3 * k + 2, 1,
                         static_cast<std::size_t>(joint.first.body)};
     }
   }
@@ -79,11 +69,11 @@ std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& u
   };
   for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
     const Body& body = mechanism.bodies[b];
-    if (const auto quantity = quantity_of(name, body.name, kEndings.size())) {
+    if (const auto quantity = quantity_of(name, body.name, true)) {
       return scaled({b, std::nullopt, *quantity});
     }
     for (std::size_t p = 0; p < body.points.size(); ++p) {
-      const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, kPointEndings);
+      const auto quantity = quantity_of(name, body.name + "." + body.points[p].name, false);
       if (quantity) return scaled({b, p, *quantity});
     }
   }
@@ -92,19 +82,18 @@ std::optional<BodyColumn> body_column(const Mechanism& mechanism, const Units& u
 }
 
 const Dimension& dimension_of(const BodyColumn& column) {
-  return kEndings[column.quantity].dimension;
+  return kMotionEndings[column.quantity].dimension;
 }
 
 int order_of(const BodyColumn& column) {
-  return static_cast<int>(column.quantity < kPointEndings ? column.quantity / 2
-                                                          : column.quantity - kPointEndings);
+  return static_cast<int>(column.quantity / 3);
 }
 
 double column_slope(const BodyColumn& column, const Run& run, const Mechanism& derivative,
                     const RowSensitivity& of_row) {
   const BodyMotion& change = of_row.bodies[column.body];
-  if (column.quantity >= kPointEndings) {
-    const auto k = static_cast<std::size_t>(order_of(column));
+  const auto k = static_cast<std::size_t>(order_of(column));
+  if (MotionEnding::is_of_angle(column.quantity)) {
     const BodyMotion& minus = of_row.bodies[column.minus];
     return column.scale * (std::array{change.theta, change.omega, change.alpha}[k] -
                            std::array{minus.theta, minus.omega, minus.alpha}[k]);
@@ -115,7 +104,7 @@ double column_slope(const BodyColumn& column, const Run& run, const Mechanism& d
     p_B_slope = derivative.bodies[column.body].points[*column.point].p_B;
   }
   const auto slopes = point_slopes(run.row.bodies[column.body], change, p_B, p_B_slope);
-  return column.scale * slopes[column.quantity / 2](static_cast<Eigen::Index>(column.quantity % 2));
+  return column.scale * slopes[k](static_cast<Eigen::Index>(column.quantity % 3));
 }
 
 std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double> values,

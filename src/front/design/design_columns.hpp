@@ -16,7 +16,7 @@ namespace higherpair {
 struct BodyColumn {
   std::size_t body = 0;
   std::optional<std::size_t> point;  ///< none: the origin of the body's frame
-  std::size_t quantity = 0;          ///< x, y, vx, vy, ax, ay; without a point also angle, omega, alpha
+  std::size_t quantity = 0;          ///< index of kMotionEndings
   double scale = 1;                  ///< from SI units to the table's
   std::size_t minus = 0;             ///< of angles: the body relative to which they are; 0: ground
 };

@@ -25,10 +25,10 @@ using Quantity = ChainColumn::Quantity;
 
 constexpr std::int64_t kMostKeptRows = 1LL << 16;  // all of which are kept in memory
 
-// The quantities in the order of BodyColumn::quantity.
-constexpr std::array kQuantities = {Quantity::kX,     Quantity::kY,     Quantity::kVx,
-                                    Quantity::kVy,    Quantity::kAx,    Quantity::kAy,
-                                    Quantity::kAngle, Quantity::kOmega, Quantity::kAlpha};
+// In the order of kMotionEndings.
+constexpr std::array kQuantities = {Quantity::kX,  Quantity::kY,  Quantity::kAngle,
+                                    Quantity::kVx, Quantity::kVy, Quantity::kOmega,
+                                    Quantity::kAx, Quantity::kAy, Quantity::kAlpha};
 
 std::optional<ChainRecipe::Target> target_of(const Mechanism& mechanism, std::string_view path) {
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {

@@ -57,17 +57,16 @@ std::optional<Dimension> contact_jerk(const Mechanism& mechanism, const Contact&
 
 // What the last part of a name alone says.
 std::optional<Dimension> column_by_last(std::string_view last) {
-  if (is_one_of(last, {"x", "y", "rho1", "rho2", "c1x", "c1y", "c2x", "c2y", "r1", "r2", "r3", "r4", "arc1",
-                       "arc2"})) {
+  for (const MotionEnding& ending : kMotionEndings) {
+    if (last == ending.name) return ending.dimension;
+  }
+  if (is_one_of(last, {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y", "r1", "r2", "r3", "r4", "arc1", "arc2"})) {
     return dimension::kLength;
   }
-  if (is_one_of(last, {"angle", "normal", "pressure", "transmission"})) return dimension::kAngle;
-  if (is_one_of(last, {"vx", "vy", "sliding"})) return dimension::kVelocity;
-  if (is_one_of(last, {"ax", "ay"})) return dimension::kAcceleration;
+  if (is_one_of(last, {"normal", "pressure", "transmission"})) return dimension::kAngle;
+  if (last == "sliding") return dimension::kVelocity;
   if (is_one_of(last, {"jx", "jy"})) return rate_of(dimension::kLength, 3);
   if (is_one_of(last, {"fx", "fy", "force", "friction"})) return dimension::kForce;
-  if (last == "omega") return dimension::kAngularVelocity;
-  if (last == "alpha") return dimension::kAngularAcceleration;
   if (last == "m") return dimension::kTorque;
   return derivative_column(last);
 }
