@@ -1,5 +1,6 @@
 #include "check_report.hpp"
 #include "json_text.hpp"
+#include "number_text.hpp"
 #include "paragraph.hpp"
 
 #include <algorithm>
@@ -67,7 +68,6 @@ std::string check_text(const CheckReport& report) {
 
 std::string check_csv(const CheckReport& report) {
   std::string text = fmt::format("item,of,quantity,value,unit,at[{}],limit,verdict\n", report.driver_unit);
-  const auto cell = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
   for (const CheckFigure& figure : report.figures) {
     text +=
         fmt::format("{},{},{},{},{},{},{},{}\n", figure.item, figure.of, figure.quantity, cell(figure.value),

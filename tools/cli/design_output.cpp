@@ -20,22 +20,13 @@ std::string_view end_text(DesignEnd end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
-template <class Lines>
-int widest(const Lines& lines, std::string_view head) {
-  std::size_t width = head.size();
-  for (const auto& line : lines) width = std::max(width, line.what.size());
-  return static_cast<int>(width);
-}
-
 std::string_view bound_text(const DesignReport::Variable& variable) {
   if (!variable.at_bound) return "";
   return variable.high - variable.after < variable.after - variable.low ? "  at its max" : "  at its min";
 }
 
 std::string variables_text(const DesignReport& report) {
-  int width = 8;
-  for (const auto& variable : report.variables)
-    width = std::max(width, static_cast<int>(variable.name.size()));
+  const int width = widest("variable", report.variables, &DesignReport::Variable::name);
   std::string text = fmt::format("{:<{}}  {:>16}  {:>16}  {:>12}  {:>12}\n", "variable", width, "before",
                                  "after", "min", "max");
   for (const auto& variable : report.variables) {
@@ -47,7 +38,7 @@ std::string variables_text(const DesignReport& report) {
 }
 
 std::string objectives_text(const DesignReport& report) {
-  const int width = widest(report.objectives, "objective");
+  const int width = widest("objective", report.objectives, &DesignReport::Objective::what);
   std::string text =
       fmt::format("\n{:<{}}  {:>16}  {:>16}  {:>12}\n", "objective", width, "before", "after", "target");
   for (const auto& objective : report.objectives) {
@@ -65,11 +56,11 @@ std::string objectives_text(const DesignReport& report) {
 }
 
 std::string constraints_text(const DesignReport& report) {
-  std::string text = fmt::format("\n{:<{}}  {:>16}  {:>16}\n", "constraint",
-                                 widest(report.constraints, "assembles all the way"), "before", "after");
-  const int width = widest(report.constraints, "assembles all the way");
-  text += fmt::format("{:<{}}  {:>16}  {:>16}\n", "assembles all the way", width,
-                      report.starts_good ? "yes" : "no", report.path_good ? "yes" : "no");
+  constexpr std::string_view kAssembles = "assembles all the way";
+  const int width = widest(kAssembles, report.constraints, &DesignReport::Constraint::what);
+  std::string text = fmt::format("\n{:<{}}  {:>16}  {:>16}\n", "constraint", width, "before", "after") +
+                     fmt::format("{:<{}}  {:>16}  {:>16}\n", kAssembles, width,
+                                 report.starts_good ? "yes" : "no", report.path_good ? "yes" : "no");
   for (const auto& constraint : report.constraints) {
     text += fmt::format(
         "{:<{}}  {:>16}  {:>16}  {:<10} margin {}{}{}\n", constraint.what, width, shown(constraint.before),

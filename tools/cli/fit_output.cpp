@@ -22,12 +22,6 @@ std::string brief(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
 }
 
-template <class Lines>
-int widest(const Lines& lines, std::size_t least) {
-  for (const auto& line : lines) least = std::max(least, line.name.size());
-  return static_cast<int>(least);
-}
-
 std::string number_text(const FitReport::Number& number, int width, bool with_before) {
   return fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}  {}{}{}\n", number.name, width,
                      with_before ? shown(number.before) : "", shown(number.after),
@@ -36,7 +30,8 @@ std::string number_text(const FitReport::Number& number, int width, bool with_be
 }
 
 std::string numbers_text(const FitReport& report) {
-  const int width = std::max(widest(report.variables, 8), widest(report.measurement, 8));
+  const int width = std::max(widest("variable", report.variables, &FitReport::Number::name),
+                             widest("", report.measurement, &FitReport::Number::name));
   std::string text = fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}\n", "variable", width, "before", "after",
                                  fmt::format("{:g} %", 100 * report.confidence));
   for (const auto& variable : report.variables) text += number_text(variable, width, true);
@@ -45,7 +40,7 @@ std::string numbers_text(const FitReport& report) {
 }
 
 std::string columns_text(const FitReport& report) {
-  const int width = widest(report.columns, 6);
+  const int width = widest("column", report.columns, &FitReport::Column::name);
   std::string text = fmt::format("\n{:<{}}  {:>6}  {:>10}  {:>10}  {:>10} {:>14}  {:>8}  {:>8}\n", "column",
                                  width, "values", "rms", "noise", "largest", "at", "R2", "outliers");
   for (const auto& column : report.columns) {
@@ -215,8 +210,7 @@ std::string fit_csv(const FitReport& report) {
 }
 
 std::string fit_text(const CurveFitReport& report) {
-  int width = static_cast<int>(report.type.size());
-  width = std::max(width, widest(report.numbers, 8));
+  const int width = std::max(8, widest(report.type, report.numbers, &CurveFitReport::Number::name));
   std::string text = fmt::format("{:<{}}  {:>16}  {:>12}\n", report.type, width, "value",
                                  fmt::format("{:g} %", 100 * report.confidence));
   for (const auto& own : report.numbers) {

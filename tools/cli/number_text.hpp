@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -19,6 +21,14 @@ namespace higherpair::cli {
 }
 [[nodiscard]] inline std::string cell(const std::optional<double>& value) {
   return value ? cell(*value) : "";
+}
+
+/// The width of a column: of its head, or of the longest of its texts, a member of each line.
+template <class Lines, class Line>
+[[nodiscard]] int widest(std::string_view head, const Lines& lines, std::string Line::*text) {
+  std::size_t width = head.size();
+  for (const Line& line : lines) width = std::max(width, (line.*text).size());
+  return static_cast<int>(width);
 }
 
 /// The title of a column in a table.
