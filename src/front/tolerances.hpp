@@ -24,8 +24,6 @@ inline constexpr double kOnRow = 1e-9;
 inline constexpr double kPlaceOnPath = 1e-15;
 /// Fraction of the span of all rows: a row this close to a place is at that place.
 inline constexpr double kAtPlace = 1e-9;
-/// Driver positions that differ by less are the same; relative to 1 + |position| in its unit.
-inline constexpr double kSamePosition = 1e-9;
 /// Distances that a contact has travelled along its curves up to a row: those that differ by less are the
 /// same, relative to the mechanism's size.
 inline constexpr double kSameRowArc = 1e-9;

@@ -355,6 +355,22 @@ TEST(Design, SaysOnceWhatIsWrongWithAColumnThatIsFollowed) {
               HasSubstr("design.objectives.0.follow: no row is at 0.1: the rows next to it are at 0 and "));
 }
 
+// One rule says where a row is: to 1e-9 of the driver's whole turn, whatever asks for it.
+TEST(Design, APathAndAColumnThatIsFollowedHaveTheSameRows) {
+  const std::string variable = kEccentric + "p = { path = \"bodies.cam.points.O.1\", min = -1, max = 1 }\n";
+  for (const auto& [place, there] : {std::pair("40.0000002", true), std::pair("40.000001", false)}) {
+    const std::string path = message_of(
+        variable + fmt::format("[[design.objectives]]\npath = {{ point = \"follower.P\", timed = true, "
+                               "through = [[0, 30], [0, 40]], at = [0, {}] }}\n",
+                               place));
+    const std::string column = message_of(
+        variable +
+        fmt::format("[[design.objectives]]\ncolumn = \"follower.y\"\nfollow = [[0, 30], [{}, 40]]\n", place));
+    EXPECT_EQ(path.empty(), there) << path;
+    EXPECT_EQ(column.empty(), there) << column;
+  }
+}
+
 TEST(Design, SaysWhatATaskCannotMean) {
   EXPECT_THAT(message_of(testing::kCam),
               HasSubstr("no [design]: it says which numbers may be chosen and for what"));

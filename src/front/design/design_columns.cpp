@@ -157,6 +157,12 @@ std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double>
   return rows;
 }
 
+std::vector<double> places_of(const DriverSchedule& schedule) {
+  std::vector<double> places;
+  for (std::int64_t k = 0; k < schedule.size(); ++k) places.push_back(schedule.state(k).profile.position);
+  return places;
+}
+
 std::vector<std::optional<std::size_t>> rows_at(std::span<const double> positions,
                                                 std::span<const double> places) {
   std::map<double, std::size_t> first_there;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "higherpair/analysis/sensitivity.hpp"
+#include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/io/units.hpp"
 
@@ -42,6 +43,9 @@ struct WeightedRow {
 /// tables. Empty where the measure is undefined.
 [[nodiscard]] std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double> values,
                                                std::span<const double> places);
+
+/// The driver's position in each row, as in tables.
+[[nodiscard]] std::vector<double> places_of(const DriverSchedule& schedule);
 
 /// For each position of the driver, the first of the rows nearest to it; none where no row is there.
 [[nodiscard]] std::vector<std::optional<std::size_t>> rows_at(std::span<const double> positions,

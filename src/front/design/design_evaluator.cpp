@@ -25,9 +25,10 @@ constexpr double kViolated = 1;
 
 // The row of each point of a timed path.
 std::vector<std::size_t> timed_rows(const DesignSetup& setup, const DesignTask::PointPath& path) {
+  const auto there = rows_at(path.at, places_of(setup.schedule));
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < path.through.size(); ++i) {
-    rows.push_back(path.at.empty() ? i : row_at(setup.schedule, path.at[i]).value_or(i));
+    rows.push_back(path.at.empty() ? i : there[i].value_or(i));
   }
   return rows;
 }
@@ -204,16 +205,6 @@ private:
 };
 
 }  // namespace
-
-std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position) {
-  for (std::int64_t k = 0; k < schedule.size(); ++k) {
-    const double there = schedule.state(k).profile.position;
-    if (std::abs(there - position) <= kSamePosition * (1 + std::abs(there))) {
-      return static_cast<std::size_t>(k);
-    }
-  }
-  return std::nullopt;
-}
 
 // A limit of 0, or close to it, gives no scale; the value at the start does.
 void set_scales(DesignSetup& setup) {

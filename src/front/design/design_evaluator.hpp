@@ -23,9 +23,6 @@ public:
 /// The score of x on a branch.
 [[nodiscard]] DesignScore score_of(const DesignSetup& setup, std::span<const double> x, int branch);
 
-/// The first row with this position of the first driver, as tables show it; none if no row has it.
-[[nodiscard]] std::optional<std::size_t> row_at(const DriverSchedule& schedule, double position);
-
 /// Sets DesignSetup::scales and cost_scale by the order of magnitude of the limits and of the values at the
 /// start.
 void set_scales(DesignSetup& setup);

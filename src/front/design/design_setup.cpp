@@ -42,26 +42,27 @@ Diagnostics missing_in(const DesignTask& task) {
 void check_path(const DesignTask::Objective& objective, const DriverSchedule& schedule,
                 Diagnostics& mistakes) {
   const DesignTask::PointPath& path = *objective.path();
-  const auto rows = static_cast<std::size_t>(schedule.size());
+  const std::vector<double> positions = places_of(schedule);
+  const auto rows = rows_at(path.at, positions);
   if (!path.timed && schedule.driver_count() > 1) {
     mistakes.push_back(
         {objective.place, fmt::format("{}.path: with several drivers a path has to be timed: each "
                                       "point belongs to a row",
                                       objective.path_of_key)});
   }
-  if (path.timed && path.at.empty() && path.through.size() != rows) {
+  if (path.timed && path.at.empty() && path.through.size() != positions.size()) {
     mistakes.push_back(
         {objective.place,
          fmt::format("{}.path: {} points, but the driver has {} rows: give it as many positions or "
                      "samples, or say `at` which of its positions each point belongs",
-                     objective.path_of_key, path.through.size(), rows)});
+                     objective.path_of_key, path.through.size(), positions.size())});
   }
-  for (const double position : path.at) {
-    if (!row_at(schedule, position)) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i]) {
       mistakes.push_back(
           {objective.place, fmt::format("{}.path.at: {} is none of the driver's positions; let "
                                         "driver.samples or driver.positions have a row there",
-                                        objective.path_of_key, position)});
+                                        objective.path_of_key, path.at[i])});
     }
   }
 }
