@@ -633,6 +633,23 @@ TEST(Design, AClosedPathOfARunThatDoesNotCloseIsNoted) {
                                       "where it begins"));
 }
 
+// There and back again is no closed path: the search for the nearest places had no end there.
+TEST(Design, AClosedPathOfADriverThatTurnsBackIsRefused) {
+  for (const char* free : {"", ", free = [\"position\", \"turn\"]"}) {
+    const std::string closed = fmt::format(
+        "design.objectives=[{{ path = {{ point = \"coupler.E\", closed = true, through = [[20, 10], [5, 17], "
+        "[1, 7]]{} }} }}]",
+        free);
+    const auto report = design(
+        shipped_model("design_ellipse_path", {"driver.positions=[0, 60, 120, 180, 120, 60, 0]", closed}),
+        few(1));
+    ASSERT_FALSE(report) << free;
+    EXPECT_THAT(to_string(report.error()),
+                HasSubstr("design.objectives.0.path.closed: the driver turns back at 180: let it go one way "
+                          "around the path, or leave `closed` out"));
+  }
+}
+
 // A likely mistake that does not prevent the design: a note says which unit seems to be meant.
 TEST(Design, TargetsThatLookLikeAnotherUnitAreNoted) {
   const auto notes = [](const std::vector<std::string>& overrides) {

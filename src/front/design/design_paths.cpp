@@ -63,6 +63,12 @@ bool is_loop(std::span<const Vector2d> points) {
   return points.size() > 3 && (points.front() - points.back()).norm() <= kClosedPath * length;
 }
 
+// Whether the driver goes one way around a closed path, which may then begin anywhere.
+bool goes_around(const DesignTask::PointPath& path, std::span<const Vector2d> points,
+                 const std::vector<double>& at) {
+  return path.closed && is_loop(points) && !turning_row(at) && at.front() != at.back();
+}
+
 // On a closed path the first target may lie anywhere; the others follow within one lap.
 Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
   assert(points.size() > 1);
@@ -89,8 +95,9 @@ Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets)
   return best.rows.empty() ? Rows(targets.size(), 0) : best.rows;
 }
 
-Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points) {
-  if (path.closed && is_loop(points)) {
+Rows nearest_rows(const DesignTask::PointPath& path, std::span<const Vector2d> points,
+                  const std::vector<double>& at) {
+  if (goes_around(path, points, at)) {
     return around(points, path.through);
   }
   if (path.ordered) {
@@ -175,14 +182,14 @@ public:
       : rows_(rows), points_(points), between_rows_(rows.missing == 0 && rows.positions.size() > 1) {}
 
   std::vector<PathMiss> of(const DesignTask::PointPath& path) {
-    std::vector<PathMiss> misses = in_rows(nearest_rows(path, points_));
+    std::vector<PathMiss> misses = in_rows(nearest_rows(path, points_, rows_.positions));
     if (!between_rows_) {
       return misses;
     }
     const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
     const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
     const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
-    const bool loop = path.closed && is_loop(points_);
+    const bool loop = goes_around(path, points_, rows_.positions);
     PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, loop);
     // In the order of driver positions, which keeps the moves of the run short.
     std::vector<std::size_t> order(misses.size());
@@ -201,7 +208,7 @@ public:
     for (const std::size_t i : order) {
       blocks[i].place = search.nearest(blocks[i].start, reach, path.through[i]);
     }
-    if (loop ? !is_in_one_lap(blocks, lap) : path.ordered && is_one_way()) {
+    if (loop ? !is_in_one_lap(blocks, lap) : path.ordered && !turning_row(rows_.positions)) {
       const double ends = loop ? lap : 0;
       if (path.is_free()) {
         keep_rows(blocks, ends, misses);
@@ -239,12 +246,6 @@ private:
     PathSearch::Nearest place;
   };
 
-  // Whether the driver does not turn back.
-  [[nodiscard]] bool is_one_way() const {
-    const std::vector<double>& at = rows_.positions;
-    return std::is_sorted(at.begin(), at.end()) || std::is_sorted(at.rbegin(), at.rend());
-  }
-
   static Vector2d center_of(const Block& block, std::span<const Vector2d> targets) {
     Vector2d center = Vector2d::Zero();
     for (std::size_t i = 0; i < block.count; ++i) {
@@ -270,12 +271,14 @@ private:
     return share;
   }
 
-  // Takes places that have passed each other back to their rows, which are in order.
+  // Takes places that have passed each other back to their rows, which are in order: each at most once, and
+  // one or more in every pass but the last.
   // \param lap  as in put_in_order
   void keep_rows(std::vector<Block>& blocks, double lap, std::span<const PathMiss> in_rows) const {
     const double sense = rows_.positions.back() > rows_.positions.front() ? 1 : -1;
     const auto keep = [&](std::size_t k) { blocks[k].place = {blocks[k].start, in_rows[k]}; };
-    for (bool passed = true; passed;) {
+    bool passed = true;
+    for (std::size_t pass = 0; passed && pass < blocks.size(); ++pass) {
       passed = false;
       for (std::size_t k = 0; k + (lap == 0 ? 1 : 0) < blocks.size(); ++k) {
         const std::size_t next = (k + 1) % blocks.size();
@@ -344,6 +347,18 @@ private:
 
 }  // namespace
 
+std::optional<std::size_t> turning_row(std::span<const double> positions) {
+  const auto [low, high] = std::minmax_element(positions.begin(), positions.end());
+  double last = 0;
+  for (std::size_t k = 1; k < positions.size(); ++k) {
+    const double step = positions[k] - positions[k - 1];
+    if (!(std::abs(step) > kAtPlace * (*high - *low))) continue;
+    if (step * last < 0) return k - 1;
+    last = step;
+  }
+  return std::nullopt;
+}
+
 std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRows& rows,
                                      std::span<const Vector2d> points,
                                      std::span<const std::size_t> timed_rows) {
@@ -355,8 +370,8 @@ std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRo
     return places.of(path);
   }
   return nearest_when_free(
-      path, points, path.closed && is_loop(points),
-      [&](const DesignTask::PointPath& other) { return nearest_rows(other, points); },
+      path, points, goes_around(path, points, rows.positions),
+      [&](const DesignTask::PointPath& other) { return nearest_rows(other, points, rows.positions); },
       [&](const DesignTask::PointPath& other) { return places.of(other); });
 }
 

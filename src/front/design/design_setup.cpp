@@ -1,6 +1,7 @@
 #include "design_setup.hpp"
 
 #include "design_candidates.hpp"
+#include "design_paths.hpp"
 #include "front/analysis_impl.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
@@ -49,6 +50,12 @@ void check_path(const DesignTask::Objective& objective, const DriverSchedule& sc
         {objective.place, fmt::format("{}.path: with several drivers a path has to be timed: each "
                                       "point belongs to a row",
                                       objective.path_of_key)});
+  }
+  if (const auto row = path.closed ? turning_row(positions) : std::nullopt) {
+    mistakes.push_back(
+        {objective.place, fmt::format("{}.path.closed: the driver turns back at {}: let it go one way around "
+                                      "the path, or leave `closed` out",
+                                      objective.path_of_key, positions[*row])});
   }
   if (path.timed && path.at.empty() && path.through.size() != positions.size()) {
     mistakes.push_back(
