@@ -200,8 +200,8 @@ inline constexpr double kEvenStep = 1e-6;       // relative: steps that are equa
 /// Value of a path constraint that holds, for the optimiser: any value well below 0, so that the constraint
 /// is not taken to be active.
 inline constexpr double kGoodPath = -0.01;
-/// How far the place of the path that is nearest to a target may be from the row of the target, in steps
-/// between rows: the next row and half a step more.
+/// How far the place of the path that is nearest to a target may be from the row of the target, in steps to
+/// the farther of the rows beside it: that row and half a step more.
 inline constexpr double kReachOfPlace = 1.5;
 /// Newton's method for the nearest place uses the curvature of the squared distance if it exceeds this
 /// fraction of that for a straight path; else, far inside a bend, it would lead too far or to the farthest

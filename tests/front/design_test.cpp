@@ -633,6 +633,30 @@ TEST(Design, AClosedPathOfARunThatDoesNotCloseIsNoted) {
                                       "where it begins"));
 }
 
+// Where rows lie far apart, so may the place that is wanted and the row next to it.
+TEST(Design, PlacesOfAPathAreFoundBetweenRowsAtUnevenDistances) {
+  std::string rows = "0";
+  for (int k = 1; k <= 40; ++k) rows += fmt::format(", {}", 0.5 * k);
+  for (const auto& [end, closed] : {std::pair(", 100", false), std::pair(", 100, 200, 300, 360", true)}) {
+    for (const double wanted : {45., 52., 71.}) {
+      const Motion motion =
+          shipped_model("design_ellipse_path", {fmt::format("driver.positions=[0, 3.2, {}]", wanted)})
+              .run()
+              .value();
+      const ColumnValues x = motion.column("coupler.E.x"), y = motion.column("coupler.E.y");
+      const auto report = designed(
+          shipped_model(
+              "design_ellipse_path",
+              {fmt::format("driver.positions=[{}{}]", rows, end),
+               fmt::format("design.objectives=[{{ path = {{ point = \"coupler.E\", closed = {}, through = "
+                           "[[{:.17g}, {:.17g}], [{:.17g}, {:.17g}]] }} }}]",
+                           closed, x[1], y[1], x[2], y[2])}),
+          few(1));
+      EXPECT_LE(report.objectives[0].before, 1e-18) << end << " " << wanted;
+    }
+  }
+}
+
 // There and back again is no closed path: the search for the nearest places had no end there.
 TEST(Design, AClosedPathOfADriverThatTurnsBackIsRefused) {
   for (const char* free : {"", ", free = [\"position\", \"turn\"]"}) {

@@ -187,7 +187,6 @@ public:
       return misses;
     }
     const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
-    const double step = (high - low) / static_cast<double>(rows_.positions.size() - 1);
     const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
     const bool loop = goes_around(path, points_, rows_.positions);
     PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, loop);
@@ -196,17 +195,17 @@ public:
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return misses[a].driver > misses[b].driver; });
-    const double reach = kReachOfPlace * step;
     std::vector<Block> blocks(misses.size());
     const double lap = rows_.positions.back() - rows_.positions.front();
     for (std::size_t i = 0; i < misses.size(); ++i) {
       Block& block = blocks[i];
       block.first = i;
       block.start = misses[i].driver;
+      block.reach = kReachOfPlace * widest_step_at(*misses[i].row, loop);
       if (loop && i > 0 && (block.start - blocks[i - 1].start) * lap < 0) block.start += lap;
     }
     for (const std::size_t i : order) {
-      blocks[i].place = search.nearest(blocks[i].start, reach, path.through[i]);
+      blocks[i].place = search.nearest(blocks[i].start, blocks[i].reach, path.through[i]);
     }
     if (loop ? !is_in_one_lap(blocks, lap) : path.ordered && !turning_row(rows_.positions)) {
       const double ends = loop ? lap : 0;
@@ -214,7 +213,7 @@ public:
         keep_rows(blocks, ends, misses);
       } else {
         put_in_order(blocks, ends, [&](Block& block) {
-          block.place = search.nearest(block.start, reach + block.spread, center_of(block, path.through));
+          block.place = search.nearest(block.start, block.reach, center_of(block, path.through));
         });
       }
     }
@@ -241,10 +240,19 @@ private:
   struct Block {
     std::size_t first = 0;
     std::size_t count = 1;
-    double start = 0;   // driver position of the rows next to the targets: their mean
-    double spread = 0;  // and the farthest of them from it
+    double start = 0;  // driver position of the rows next to the targets: their mean
+    double reach = 0;  // of the search from there
     PathSearch::Nearest place;
   };
+
+  // The distance of the row from the farther of its neighbours, but no less than the mean of all steps.
+  [[nodiscard]] double widest_step_at(std::size_t row, bool loop) const {
+    const std::vector<double>& at = rows_.positions;
+    const std::size_t last = at.size() - 1;
+    const std::size_t next = std::min(row + 1, last), here = row > 0 ? row : loop ? last : next;
+    return std::max({std::abs(at[next] - at[next - 1]), std::abs(at[here] - at[here - 1]),
+                     std::abs(at[last] - at[0]) / static_cast<double>(last)});
+  }
 
   static Vector2d center_of(const Block& block, std::span<const Vector2d> targets) {
     Vector2d center = Vector2d::Zero();
@@ -312,8 +320,8 @@ private:
       const double mean = (static_cast<double>(into.count) * into.start +
                            static_cast<double>(next.count) * (next.start + shift)) /
                           both;
-      into.spread = std::max(std::abs(into.start - mean) + into.spread,
-                             std::abs(next.start + shift - mean) + next.spread);
+      into.reach = std::max(std::abs(into.start - mean) + into.reach,
+                            std::abs(next.start + shift - mean) + next.reach);
       into.start = mean;
       into.count += next.count;
       find(into);
