@@ -633,11 +633,12 @@ TEST(Design, AClosedPathOfARunThatDoesNotCloseIsNoted) {
                                       "where it begins"));
 }
 
-// Where rows lie far apart, so may the place that is wanted and the row next to it.
+// Where rows lie far apart, so may the place that is wanted and the row next to it; the driver may turn back.
 TEST(Design, PlacesOfAPathAreFoundBetweenRowsAtUnevenDistances) {
   std::string rows = "0";
   for (int k = 1; k <= 40; ++k) rows += fmt::format(", {}", 0.5 * k);
-  for (const auto& [end, closed] : {std::pair(", 100", false), std::pair(", 100, 200, 300, 360", true)}) {
+  for (const auto& [end, closed] : {std::pair(", 100", false), std::pair(", 100, 200, 300, 360", true),
+                                    std::pair(", 100, 20, 0", false)}) {
     for (const double wanted : {45., 52., 71.}) {
       const Motion motion =
           shipped_model("design_ellipse_path", {fmt::format("driver.positions=[0, 3.2, {}]", wanted)})

@@ -186,10 +186,10 @@ public:
     if (!between_rows_) {
       return misses;
     }
-    const auto [low, high] = std::minmax(rows_.positions.front(), rows_.positions.back());
+    const auto [low, high] = std::minmax_element(rows_.positions.begin(), rows_.positions.end());
     const Mechanism& mechanism = rows_.direct ? *rows_.mechanism : rows_.run->mechanism();
     const bool loop = goes_around(path, points_, rows_.positions);
-    PathSearch search(path, rows_, point_of(mechanism, path.ref), low, high, loop);
+    PathSearch search(path, rows_, point_of(mechanism, path.ref), *low, *high, loop);
     // In the order of driver positions, which keeps the moves of the run short.
     std::vector<std::size_t> order(misses.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
