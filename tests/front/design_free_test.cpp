@@ -86,6 +86,22 @@ TEST(FormsOfPaths, AreFoundWhereverTheyLie) {
   }
 }
 
+// A negative factor would turn the path by half a turn.
+TEST(FormsOfPaths, AreNotTurnedWhereOnlyTheirScaleIsFree) {
+  const Model known = four_bar({});
+  const std::string turned = points_of(known, 14, 0.3, 1, -1.2, {50, 40});
+  const std::string at = "[5, 25, 40, 60, 85, 110, 140, 180, 210, 230, 260, 280, 310, 350]";
+  for (const std::string& keys :
+       {std::string(R"(closed = true, free = ["position", "scale"])"), std::string(R"(free = ["scale"])"),
+        "timed = true, at = " + at + R"(, free = ["position", "scale"])"}) {
+    const DesignReport report = designed(four_bar({path(turned, keys)}), 1);
+    ASSERT_TRUE(report.objectives[0].placement) << keys;
+    EXPECT_EQ(report.objectives[0].placement->turn, 0) << keys;
+    EXPECT_GE(report.objectives[0].placement->scale, 0) << keys;
+    EXPECT_GT(report.objectives[0].before, 1) << keys;
+  }
+}
+
 // Starting from a different linkage, the known one is found from the shape of its path alone.
 TEST(FormsOfPaths, AreEnoughToFindTheLinkage) {
   const Model known = four_bar({});

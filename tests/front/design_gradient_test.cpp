@@ -464,8 +464,8 @@ INSTANTIATE_TEST_SUITE_P(OfPaths, Gradients,
 
 // A path whose position, rotation and scale do not count, in every combination.
 TEST(FreePaths, HaveTheDerivativesOfDifferences) {
-  for (const char* free : {"[\"position\"]", "[\"turn\"]", "[\"scale\"]", "[\"position\", \"turn\"]",
-                           "[\"position\", \"turn\", \"scale\"]"}) {
+  for (const char* free : {"[\"position\"]", "[\"turn\"]", "[\"scale\"]", "[\"position\", \"scale\"]",
+                           "[\"position\", \"turn\"]", "[\"position\", \"turn\", \"scale\"]"}) {
     const Model model =
         shipped_model("design_eighteen_points", {std::string("design.objectives.0.path.free=") + free});
     const Seen seen = compare(model, 10, 0.05, 3);

@@ -1,6 +1,7 @@
 #include "design_placement.hpp"
 
 #include "numeric/least_norm.hpp"
+#include "numeric/similarity.hpp"
 
 #include <cmath>
 
@@ -35,14 +36,7 @@ PathPlacement::PathPlacement(const DesignTask::PointPath& path, std::span<const 
   }
   sum_ = P_.dot(T_);  // conjugates its first factor
   size2_ = P_.squaredNorm();
-  const double far = std::abs(sum_);
-  if (path.free_turn && path.free_scale) {
-    z_ = size2_ > 0 ? sum_ / size2_ : 0;
-  } else if (path.free_turn) {
-    z_ = far > 0 ? sum_ / far : 1;
-  } else if (path.free_scale) {
-    z_ = size2_ > 0 ? sum_.real() / size2_ : 0;
-  }
+  z_ = best_similarity(sum_, size2_, path.free_turn, path.free_scale);
 }
 
 Eigen::VectorXd PathPlacement::misses() const {
@@ -71,7 +65,7 @@ Eigen::MatrixXd PathPlacement::miss_slopes(const Eigen::MatrixXd& place_slopes) 
     } else if (path_.free_turn) {
       z = far > 0 ? (sum - z_ * (std::conj(z_) * sum).real()) / far : 0;
     } else if (path_.free_scale) {
-      z = size2_ > 0 ? (sum.real() - z_ * size2) / size2_ : 0;
+      z = sum_.real() > 0 ? (sum.real() - z_ * size2) / size2_ : 0;
     }
     for (Eigen::Index i = 0; i < dP.size(); ++i) {
       const Complex off = z * P_(i) + z_ * dP(i);
@@ -82,13 +76,14 @@ Eigen::MatrixXd PathPlacement::miss_slopes(const Eigen::MatrixXd& place_slopes) 
   return slopes;
 }
 
-// Unit normals of the placed path; where there is no tangent, the direction of the miss.
+// Unit normals of the placed path; where it has no tangent, or is a point, the direction of the miss.
 std::vector<Complex> PathPlacement::normals(std::span<const Vector2d> along) const {
   std::vector<Complex> normals;
   for (Eigen::Index i = 0; i < P_.size(); ++i) {
     const Vector2d& tangent = along[i];
     const Complex off = z_ * P_(i) - T_(i);
-    const Complex normal = tangent.isZero() ? off : kQuarterTurn * z_ * Complex(tangent.x(), tangent.y());
+    const Complex turned = kQuarterTurn * z_ * Complex(tangent.x(), tangent.y());
+    const Complex normal = std::abs(turned) > 0 ? turned : off;
     normals.push_back(std::abs(normal) > 0 ? normal / std::abs(normal) : 0);
   }
   return normals;

@@ -13,8 +13,8 @@ namespace higherpair {
 
 /// A path moved, turned and scaled, as far as it is free to be, so that it is nearest to its target points.
 /// With P' and T' the places and the targets relative to their means (to the origin where the position is not
-/// free), as complex numbers, Σ|T' - z P'|² is least for
-///     z = Σ P̄'T'/Σ|P'|², of modulus 1 without scaling, real without turning, 1 without both.
+/// free), as complex numbers, Σ|T' - z P'|² is least for the z of
+/// best_similarity.
 class PathPlacement {
 public:
   using Complex = std::complex<double>;

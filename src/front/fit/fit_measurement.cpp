@@ -1,6 +1,7 @@
 #include "fit_measurement.hpp"
 
 #include "fit_columns.hpp"
+#include "numeric/similarity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,16 +163,15 @@ void FitMeasurement::place_frames(const FitTable& table, Eigen::VectorXd& x) con
       product += std::conj(own - from) * (seen - to);
       square += std::norm(own - from);
     }
-    const double angle = frame.task.turn ? std::arg(product) : 0;
-    const double projected = (product * std::polar(1.0, -angle)).real();
-    const double s = frame.task.scale && square > 0 && projected > 0 ? projected / square : 1;
-    const std::complex<double> t = to - std::polar(s, angle) * from;
+    std::complex<double> z = best_similarity(product, square, frame.task.turn, frame.task.scale);
+    if (z == 0.0) z = 1;  // a point could not grow again
+    const std::complex<double> t = to - z * from;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
       if (unknowns_[i].index != f) continue;
       if (unknowns_[i].kind == Kind::kPlaceX) x(place(i)) = t.real();
       if (unknowns_[i].kind == Kind::kPlaceY) x(place(i)) = t.imag();
-      if (unknowns_[i].kind == Kind::kTurn) x(place(i)) = per_radian * angle;
-      if (unknowns_[i].kind == Kind::kScale) x(place(i)) = s;
+      if (unknowns_[i].kind == Kind::kTurn) x(place(i)) = per_radian * std::arg(z);
+      if (unknowns_[i].kind == Kind::kScale) x(place(i)) = std::abs(z);
     }
   }
 }
