@@ -553,6 +553,29 @@ TEST(Fit, ValuesInAnotherUnitAreRecognised) {
           "driver: these values are far from the motion of the profile in deg, but near it if they are in "
           "rad (a factor of 57.2958)"));
   // An explicit unit is accepted without a note.
+TEST(Fit, DeviationsBelowRoundingAreRefused) {
+  const std::string lift = lift_table("driver,follower.y", eccentric_lift);
+  EXPECT_THAT(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-200\n", lift),
+              HasSubstr("fit.columns.0.deviation = 1e-200 mm: the rounding of follower.y is more, 4e-12 mm"));
+  EXPECT_EQ(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-11\n", lift), "");
+}
+
+// Where nothing but 0 was measured there is no rounding to compare with.
+TEST(Fit, ResidualsThatAreTooManyDeviationsForANumberHaveNoChance) {
+  const std::string profile = std::string(kCam) + R"(
+samples = 37
+[design.variables]
+y = { path = "bodies.cam.curves.disc.center.1" }
+[[fit.columns]]
+column = "*"
+deviation = 1e-200
+)";
+  const FitReport report =
+      fitted(model_of(profile), table_of(lift_table("driver,follower.y", [](double) { return 0.; })));
+  EXPECT_TRUE(report.too_large);
+  EXPECT_FALSE(report.good);
+}
+
   EXPECT_EQ(message_of(kCamFit,
                        lift_table("driver,follower.y[mm]", [](double t) { return 0.5 * eccentric_lift(t); })),
             "");

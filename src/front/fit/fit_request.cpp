@@ -3,9 +3,12 @@
 
 #include "front/columns/column_set.hpp"
 #include "front/demands.hpp"
+#include "front/tolerances.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -33,6 +36,23 @@ FitTask with_settings(FitTask task, const FitSettings& settings, Diagnostics& mi
   return task;
 }
 
+namespace {
+
+// A deviation so small that rounding alone exceeds it.
+std::string objection_to(const FitTask::Column& task, const FitColumn& column) {
+  double largest = 0;
+  for (const double value : column.values) {
+    if (!std::isnan(value)) largest = std::max(largest, std::abs(value));
+  }
+  const double least = kNoiseRounding * largest;
+  if (task.deviation.value_or(kInf) >= least) return "";
+  return fmt::format(
+      "{}.deviation = {:.6g} {}: the rounding of {} is more, {:.2g} {}: expected that of the instrument",
+      task.path, *task.deviation, column.unit, column.name, least, column.unit);
+}
+
+}  // namespace
+
 void apply_columns(FitData& data, Diagnostics& mistakes) {
   std::vector<std::string> names;
   for (const FitWhere& where : data.where) names.push_back(where.name);
@@ -46,6 +66,9 @@ void apply_columns(FitData& data, Diagnostics& mistakes) {
     }
     for (FitColumn& column : data.columns) {
       if (!matches(task.column, column.name)) continue;
+      if (std::string objection = objection_to(task, column); !objection.empty()) {
+        mistakes.push_back({task.place, std::move(objection)});
+      }
       if (task.deviation) column.deviation = task.deviation;
       column.weight *= task.weight;
       column.offset = column.offset || task.offset;

@@ -163,6 +163,13 @@ bool has_all_deviations(const FitProblem& problem, const FitSolution& solution) 
   return all;
 }
 
+// The chance that a sum of squares of normal noise, of deviation 1, is larger; 0 where it is too large for a
+// number.
+double chance_beyond(double square, double freedoms) {
+  if (!std::isfinite(square)) return 0;
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedoms), square));
+}
+
 }  // namespace
 
 std::vector<std::string> idle_directions(const Eigen::MatrixXd& J, const Eigen::VectorXd& x,
@@ -224,8 +231,7 @@ FitStatistics fit_statistics(const FitProblem& problem, const FitSolution& solut
   set_errors(variance * covariance_shape(J), free, statistics);
   if (has_all_deviations(problem, solution)) {
     statistics.noise_ratio = std::sqrt(variance);
-    statistics.chance = boost::math::cdf(boost::math::complement(
-        boost::math::chi_squared(statistics.freedoms), variance * statistics.freedoms));
+    statistics.chance = chance_beyond(variance * statistics.freedoms, statistics.freedoms);
   }
   return statistics;
 }
