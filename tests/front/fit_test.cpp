@@ -284,6 +284,66 @@ offset = true
   EXPECT_THAT(report.notes, Contains(HasSubstr("follower.vy has no values")));
 }
 
+// A crank, and a slide whose zero is not known; a unit that is only presumed is that of its own driver, too.
+const std::string kCrankAndSlide = R"(
+[bodies.ground]
+points.O = [0, 0]
+points.Q = [0, 50]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [20, 0]
+[bodies.slide]
+pose = { x = 0, y = 50 }
+points.Q = [0, 0]
+points.B = [7, 3]
+[joints.pin]
+type = "revolute"
+between = ["ground.O", "crank.O"]
+[joints.s]
+type = "prismatic"
+between = ["ground.Q", "slide.Q"]
+direction = [1, 0]
+[drivers.pin]
+joint = "pin"
+start = 0
+end = 90
+samples = 10
+[drivers.s]
+joint = "s"
+start = 0
+end = 30
+samples = 10
+[design.variables]
+a = { path = "bodies.crank.points.A.0" }
+)";
+
+std::string crank_and_slide_table(double slide_off, double slide_factor) {
+  std::string text = "driver.pin,driver.s,crank.A.x,slide.B.x,slide.B.y\n";
+  for (int k = 0; k < 10; ++k) {
+    const double s = 10 * k / 3.;
+    text += fmt::format("{},{},{},{},53\n", 10 * k, slide_factor * s + slide_off,
+                        21 * std::cos(10 * k * kPi / 180), s + 7);
+  }
+  return text;
+}
+
+TEST(Fit, TheZeroOfEachDriverIsInItsOwnUnit) {
+  FitSettings settings;
+  settings.offsets = {"driver.s", "driver.pin"};
+  const FitReport report =
+      fitted(model_of(kCrankAndSlide), table_of(crank_and_slide_table(4.5, 1)), settings);
+  EXPECT_NEAR(report.variables[0].after, 21, 1e-9);
+  ASSERT_EQ(report.measurement.size(), 2U);
+  EXPECT_EQ(report.measurement[0].unit, "deg");
+  EXPECT_EQ(report.measurement[1].unit, "mm");
+  EXPECT_NEAR(report.measurement[1].after, 4.5, 1e-9);
+}
+
+TEST(Fit, ASlideThatIsMeasuredInMetresIsRecognisedBesideACrank) {
+  EXPECT_THAT(message_of(kCrankAndSlide, crank_and_slide_table(0, 1e-3)),
+              HasSubstr("write driver.s[m] in the header"));
+}
+
 TEST(Fit, APathMeasuredInAFrameOfItsOwnGivesTheFrameAsWell) {
   const Model truth = shipped_model("four_bar");
   const std::string name =
@@ -493,6 +553,29 @@ TEST(Fit, ResidualsLargerThanTheDeviationsGivenSayThatTheModelIsWrong) {
   EXPECT_TRUE(large.good);
 }
 
+TEST(Fit, DeviationsBelowRoundingAreRefused) {
+  const std::string lift = lift_table("driver,follower.y", eccentric_lift);
+  EXPECT_THAT(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-200\n", lift),
+              HasSubstr("fit.columns.0.deviation = 1e-200 mm: the rounding of follower.y is more, 4e-12 mm"));
+  EXPECT_EQ(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-11\n", lift), "");
+}
+
+// Where nothing but 0 was measured there is no rounding to compare with.
+TEST(Fit, ResidualsThatAreTooManyDeviationsForANumberHaveNoChance) {
+  const std::string profile = std::string(kCam) + R"(
+samples = 37
+[design.variables]
+y = { path = "bodies.cam.curves.disc.center.1" }
+[[fit.columns]]
+column = "*"
+deviation = 1e-200
+)";
+  const FitReport report =
+      fitted(model_of(profile), table_of(lift_table("driver,follower.y", [](double) { return 0.; })));
+  EXPECT_TRUE(report.too_large);
+  EXPECT_FALSE(report.good);
+}
+
 TEST(Fit, BoundsHoldAndAreSaid) {
   std::string profile = kCamFit;
   profile.replace(profile.find("radius\" }"), 9, "radius\", min = 5, max = 30.5 }");
@@ -553,29 +636,6 @@ TEST(Fit, ValuesInAnotherUnitAreRecognised) {
           "driver: these values are far from the motion of the profile in deg, but near it if they are in "
           "rad (a factor of 57.2958)"));
   // An explicit unit is accepted without a note.
-TEST(Fit, DeviationsBelowRoundingAreRefused) {
-  const std::string lift = lift_table("driver,follower.y", eccentric_lift);
-  EXPECT_THAT(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-200\n", lift),
-              HasSubstr("fit.columns.0.deviation = 1e-200 mm: the rounding of follower.y is more, 4e-12 mm"));
-  EXPECT_EQ(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-11\n", lift), "");
-}
-
-// Where nothing but 0 was measured there is no rounding to compare with.
-TEST(Fit, ResidualsThatAreTooManyDeviationsForANumberHaveNoChance) {
-  const std::string profile = std::string(kCam) + R"(
-samples = 37
-[design.variables]
-y = { path = "bodies.cam.curves.disc.center.1" }
-[[fit.columns]]
-column = "*"
-deviation = 1e-200
-)";
-  const FitReport report =
-      fitted(model_of(profile), table_of(lift_table("driver,follower.y", [](double) { return 0.; })));
-  EXPECT_TRUE(report.too_large);
-  EXPECT_FALSE(report.good);
-}
-
   EXPECT_EQ(message_of(kCamFit,
                        lift_table("driver,follower.y[mm]", [](double t) { return 0.5 * eccentric_lift(t); })),
             "");

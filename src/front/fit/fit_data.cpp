@@ -115,7 +115,7 @@ private:
         break;
       }
     }
-    data_.where.push_back({column.name, std::move(values), false, !column.unit.empty(), column.place});
+    data_.where.push_back({column.name, unit, std::move(values), false, !column.unit.empty(), column.place});
   }
 
   // The values converted to `unit`.
@@ -230,11 +230,6 @@ int FitData::values() const {
         std::count_if(column.values.begin(), column.values.end(), [](double v) { return !std::isnan(v); });
   }
   return static_cast<int>(count);
-}
-
-std::string FitData::where_unit() const {
-  return in_time() ? unit_text(dimension::kTime, model.units())
-                   : unit_text(driver_dimension(model.mechanism()), model.units());
 }
 
 Result<FitData> fit_data(const Model& model, const MeasuredTable& measured, const FitSettings& settings) {

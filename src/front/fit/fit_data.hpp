@@ -14,7 +14,8 @@ namespace higherpair {
 /// Where the rows are: a driver's positions, or times.
 struct FitWhere {
   std::string name;
-  std::vector<double> values;  ///< in each row
+  std::string unit;
+  std::vector<double> values;  ///< in each row, in that unit
   bool offset = false;         ///< whether its zero is unknown
   bool unit_given = false;     ///< in the table's header
   Place place;
@@ -57,8 +58,6 @@ struct FitData {
   [[nodiscard]] std::size_t rows() const { return lines.size(); }
   [[nodiscard]] bool in_time() const { return settings.in_time; }
   [[nodiscard]] int values() const;
-  /// Unit of `where`.
-  [[nodiscard]] std::string where_unit() const;
 };
 
 [[nodiscard]] Result<FitData> fit_data(const Model& model, const MeasuredTable& measured,

@@ -28,7 +28,7 @@ FitMeasurement::FitMeasurement(const FitData& data) : data_(data) {
   }
   for (std::size_t i = 0; i < data_.where.size(); ++i) {
     if (data_.where[i].offset) {
-      add(Kind::kWhere, i, "offset of " + data_.where[i].name, data_.where_unit());
+      add(Kind::kWhere, i, "offset of " + data_.where[i].name, data_.where[i].unit);
     }
   }
   for (std::size_t c = 0; c < data_.columns.size(); ++c) {

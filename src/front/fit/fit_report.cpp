@@ -23,7 +23,7 @@ public:
   FitReport report() {
     report_.title = data_.model.mechanism().title;
     report_.in_time = data_.in_time();
-    report_.where_unit = data_.where_unit();
+    report_.where_unit = data_.where[0].unit;
     report_.loss = data_.task.loss;
     report_.confidence = data_.task.confidence;
     report_.notes = data_.notes;

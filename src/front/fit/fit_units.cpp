@@ -52,11 +52,11 @@ bool is_presumed(const FitData& data, std::size_t c) {
                       [&](const FitFrame& frame) { return frame.x == c || frame.y == c; });
 }
 
-// The columns whose unit is presumed to be the driver's.
-std::vector<std::size_t> with_the_driver(const FitData& data) {
+// The columns whose unit is presumed to be this driver's.
+std::vector<std::size_t> with_the_driver(const FitData& data, const FitWhere& driver) {
   std::vector<std::size_t> columns;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
-    if (is_presumed(data, c) && data.columns[c].unit == data.where_unit()) columns.push_back(c);
+    if (is_presumed(data, c) && data.columns[c].unit == driver.unit) columns.push_back(c);
   }
   return columns;
 }
@@ -100,14 +100,14 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   }
   if (!suspicions.empty()) return suspicions;
   const auto as_it_is = whole_misfit(problem, variables, data);
-  const std::vector<std::size_t> alike = with_the_driver(data);
   for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
     const FitWhere& where = data.where[i];
     if (where.unit_given || where.offset) continue;
+    const std::vector<std::size_t> alike = with_the_driver(data, where);
     std::optional<OtherUnit> best;
     bool with_columns = false;
     double least = std::min(kNearMisfit, kBetterMisfit * *as_it_is);
-    for (const OtherUnit& other : other_units(data.where_unit(), data.model.units())) {
+    for (const OtherUnit& other : other_units(where.unit, data.model.units())) {
       FitData scaled = data;
       for (double& value : scaled.where[i].values) value *= other.factor;
       for (const bool columns_too : {false, true}) {
@@ -124,7 +124,7 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
       }
     }
     if (!best) continue;
-    suspicions.push_back({where.place, advice(where.name, data.where_unit(), *best)});
+    suspicions.push_back({where.place, advice(where.name, where.unit, *best)});
     for (const std::size_t c : with_columns ? alike : std::vector<std::size_t>()) {
       const FitColumn& column = data.columns[c];
       suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
