@@ -1,6 +1,7 @@
 #include "higherpair/design/optimise.hpp"
 
 #include "higherpair/numeric/stop.hpp"
+#include "numeric/arena.hpp"
 #include "search.hpp"
 #include "tolerances.hpp"
 
@@ -8,9 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 #include <random>
 #include <unordered_map>
 #include <utility>
@@ -88,21 +86,15 @@ private:
   // Results of the searches in order; one that was not run for lack of time has 0 evaluations.
   std::vector<DesignSearchEnd> run_batch(int first, int count) {
     std::vector<DesignSearchEnd> ends(static_cast<std::size_t>(count));
-    // More threads than oneTBB allows would only make it print a warning.
-    const auto most =
-        static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    tbb::task_arena arena(options_.threads > 0 ? std::min(options_.threads, most) : most);
-    arena.execute([&] {
-      tbb::parallel_for(0, count, [&](int k) {
-        const int number = first + k;
-        DesignSearchEnd& end = ends[k];
-        if (const auto known = known_.find(number); known != known_.end()) {
-          end = *known->second;
-        } else if (number == 0 || !deadline_.is_over()) {
-          end = search_from(number);
-          tell(end);
-        }
-      });
+    for_each_on_threads(ends.size(), options_.threads, [&](std::size_t k) {
+      const int number = first + static_cast<int>(k);
+      DesignSearchEnd& end = ends[k];
+      if (const auto known = known_.find(number); known != known_.end()) {
+        end = *known->second;
+      } else if (number == 0 || !deadline_.is_over()) {
+        end = search_from(number);
+        tell(end);
+      }
     });
     return ends;
   }

@@ -1,10 +1,14 @@
 // The optimiser on functions whose optima are known in closed form.
 #include "higherpair/design/optimise.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <limits>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -135,6 +139,27 @@ TEST(Optimise, ResultsAreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(outcome.different, outcomes.front().different);
     EXPECT_EQ(outcome.starts, 50);
   }
+}
+
+// Each search waits for the others, which come only if there are as many threads as were asked for.
+TEST(Optimise, UsesAsManyThreadsAsItIsTold) {
+  DesignOptions options = few(std::min(16, 1 + static_cast<int>(std::thread::hardware_concurrency())));
+  options.threads = options.starts;
+  std::mutex telling;
+  std::condition_variable all;
+  std::set<std::thread::id> seen;
+  bool late = false;
+  DesignProblem problem = problem_of({{-1, 2, 0.5}}, [&](auto x, int, DesignValues& values) {
+    values.cost = x[0] * x[0];
+    std::unique_lock lock(telling);
+    seen.insert(std::this_thread::get_id());
+    all.notify_all();
+    const auto are_all_here = [&] { return std::ssize(seen) >= options.threads; };
+    late = late || !all.wait_for(lock, std::chrono::seconds(10), are_all_here);
+  });
+  problem.has_cost = true;
+  (void)optimise(problem, options);
+  EXPECT_EQ(std::ssize(seen), options.threads);
 }
 
 TEST(Optimise, SearchesThatAreKnownAreNotMadeAgainAndChangeNothing) {

@@ -41,12 +41,9 @@ const std::map<std::string, std::vector<std::string>>& rooms() {
 // Libraries that only the listed rooms may include; an empty list: only the tools.
 const std::map<std::string, std::vector<std::string>>& owned_libraries() {
   static const std::map<std::string, std::vector<std::string>> table = {
-      {"CGAL", {"contact"}},     {"CLI", {}},
-      {"nlohmann", {"front"}},   {"nlopt.h", {"design"}},
-      {"nlopt.hpp", {"design"}}, {"toml++", {"io"}},
-      {"toml.hpp", {"io"}},      {"Random123", {"sweep"}},
-      {"tbb", {"front"}},        {"oneapi", {"design"}},
-  };
+      {"CGAL", {"contact"}},        {"CLI", {}},        {"nlohmann", {"front"}}, {"nlopt.h", {"design"}},
+      {"nlopt.hpp", {"design"}},    {"toml++", {"io"}}, {"toml.hpp", {"io"}},    {"Random123", {"sweep"}},
+      {"tbb", {"numeric", "front"}}};
   return table;
 }
 

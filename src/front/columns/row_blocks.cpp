@@ -4,8 +4,8 @@
 // change point), the next one is computed again from that end. Analysis::next does the same with one block
 // after the other.
 #include "front/analysis_impl.hpp"
-#include "front/arena.hpp"
 #include "higherpair/front/motion.hpp"
+#include "numeric/arena.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,9 +1,9 @@
 #include "exact_slopes.hpp"
 
-#include "front/arena.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "numeric/arena.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "difference_slope.hpp"
 #include "exact_slopes.hpp"
 #include "front/analysis_impl.hpp"
-#include "front/arena.hpp"
 #include "front/check/check_parts.hpp"
 #include "front/run_settings.hpp"
 #include "front/tolerances.hpp"
@@ -12,6 +11,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
+#include "numeric/arena.hpp"
 #include "path_results.hpp"
 #include "sensitivity_numbers.hpp"
 

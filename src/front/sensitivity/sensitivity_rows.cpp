@@ -1,6 +1,5 @@
 // Derivatives of whole columns, row by row.
 #include "difference_slope.hpp"
-#include "front/arena.hpp"
 #include "front/columns/column_set.hpp"
 #include "front/run_settings.hpp"
 #include "front/tolerances.hpp"
@@ -9,6 +8,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
+#include "numeric/arena.hpp"
 #include "path_results.hpp"
 #include "sensitivity_numbers.hpp"
 

@@ -1,5 +1,5 @@
-#include "front/arena.hpp"
 #include "higherpair/front/sweep.hpp"
+#include "numeric/arena.hpp"
 
 #include <algorithm>
 #include <tbb/parallel_pipeline.h>
