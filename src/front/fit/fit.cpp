@@ -36,10 +36,7 @@ Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) 
   Diagnostics mistakes;
   const auto jacobian = problem.jacobian(x);
   if (!jacobian) return mistakes;
-  Eigen::MatrixXd J = *jacobian;
-  for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    J.row(place(i)) /= problem.spread(problem.values()[i].column);
-  }
+  const Eigen::MatrixXd J = problem.spread_scales().asDiagonal() * *jacobian;
   const std::vector<DesignTask::Variable>& variables = problem.data().variables->variables;
   Eigen::VectorXd effects = J.colwise().norm();
   for (std::size_t i = 0; i < variables.size(); ++i) effects(place(i)) *= problem.motion().scale(i);

@@ -40,6 +40,10 @@ FitProblem::FitProblem(const FitData& data, const FitMotion& motion)
     largest_.push_back(largest > 0 ? largest : 1);
     spreads_.push_back(spread > kNoSpread * largest ? spread : largest_.back());
   }
+  spread_scales_.resize(place(values_.size()));
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    spread_scales_(place(i)) = 1 / spread(values_[i].column);
+  }
   const std::vector<DesignTask::Variable>& variables = data.variables->variables;
   low_ = Eigen::VectorXd::Constant(size(), -kInf);
   high_ = Eigen::VectorXd::Constant(size(), kInf);
@@ -151,11 +155,7 @@ std::optional<Eigen::VectorXd> FitProblem::start_from(std::span<const double> va
     if (!table) return;
     measurement_.place_nearest(*table, x);
     measurement_.show(x, *table);
-    const Eigen::VectorXd r = residuals_of(*table, nullptr);
-    double sum = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      sum += std::pow(r(place(i)) / spread(values_[i].column), 2);
-    }
+    const double sum = squares(residuals_of(*table, nullptr));
     if (sum < least) {
       least = sum;
       best = x;

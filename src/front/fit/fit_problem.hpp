@@ -45,6 +45,12 @@ public:
 
   /// Largest deviation of the measured values of a column from their mean; > 0.
   [[nodiscard]] double spread(std::size_t column) const { return spreads_[column]; }
+  /// 1/spread of the column of each residual.
+  [[nodiscard]] const Eigen::VectorXd& spread_scales() const { return spread_scales_; }
+  /// The sum of the squares of residuals, each divided by the spread of its column.
+  [[nodiscard]] double squares(const Eigen::VectorXd& residuals) const {
+    return residuals.cwiseProduct(spread_scales_).squaredNorm();
+  }
   /// Largest absolute value of a column.
   [[nodiscard]] double largest(std::size_t column) const { return largest_[column]; }
 
@@ -65,6 +71,7 @@ private:
   std::vector<Value> values_;
   Eigen::VectorXd low_, high_;
   std::vector<double> spreads_, largest_;
+  Eigen::VectorXd spread_scales_;
 };
 
 }  // namespace higherpair

@@ -131,10 +131,7 @@ private:
 
   void tell(int rounds) const {
     if (!settings_.progress) return;
-    double sum = 0;
-    for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-      sum += std::pow(solution_.residuals(place(i)) / problem_.spread(problem_.values()[i].column), 2);
-    }
+    const double sum = problem_.squares(solution_.residuals);
     settings_.progress({solution_.starts, solution_.starts, rounds,
                         std::sqrt(sum / static_cast<double>(problem_.values().size()))});
   }

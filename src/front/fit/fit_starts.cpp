@@ -28,12 +28,11 @@ public:
     FitStart found{first, 1, 1};
     if (count == 1) return found;
     std::vector<LeastSquaresFit> ends(static_cast<std::size_t>(count));
-    const Eigen::VectorXd scales = spread_scales();
     const auto one = [&](int k) {
       if (stopped()) return;
       const auto from = k == 0 ? std::optional(first) : random_start(k);
       if (from) {
-        ends[k] = minimise(problem_, *from, scales, settings_.stop);
+        ends[k] = minimise(problem_, *from, problem_.spread_scales(), settings_.stop);
       }
       tell(ends[k], count);
     };
@@ -59,15 +58,6 @@ public:
 
 private:
   [[nodiscard]] bool stopped() const { return is_raised(settings_.stop); }
-
-  // Scales by the spread of each column, before its noise is known.
-  [[nodiscard]] Eigen::VectorXd spread_scales() const {
-    Eigen::VectorXd scales(place(problem_.values().size()));
-    for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-      scales(place(i)) = 1 / problem_.spread(problem_.values()[i].column);
-    }
-    return scales;
-  }
 
   [[nodiscard]] int start_count() const {
     const auto& variables = problem_.data().variables->variables;
@@ -107,7 +97,6 @@ private:
     std::mt19937_64 engine(sequence);
     std::optional<Eigen::VectorXd> best;
     double least = kInf;
-    const Eigen::VectorXd scales = spread_scales();
     for (int k = 0; k < kCandidates && !stopped(); ++k) {
       std::vector<double> variables;
       for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
@@ -120,7 +109,7 @@ private:
       }
       const auto x = problem_.start_from(variables);
       const auto residuals = x ? problem_.residuals(*x) : std::nullopt;
-      const double sum = residuals ? residuals->cwiseProduct(scales).squaredNorm() : least;
+      const double sum = residuals ? problem_.squares(*residuals) : least;
       if (sum < least) {
         least = sum;
         best = x;
