@@ -2,6 +2,7 @@
 
 #include "higherpair/numeric/stop.hpp"
 #include "numeric/arena.hpp"
+#include "numeric/random.hpp"
 #include "search.hpp"
 #include "tolerances.hpp"
 
@@ -9,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <random>
 #include <unordered_map>
 #include <utility>
 
@@ -27,22 +27,6 @@ constexpr int kCandidates = 40;
 constexpr int kNearBest = 3;
 
 constexpr std::size_t kMostOptima = 10;
-
-// Random numbers that are the same on every machine, with a sequence of its own for each start.
-class Random {
-public:
-  Random(std::uint64_t seed, int start) {
-    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                           static_cast<std::uint32_t>(start)};
-    engine_.seed(sequence);
-  }
-  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  int below(int n) { return std::min(n - 1, static_cast<int>(uniform() * n)); }
-  std::uint64_t number() { return engine_(); }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 bool holds(const DesignPoint& point) {
   return !point.x.empty() && point.violation <= kConstraintTolerance;

@@ -4,11 +4,11 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "numeric/arena.hpp"
+#include "numeric/random.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <random>
 
 namespace higherpair {
 namespace {
@@ -91,16 +91,13 @@ private:
   }
 
   [[nodiscard]] std::optional<Eigen::VectorXd> random_start(int number) const {
-    const std::uint64_t seed = problem_.data().task.seed.value_or(1);
-    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                           static_cast<std::uint32_t>(number)};
-    std::mt19937_64 engine(sequence);
+    Random random(problem_.data().task.seed.value_or(1), number);
     std::optional<Eigen::VectorXd> best;
     double least = kInf;
     for (int k = 0; k < kCandidates && !stopped(); ++k) {
       std::vector<double> variables;
       for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
-        const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+        const double share = random.uniform();
         const double low = problem_.low()(i), high = problem_.high()(i);
         const double at = problem_.data().variables->variables[i].range.start;
         variables.push_back(std::isfinite(low) && std::isfinite(high)
