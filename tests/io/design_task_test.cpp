@@ -247,6 +247,16 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{kObjective + "[design]\nmethod = \"newton\"", "slsqp"},
         Wrong{kObjective + "[design]\nstarts = 0", "from 1"}));
 
+TEST(DesignTask, EveryWrongWordOfAFreePathIsReported) {
+  const auto all = testing::messages(
+      kCrank + kVariable +
+      "[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1], [2, 3]], free = [\"turm\", "
+      "\"position\", \"scal\"] }");
+  EXPECT_THAT(all, ::testing::Contains(HasSubstr("did you mean `turn`")));
+  EXPECT_THAT(all, ::testing::Contains(HasSubstr("did you mean `scale`")));
+  EXPECT_THAT(all, ::testing::Contains(HasSubstr("two have no form but their distance")));
+}
+
 // One mistake, one message: an unreadable limit is not reported as missing, nor an absent file as having too
 // few points.
 TEST(DesignTask, NumbersMayHaveTheirOwnUnit) {

@@ -23,6 +23,12 @@ void read_variable(const std::string& name, TableReader& table, const Table& doc
 [[nodiscard]] std::optional<DesignTask::PointPath> read_point_path(TableReader& table,
                                                                    const Mechanism& mechanism);
 
+/// What may be chosen of the placement of a path, or is not known of it: its key `free`.
+struct FreePlacement {
+  bool position = false, turn = false, scale = false;
+};
+[[nodiscard]] FreePlacement read_free(Reading& reading, const Item& free);
+
 /// Whether an objective or constraint has the key `reach` or `size`.
 [[nodiscard]] bool is_extent(TableReader& table);
 /// Reads it; none if it has a mistake. \pre is_extent

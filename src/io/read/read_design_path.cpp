@@ -54,23 +54,20 @@ void read_positions(Reading& reading, const Item& at, const Mechanism& mechanism
   }
 }
 
-// `free`: the placement of the path that may be chosen, so that only its form matters.
-void read_free(Reading& reading, const Item& free, PointPath& path) {
+}  // namespace
+
+FreePlacement read_free(Reading& reading, const Item& free) {
   static const std::vector<std::string> names = {"position", "turn", "scale"};
+  FreePlacement placement;
   const auto items = as_items(
       reading, free, "a list of \"position\", \"turn\" and \"scale\", such as [\"position\", \"turn\"]");
-  if (!items) return;
-  for (const Item& item : *items) {
+  for (const Item& item : items.value_or(std::vector<Item>{})) {
     const auto choice = as_choice(reading, item, names);
-    if (!choice) return;
-    (*choice == 0 ? path.free_position : *choice == 1 ? path.free_turn : path.free_scale) = true;
+    bool* const flags[] = {&placement.position, &placement.turn, &placement.scale};
+    if (choice) *flags[*choice] = true;
   }
-  if (path.free_position && path.through.size() == 2) {  // a mistake with fewer points is reported elsewhere
-    report(reading, free, "expected at least three points: two have no form but their distance");
-  }
+  return placement;
 }
-
-}  // namespace
 
 std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& mechanism) {
   Reading& reading = table.reading();
@@ -99,7 +96,16 @@ std::optional<PointPath> read_point_path(TableReader& table, const Mechanism& me
     read_positions(reading, *at, mechanism, path);
   }
   if (path.timed && path.closed) table.refuse("closed", "the points of a timed path have their rows");
-  if (const auto free = table.take("free")) read_free(reading, *free, path);
+  if (const auto free = table.take("free")) {
+    const FreePlacement placement = read_free(reading, *free);
+    path.free_position = placement.position;
+    path.free_turn = placement.turn;
+    path.free_scale = placement.scale;
+    // A mistake with fewer points is reported elsewhere.
+    if (path.free_position && path.through.size() == 2) {
+      report(reading, *free, "expected at least three points: two have no form but their distance");
+    }
+  }
   return known && path.through.size() > 1 ? std::optional(std::move(path)) : std::nullopt;
 }
 

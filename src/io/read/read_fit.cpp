@@ -71,17 +71,12 @@ private:
     if (const auto point = table.need("point", "the point whose path was measured, \"coupler.E\"")) {
       frame.point = read_point(*point).value_or("");
     }
-    static const std::vector<std::string> kFree = {"position", "turn", "scale"};
-    const auto free =
-        table.need("free", "what is not known of its frame, [\"position\", \"turn\", \"scale\"]");
-    const auto items =
-        free ? as_items(reading_, *free, "a list of \"position\", \"turn\" and \"scale\", or some of them")
-             : std::nullopt;
-    for (const Item& item : items.value_or(std::vector<Item>{})) {
-      const auto choice = as_choice(reading_, item, kFree);
-      if (!choice) continue;
-      bool* const flags[] = {&frame.position, &frame.turn, &frame.scale};
-      *flags[*choice] = true;
+    if (const auto free =
+            table.need("free", "what is not known of its frame, [\"position\", \"turn\", \"scale\"]")) {
+      const FreePlacement placement = read_free(reading_, *free);
+      frame.position = placement.position;
+      frame.turn = placement.turn;
+      frame.scale = placement.scale;
     }
     task_.frames.push_back(std::move(frame));
   }
