@@ -4,6 +4,7 @@
 #include "front/other_units.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/front/design.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ public:
   Diagnostics notes() {
     const DesignScore& score = setup_.start_score;
     if (!score.started) return {};
+    motion_ = run();
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       if (objective.path()) {
@@ -71,12 +73,23 @@ public:
   }
 
 private:
+  // The profile's motion, with the columns of the measures and the paths.
+  [[nodiscard]] std::optional<Motion> run() const {
+    RunSettings settings = setup_.settings;
+    for (const DesignTask::Objective& objective : task_.objectives) {
+      if (!objective.path()) continue;
+      for (const char* end : {".x", ".y"}) {
+        const std::string name = objective.path()->point + end;
+        if (!contains(settings.columns, name)) settings.columns.push_back(name);
+      }
+    }
+    auto motion = setup_.numbers.model().run(settings);
+    return motion ? std::optional(*std::move(motion)) : std::nullopt;
+  }
+
   [[nodiscard]] std::vector<double> column(const std::string& name) const {
-    RunSettings settings;
-    settings.columns = {name};
-    const auto motion = setup_.numbers.model().run(settings);
-    if (!motion || !motion->find_column(name)) return {};
-    const auto values = motion->column(name);
+    if (!motion_ || !motion_->find_column(name)) return {};
+    const auto values = motion_->column(name);
     return {values.begin(), values.end()};
   }
 
@@ -150,6 +163,7 @@ private:
   const DesignSetup& setup_;
   const DesignTask& task_;
   const Units& units_;
+  std::optional<Motion> motion_;
   Diagnostics notes_;
 };
 
