@@ -138,8 +138,10 @@ TEST(DesignTasks, TheBestFewAreDifferentAndCanBeRead) {
     EXPECT_NE(report.optima[k].text, report.optima[k - 1].text);
     EXPECT_GE(report.optima[k].objective, report.optima[k - 1].objective);
     EXPECT_TRUE(model_of(report.optima[k].text).run().value().good());
+    EXPECT_EQ(report.optima[k].as_found, true);
   }
   EXPECT_TRUE(report.optima[3].text.empty());
+  EXPECT_FALSE(report.optima[3].as_found.has_value());
 }
 
 TEST(DesignTasks, APageShowsBothMechanismsAndNothingOfTheWeb) {

@@ -138,7 +138,7 @@ int write_report(const Model& model, const DesignCommandOptions& options, const 
     return kExitInterrupted;
   }
   const bool as_found = std::all_of(report.optima.begin(), report.optima.end(),
-                                    [](const auto& optimum) { return optimum.as_found; });
+                                    [](const auto& optimum) { return optimum.as_found.value_or(true); });
   return report.holds && as_found ? kExitOk : kExitRows;
 }
 

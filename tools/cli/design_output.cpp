@@ -79,7 +79,7 @@ std::string search_text(const DesignReport& report) {
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
     text += fmt::format("  {}. {}{}{}{}:", k + 1, shown(report.optima[k].objective),
                         report.optima[k].holds ? "" : " (violates a constraint)",
-                        report.optima[k].as_found ? "" : " (its profile starts otherwise)",
+                        report.optima[k].as_found.value_or(true) ? "" : " (its profile starts otherwise)",
                         has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "");
     for (std::size_t i = 0; i < report.variables.size(); ++i) {
       text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
@@ -153,7 +153,7 @@ std::string design_json(const DesignReport& report) {
   for (const auto& optimum : report.optima) {
     optima.push_back({{"objective", number_or_null(optimum.objective)},
                       {"holds", optimum.holds},
-                      {"as_found", optimum.as_found},
+                      {"as_found", optimum.as_found ? Json(*optimum.as_found) : Json()},
                       {"variables", optimum.variables}});
   }
   json["search"] = {{"method", report.method},           {"starts", report.starts},

@@ -65,8 +65,8 @@ struct DesignReport {
     std::vector<double> variables;
     double objective = 0;
     bool holds = false;  ///< whether all constraints hold
-    /// Whether the text gives it, as DesignReport::as_found; true without a text.
-    bool as_found = true;
+    /// Whether the text gives it, as DesignReport::as_found; none without a text.
+    std::optional<bool> as_found;
     /// The profile, for the first DesignSettings::best of them; for the very first it is DesignReport::text.
     std::string text;
   };

@@ -252,8 +252,9 @@ private:
         line.as_found = report.as_found;
       } else if (is_made) {
         line.text = text_of(line.variables, point.branch).value_or(std::string());
+        if (line.text.empty()) continue;
         const auto again = reread(line.text, line.variables, point.branch);
-        line.as_found = line.text.empty() || (again && again->as_found);
+        line.as_found = again && again->as_found;
       }
     }
   }
