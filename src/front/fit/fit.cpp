@@ -39,9 +39,9 @@ Diagnostics idle_variables(const FitProblem& problem, const Eigen::VectorXd& x) 
   const Eigen::MatrixXd J = problem.spread_scales().asDiagonal() * *jacobian;
   const std::vector<DesignTask::Variable>& variables = problem.data().variables->variables;
   Eigen::VectorXd effects = J.colwise().norm();
-  for (std::size_t i = 0; i < variables.size(); ++i) effects(place(i)) *= problem.motion().scale(i);
+  for (std::size_t i = 0; i < variables.size(); ++i) effects(eigen_index(i)) *= problem.motion().scale(i);
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (effects(place(i)) > kNoFitChange * effects.maxCoeff()) continue;
+    if (effects(eigen_index(i)) > kNoFitChange * effects.maxCoeff()) continue;
     mistakes.push_back(
         {variables[i].place,
          fmt::format("design.variables.{}: changes none of the measured columns: leave it out, or measure "
@@ -92,7 +92,7 @@ Result<std::string> verified_text(const FitProblem& problem, const FitSolution& 
     const auto residuals = reread.residuals(solution.x);
     same = residuals.has_value();
     for (std::size_t i = 0; same && i < problem.values().size(); ++i) {
-      same = std::abs((*residuals)(place(i)) - solution.residuals(place(i))) <=
+      same = std::abs((*residuals)(eigen_index(i)) - solution.residuals(eigen_index(i))) <=
              kSameMotion * problem.largest(problem.values()[i].column);
     }
   }

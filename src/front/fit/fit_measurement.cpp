@@ -53,7 +53,7 @@ FitMeasurement::FitMeasurement(const FitData& data) : data_(data) {
 
 std::optional<double> FitMeasurement::at(const Eigen::VectorXd& x, Kind kind, std::size_t index) const {
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-    if (unknowns_[i].kind == kind && unknowns_[i].index == index) return x(place(i));
+    if (unknowns_[i].kind == kind && unknowns_[i].index == index) return x(eigen_index(i));
   }
   return std::nullopt;
 }
@@ -76,14 +76,14 @@ void FitMeasurement::show(const Eigen::VectorXd& x, FitTable& table) const {
     const FitFrame& frame = data_.frames[f];
     const double s = at(x, Kind::kScale, f).value_or(1);
     const Vector2d along = s * unit_vector(radians * at(x, Kind::kTurn, f).value_or(0));
-    const Eigen::VectorXd px = table.col(place(frame.x)), py = table.col(place(frame.y));
-    table.col(place(frame.x)) =
+    const Eigen::VectorXd px = table.col(eigen_index(frame.x)), py = table.col(eigen_index(frame.y));
+    table.col(eigen_index(frame.x)) =
         (along.x() * px - along.y() * py).array() + at(x, Kind::kPlaceX, f).value_or(0);
-    table.col(place(frame.y)) =
+    table.col(eigen_index(frame.y)) =
         (along.y() * px + along.x() * py).array() + at(x, Kind::kPlaceY, f).value_or(0);
   }
   for (std::size_t c = 0; c < data_.columns.size(); ++c) {
-    table.col(place(c)).array() += at(x, Kind::kOffset, c).value_or(0);
+    table.col(eigen_index(c)).array() += at(x, Kind::kOffset, c).value_or(0);
   }
 }
 
@@ -91,7 +91,7 @@ FitTable FitMeasurement::change_shown(const Eigen::VectorXd& x, FitTable change)
   Eigen::VectorXd unplaced = x;
   for (std::size_t q = 0; q < unknowns_.size(); ++q) {
     const Kind kind = unknowns_[q].kind;
-    if (kind == Kind::kPlaceX || kind == Kind::kPlaceY || kind == Kind::kOffset) unplaced(place(q)) = 0;
+    if (kind == Kind::kPlaceX || kind == Kind::kPlaceY || kind == Kind::kOffset) unplaced(eigen_index(q)) = 0;
   }
   show(unplaced, change);
   return change;
@@ -101,15 +101,15 @@ FitTable FitMeasurement::derivative(const Eigen::VectorXd& x, const FitTable& ta
                                     const FitUnknown& unknown) const {
   FitTable by = FitTable::Zero(table.rows(), table.cols());
   if (unknown.kind == Kind::kOffset) {
-    by.col(place(unknown.index)).setOnes();
+    by.col(eigen_index(unknown.index)).setOnes();
     return by;
   }
   const double radians = to_si(dimension::kAngle, data_.model.units()).apply(1);
   const FitFrame& frame = data_.frames[unknown.index];
   const double s = at(x, Kind::kScale, unknown.index).value_or(1);
   const Vector2d turned = unit_vector(radians * at(x, Kind::kTurn, unknown.index).value_or(0));
-  const auto px = table.col(place(frame.x)), py = table.col(place(frame.y));
-  auto by_x = by.col(place(frame.x)), by_y = by.col(place(frame.y));
+  const auto px = table.col(eigen_index(frame.x)), py = table.col(eigen_index(frame.y));
+  auto by_x = by.col(eigen_index(frame.x)), by_y = by.col(eigen_index(frame.y));
   switch (unknown.kind) {
     case Kind::kPlaceX:
       by_x.setOnes();
@@ -147,7 +147,8 @@ void FitMeasurement::place_frames(const FitTable& table, Eigen::VectorXd& x) con
                                                                                // place
     std::complex<double> from, to;
     for (std::size_t k = 0; k < data_.rows(); ++k) {
-      const std::complex<double> own(table(place(k), place(frame.x)), table(place(k), place(frame.y)));
+      const std::complex<double> own(table(eigen_index(k), eigen_index(frame.x)),
+                                     table(eigen_index(k), eigen_index(frame.y)));
       const std::complex<double> seen(data_.columns[frame.x].values[k], data_.columns[frame.y].values[k]);
       if (!std::isfinite(std::abs(own)) || !std::isfinite(std::abs(seen))) continue;
       pairs.emplace_back(own, seen);
@@ -168,10 +169,10 @@ void FitMeasurement::place_frames(const FitTable& table, Eigen::VectorXd& x) con
     const std::complex<double> t = to - z * from;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
       if (unknowns_[i].index != f) continue;
-      if (unknowns_[i].kind == Kind::kPlaceX) x(place(i)) = t.real();
-      if (unknowns_[i].kind == Kind::kPlaceY) x(place(i)) = t.imag();
-      if (unknowns_[i].kind == Kind::kTurn) x(place(i)) = per_radian * std::arg(z);
-      if (unknowns_[i].kind == Kind::kScale) x(place(i)) = std::abs(z);
+      if (unknowns_[i].kind == Kind::kPlaceX) x(eigen_index(i)) = t.real();
+      if (unknowns_[i].kind == Kind::kPlaceY) x(eigen_index(i)) = t.imag();
+      if (unknowns_[i].kind == Kind::kTurn) x(eigen_index(i)) = per_radian * std::arg(z);
+      if (unknowns_[i].kind == Kind::kScale) x(eigen_index(i)) = std::abs(z);
     }
   }
 }
@@ -181,13 +182,13 @@ void FitMeasurement::place_offsets(const FitTable& table, Eigen::VectorXd& x) co
     if (unknowns_[i].kind != Kind::kOffset) continue;
     std::vector<double> off;
     for (std::size_t k = 0; k < data_.rows(); ++k) {
-      const double difference =
-          data_.columns[unknowns_[i].index].values[k] - table(place(k), place(unknowns_[i].index));
+      const double difference = data_.columns[unknowns_[i].index].values[k] -
+                                table(eigen_index(k), eigen_index(unknowns_[i].index));
       if (std::isfinite(difference)) off.push_back(difference);
     }
     if (off.empty()) continue;
     std::nth_element(off.begin(), off.begin() + std::ssize(off) / 2, off.end());
-    x(place(i)) = off[off.size() / 2];
+    x(eigen_index(i)) = off[off.size() / 2];
   }
 }
 

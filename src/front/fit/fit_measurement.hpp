@@ -11,7 +11,7 @@
 namespace higherpair {
 
 /// An index as Eigen's index type.
-[[nodiscard]] inline Eigen::Index place(std::size_t i) {
+[[nodiscard]] inline Eigen::Index eigen_index(std::size_t i) {
   return static_cast<Eigen::Index>(i);
 }
 

@@ -40,26 +40,26 @@ FitProblem::FitProblem(const FitData& data, const FitMotion& motion)
     largest_.push_back(largest > 0 ? largest : 1);
     spreads_.push_back(spread > kNoSpread * largest ? spread : largest_.back());
   }
-  spread_scales_.resize(place(values_.size()));
+  spread_scales_.resize(eigen_index(values_.size()));
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    spread_scales_(place(i)) = 1 / spread(values_[i].column);
+    spread_scales_(eigen_index(i)) = 1 / spread(values_[i].column);
   }
   const std::vector<DesignTask::Variable>& variables = data.variables->variables;
   low_ = Eigen::VectorXd::Constant(size(), -kInf);
   high_ = Eigen::VectorXd::Constant(size(), kInf);
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    low_(place(i)) = variables[i].range.low;
-    high_(place(i)) = variables[i].range.high;
+    low_(eigen_index(i)) = variables[i].range.low;
+    high_(eigen_index(i)) = variables[i].range.high;
   }
 }
 
 Eigen::VectorXd FitProblem::residuals_of(const FitTable& fitted, int* missing) const {
-  Eigen::VectorXd r(place(values_.size()));
+  Eigen::VectorXd r(eigen_index(values_.size()));
   if (missing != nullptr) *missing = 0;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const Value& value = values_[i];
-    const double own = fitted(place(value.row), place(value.column));
-    r(place(i)) =
+    const double own = fitted(eigen_index(value.row), eigen_index(value.column));
+    r(eigen_index(i)) =
         std::isfinite(own) ? data_.columns[value.column].values[value.row] - own : spread(value.column);
     if (missing != nullptr && !std::isfinite(own)) ++*missing;
   }
@@ -78,7 +78,7 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
   const auto table = motion_.table(variables, offsets);
   auto by_motion = motion_.derivatives(variables, offsets);
   if (!table || !by_motion) return std::nullopt;
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(place(values_.size()), size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(eigen_index(values_.size()), size());
   std::size_t moved = 0;  // unknowns that the motion depends on come first
   for (std::size_t p = 0; p < unknowns().size(); ++p) {
     const Kind kind = unknowns()[p].kind;
@@ -86,9 +86,9 @@ std::optional<Eigen::MatrixXd> FitProblem::jacobian(const Eigen::VectorXd& x) co
     const FitTable by = moves ? measurement_.change_shown(x, std::move((*by_motion)[moved++]))
                               : measurement_.derivative(x, *table, unknowns()[p]);
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double slope = by(place(values_[i].row), place(values_[i].column));
-      const bool there = std::isfinite((*table)(place(values_[i].row), place(values_[i].column)));
-      J(place(i), place(p)) = there && std::isfinite(slope) ? -slope : 0;
+      const double slope = by(eigen_index(values_[i].row), eigen_index(values_[i].column));
+      const bool there = std::isfinite((*table)(eigen_index(values_[i].row), eigen_index(values_[i].column)));
+      J(eigen_index(i), eigen_index(p)) = there && std::isfinite(slope) ? -slope : 0;
     }
   }
   clear_rounding(J);
@@ -101,11 +101,11 @@ void FitProblem::clear_rounding(Eigen::MatrixXd& J) const {
     std::vector<double> effects(data_.columns.size(), 0);
     for (std::size_t i = 0; i < values_.size(); ++i) {
       double& effect = effects[values_[i].column];
-      effect = std::max(effect, std::abs(J(place(i), place(p))) * motion_.scale(p));
+      effect = std::max(effect, std::abs(J(eigen_index(i), eigen_index(p))) * motion_.scale(p));
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
       const std::size_t column = values_[i].column;
-      if (effects[column] <= kNoFitEffect * largest(column)) J(place(i), place(p)) = 0;
+      if (effects[column] <= kNoFitEffect * largest(column)) J(eigen_index(i), eigen_index(p)) = 0;
     }
   }
 }
@@ -117,9 +117,9 @@ std::vector<double> FitProblem::unwrapped(std::size_t column, const Eigen::Vecto
   if (data_.columns[column].unit != unit_text(dimension::kAngle, data_.model.units()) || !r) return values;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     if (values_[i].column != column) continue;
-    const double off = std::remainder((*r)(place(i)), turn);
+    const double off = std::remainder((*r)(eigen_index(i)), turn);
     if (!(std::abs(off) <= turn / 4)) return data_.columns[column].values;
-    values[values_[i].row] += off - (*r)(place(i));
+    values[values_[i].row] += off - (*r)(eigen_index(i));
   }
   return values;
 }
@@ -134,7 +134,7 @@ Eigen::VectorXd FitProblem::unmeasured(std::span<const double> variables) const 
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size());
   std::copy(variables.begin(), variables.end(), x.begin());
   for (std::size_t i = 0; i < unknowns().size(); ++i) {
-    if (unknowns()[i].kind == Kind::kScale) x(place(i)) = 1;
+    if (unknowns()[i].kind == Kind::kScale) x(eigen_index(i)) = 1;
   }
   return x;
 }
@@ -149,7 +149,7 @@ std::optional<Eigen::VectorXd> FitProblem::start_from(std::span<const double> va
       const std::vector<double>& where = data_.where[unknowns()[i].index].values;
       const auto [first, last] = std::minmax_element(where.begin(), where.end());
       const bool turns = !data_.in_time() && driver_turns(data_.model.mechanism(), unknowns()[i].index);
-      x(place(i)) = share * (turns ? full_turn(data_.model.units()) : *last - *first);
+      x(eigen_index(i)) = share * (turns ? full_turn(data_.model.units()) : *last - *first);
     }
     auto table = motion_.table(measurement_.variables_in(x), measurement_.offsets_in(x));
     if (!table) return;

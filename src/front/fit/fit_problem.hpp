@@ -19,7 +19,7 @@ public:
   [[nodiscard]] const FitData& data() const { return data_; }
   [[nodiscard]] const FitMotion& motion() const { return motion_; }
   [[nodiscard]] const std::vector<FitUnknown>& unknowns() const { return measurement_.unknowns(); }
-  [[nodiscard]] Eigen::Index size() const { return place(unknowns().size()); }
+  [[nodiscard]] Eigen::Index size() const { return eigen_index(unknowns().size()); }
   /// Row and column of each residual.
   struct Value {
     std::size_t row = 0;

@@ -57,8 +57,8 @@ private:
       FitReport::Number number;
       number.name = unknown.name;
       number.unit = unknown.unit;
-      number.after = solution_.x(place(i));
-      number.error = statistics_.errors(place(i));
+      number.after = solution_.x(eigen_index(i));
+      number.error = statistics_.errors(eigen_index(i));
       number.half = statistics_.quantile * number.error;
       number.at_bound = statistics_.at_bound[i];
       number.determined = statistics_.determined[i];
@@ -83,11 +83,11 @@ private:
       residual.where = data_.where[0].values[row];
       residual.column = column;
       residual.measured = data_.columns[column].values[row];
-      residual.fitted = residual.measured - solution_.residuals(place(i));
-      residual.weight = solution_.weights(place(i));
+      residual.fitted = residual.measured - solution_.residuals(eigen_index(i));
+      residual.weight = solution_.weights(eigen_index(i));
       const double noise = noise_of(column);
       residual.outlier =
-          !solution_.constant[column] && std::abs(solution_.residuals(place(i))) > kOutlier * noise;
+          !solution_.constant[column] && std::abs(solution_.residuals(eigen_index(i))) > kOutlier * noise;
       report_.residuals.push_back(residual);
     }
   }

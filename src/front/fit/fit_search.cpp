@@ -22,7 +22,7 @@ using Sizes = std::vector<double>;
 Sizes sizes_in(const FitProblem& problem, const Eigen::VectorXd& residuals, std::size_t column) {
   Sizes sizes;
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    if (problem.values()[i].column == column) sizes.push_back(std::abs(residuals(place(i))));
+    if (problem.values()[i].column == column) sizes.push_back(std::abs(residuals(eigen_index(i))));
   }
   std::sort(sizes.begin(), sizes.end());
   return sizes;
@@ -62,19 +62,19 @@ private:
     const std::size_t count = problem_.data().columns.size();
     solution_.constant.assign(count, false);
     if (!jacobian) return;
-    Eigen::VectorXd effects = Eigen::VectorXd::Zero(place(count));
+    Eigen::VectorXd effects = Eigen::VectorXd::Zero(eigen_index(count));
     const std::size_t variables = problem_.data().variables->variables.size();
     for (std::size_t i = 0; i < problem_.values().size(); ++i) {
       const std::size_t column = problem_.values()[i].column;
       for (Eigen::Index p = 0; p < problem_.size(); ++p) {
         const auto unknown = static_cast<std::size_t>(p);
         const double scale = unknown < variables ? problem_.motion().scale(unknown) : 1;
-        const double effect = std::abs((*jacobian)(place(i), p)) * scale / problem_.spread(column);
-        effects(place(column)) = std::max(effects(place(column)), effect);
+        const double effect = std::abs((*jacobian)(eigen_index(i), p)) * scale / problem_.spread(column);
+        effects(eigen_index(column)) = std::max(effects(eigen_index(column)), effect);
       }
     }
     for (std::size_t c = 0; c < count; ++c) {
-      solution_.constant[c] = effects(place(c)) <= kNoFitChange * effects.maxCoeff();
+      solution_.constant[c] = effects(eigen_index(c)) <= kNoFitChange * effects.maxCoeff();
     }
   }
 
@@ -109,10 +109,10 @@ private:
     }
     solution_.deviations = estimated;
     for (std::size_t i = 0; i < problem_.values().size(); ++i) {
-      const double u = solution_.residuals(place(i)) / solution_.noise[problem_.values()[i].column];
+      const double u = solution_.residuals(eigen_index(i)) / solution_.noise[problem_.values()[i].column];
       const double weight = weight_of(loss, u);
-      change = std::max(change, std::abs(weight - solution_.weights(place(i))));
-      solution_.weights(place(i)) = weight;
+      change = std::max(change, std::abs(weight - solution_.weights(eigen_index(i))));
+      solution_.weights(eigen_index(i)) = weight;
     }
     return change;
   }
@@ -176,13 +176,14 @@ double robust_noise(const FitProblem& problem, const Eigen::VectorXd& residuals,
 
 Eigen::VectorXd scales_of(const FitProblem& problem, const FitSolution& solution,
                           const Eigen::VectorXd& weights) {
-  Eigen::VectorXd scales(place(problem.values().size()));
+  Eigen::VectorXd scales(eigen_index(problem.values().size()));
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
     const std::size_t column = problem.values()[i].column;
-    scales(place(i)) =
+    scales(eigen_index(i)) =
         solution.constant[column]
             ? 0
-            : std::sqrt(problem.data().columns[column].weight * weights(place(i))) / solution.noise[column];
+            : std::sqrt(problem.data().columns[column].weight * weights(eigen_index(i))) /
+                  solution.noise[column];
   }
   return scales;
 }

@@ -84,7 +84,7 @@ private:
   }
 
   [[nodiscard]] bool is_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-    for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
+    for (Eigen::Index i = 0; i < eigen_index(problem_.data().variables->variables.size()); ++i) {
       if (std::abs(a(i) - b(i)) > kSameFitEnd * range(i)) return false;
     }
     return true;
@@ -96,7 +96,7 @@ private:
     double least = kInf;
     for (int k = 0; k < kCandidates && !stopped(); ++k) {
       std::vector<double> variables;
-      for (Eigen::Index i = 0; i < place(problem_.data().variables->variables.size()); ++i) {
+      for (Eigen::Index i = 0; i < eigen_index(problem_.data().variables->variables.size()); ++i) {
         const double share = random.uniform();
         const double low = problem_.low()(i), high = problem_.high()(i);
         const double at = problem_.data().variables->variables[i].range.start;
@@ -145,8 +145,8 @@ LeastSquaresFit minimise(const FitProblem& problem, const Eigen::VectorXd& from,
   options.iterations = kMostIterations;
   options.stop = stop;
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
-    options.rounding = std::max(options.rounding,
-                                kValueNoise * problem.largest(problem.values()[i].column) * scales(place(i)));
+    options.rounding = std::max(
+        options.rounding, kValueNoise * problem.largest(problem.values()[i].column) * scales(eigen_index(i)));
   }
   return least_squares(squares, from, options);
 }

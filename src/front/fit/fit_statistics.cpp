@@ -86,7 +86,7 @@ double variance_factor(const FitProblem& problem, const FitSolution& solution, i
   for (std::size_t i = 0; i < problem.values().size(); ++i) {
     const std::size_t column = problem.values()[i].column;
     if (solution.constant[column]) continue;
-    const double u = solution.residuals(place(i)) / solution.noise[column];
+    const double u = solution.residuals(eigen_index(i)) / solution.noise[column];
     const double root = std::sqrt(problem.data().columns[column].weight);
     square += std::pow(root * weight_of(loss, u) * u, 2);
     slopes += slope_of(loss, u);
@@ -141,14 +141,15 @@ void set_errors(const Eigen::MatrixXd& covariance, const std::vector<Eigen::Inde
   const auto is_determined = [&](std::size_t k) { return statistics.determined[free[k]]; };
   for (std::size_t k = 0; k < free.size(); ++k) {
     if (!is_determined(k)) continue;
-    statistics.errors(free[k]) = std::sqrt(covariance(place(k), place(k)));
+    statistics.errors(free[k]) = std::sqrt(covariance(eigen_index(k), eigen_index(k)));
     for (std::size_t l = 0; l < free.size(); ++l) {
       if (!is_determined(l)) continue;
-      const double product = covariance(place(k), place(k)) * covariance(place(l), place(l));
-      statistics.correlation(free[k], free[l]) = k == l ? 1
-                                                 : product > 0
-                                                     ? covariance(place(k), place(l)) / std::sqrt(product)
-                                                     : kNoValue;
+      const double product =
+          covariance(eigen_index(k), eigen_index(k)) * covariance(eigen_index(l), eigen_index(l));
+      statistics.correlation(free[k], free[l]) =
+          k == l        ? 1
+          : product > 0 ? covariance(eigen_index(k), eigen_index(l)) / std::sqrt(product)
+                        : kNoValue;
     }
   }
 }
