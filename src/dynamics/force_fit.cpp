@@ -16,15 +16,6 @@ namespace {
 // Number of positions on the path at which the usual size of the forces is determined; see kForceFloor.
 constexpr int kFloorSamples = 64;
 
-// Whether forces or their rates may be discontinuous at an event.
-bool breaks_forces(const RunEvent& event) {
-  return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint ||
-         event.type == EventType::kConforming || event.type == EventType::kSecondContact ||
-         event.type == EventType::kCurvatureJump || event.type == EventType::kCorner ||
-         event.type == EventType::kEnd || event.type == EventType::kEngage ||
-         event.type == EventType::kRelease;
-}
-
 std::vector<std::vector<double>> breaks_of(const Boundary& boundary) {
   std::vector<std::vector<double>> breaks;
   for (const SpanPtr& span : boundary.spans()) {
@@ -191,7 +182,7 @@ void ForceFitter::move(double to, ForceFit& fit) {
   path_.motion(to, drivers_);
   move_to(position_.run, drivers_);
   for (const RunEvent& event : position_.run.events) {
-    if (!fit.event && breaks_forces(event)) {
+    if (!fit.event && breaks_motion(event.type)) {
       const double at = path_.place_of(event.share, position_.at, to);
       const double near = kAtPieceEnd * longest_;
       const bool again =

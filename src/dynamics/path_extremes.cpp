@@ -23,11 +23,6 @@ constexpr double kMarks = 256;          // positions of the run that are kept to
 constexpr int kMostLost = 10;
 constexpr std::size_t kApproaches = 5;  // positions at which growth towards a singular one is judged
 
-// Whether quantities may jump at an event.
-bool is_break(const RunEvent& event) {
-  return event.type != EventType::kStrokeEnd && event.type != EventType::kOverlap;
-}
-
 // Whether rates next to an event grow without bound, or are rounding.
 bool is_singular(const RunEvent& event) {
   return event.type == EventType::kLimitPosition || event.type == EventType::kDeadPoint;
@@ -167,7 +162,7 @@ private:
       if (is_singular(event)) {
         part_at(place, at, kApartFromSingular * (at - was));
         skip = skip || at - place < kApartFromSingular * (at - was);
-      } else if (is_break(event)) {
+      } else if (breaks_motion(event.type)) {
         breaks.push_back(place);
       }
     }

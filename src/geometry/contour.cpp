@@ -1,17 +1,11 @@
 #include "higherpair/geometry/contour.hpp"
 
+#include "higherpair/numeric/overload.hpp"
+
 #include <Eigen/Geometry>
 
 namespace higherpair {
 namespace {
-
-// An overload set with one function for each kind of piece.
-template <class... Functions>
-struct Each : Functions... {
-  using Functions::operator()...;
-};
-template <class... Functions>
-Each(Functions...) -> Each<Functions...>;
 
 PieceEnd end_of_arc(const ArcPiece& arc, double angle) {
   const Vector2d e = unit_vector(angle);
@@ -45,31 +39,31 @@ PieceEnd end_at(const Span& span, double t) {
 }
 
 PieceEnd begin_of(const ContourPiece& piece) {
-  return std::visit(Each{[](const LinePiece& line) {
-                           return PieceEnd{line.from, (line.to - line.from).normalized()};
-                         },
-                         [](const ArcPiece& arc) { return end_of_arc(arc, arc.from); },
-                         [](const SpanPtr& span) { return end_at(*span, span->range().low); }},
+  return std::visit(Overload{[](const LinePiece& line) {
+                               return PieceEnd{line.from, (line.to - line.from).normalized()};
+                             },
+                             [](const ArcPiece& arc) { return end_of_arc(arc, arc.from); },
+                             [](const SpanPtr& span) { return end_at(*span, span->range().low); }},
                     piece);
 }
 
 PieceEnd end_of(const ContourPiece& piece) {
-  return std::visit(Each{[](const LinePiece& line) {
-                           return PieceEnd{line.to, (line.to - line.from).normalized()};
-                         },
-                         [](const ArcPiece& arc) { return end_of_arc(arc, arc.from + arc.sweep); },
-                         [](const SpanPtr& span) { return end_at(*span, span->range().high); }},
+  return std::visit(Overload{[](const LinePiece& line) {
+                               return PieceEnd{line.to, (line.to - line.from).normalized()};
+                             },
+                             [](const ArcPiece& arc) { return end_of_arc(arc, arc.from + arc.sweep); },
+                             [](const SpanPtr& span) { return end_at(*span, span->range().high); }},
                     piece);
 }
 
 ContourPiece reversed(const ContourPiece& piece) {
-  return std::visit(Each{[](const LinePiece& line) -> ContourPiece {
-                           return LinePiece{line.to, line.from};
-                         },
-                         [](const ArcPiece& arc) -> ContourPiece {
-                           return ArcPiece{arc.center, arc.radius, arc.from + arc.sweep, -arc.sweep};
-                         },
-                         [](const SpanPtr& span) -> ContourPiece { return reversed_span(span); }},
+  return std::visit(Overload{[](const LinePiece& line) -> ContourPiece {
+                               return LinePiece{line.to, line.from};
+                             },
+                             [](const ArcPiece& arc) -> ContourPiece {
+                               return ArcPiece{arc.center, arc.radius, arc.from + arc.sweep, -arc.sweep};
+                             },
+                             [](const SpanPtr& span) -> ContourPiece { return reversed_span(span); }},
                     piece);
 }
 
@@ -84,8 +78,8 @@ std::vector<ContourPiece> reversed(const std::vector<ContourPiece>& pieces) {
 
 SpanPtr span_of(const ContourPiece& piece) {
   return std::visit(
-      Each{[](const LinePiece& line) { return face_span(line.from, line.to); },
-           [](const ArcPiece& arc) { return arc_span(arc); }, [](const SpanPtr& span) { return span; }},
+      Overload{[](const LinePiece& line) { return face_span(line.from, line.to); },
+               [](const ArcPiece& arc) { return arc_span(arc); }, [](const SpanPtr& span) { return span; }},
       piece);
 }
 

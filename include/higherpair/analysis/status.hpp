@@ -40,6 +40,12 @@ enum class EventType {
   return type == EventType::kLimitPosition || type == EventType::kEnd;
 }
 
+/// Whether motion or forces may be less smooth at such an event of a run: rates may jump, or grow without
+/// bounds towards it.
+[[nodiscard]] constexpr bool breaks_motion(EventType type) {
+  return type != EventType::kStrokeEnd && type != EventType::kOverlap;
+}
+
 /// Whether the mechanism as described ends its path with such an event: the motion is lost, bodies overlap,
 /// or a contact would have to pull.
 [[nodiscard]] constexpr bool ends_path(EventType type) {

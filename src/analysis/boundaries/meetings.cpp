@@ -4,6 +4,7 @@
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -36,18 +37,6 @@ struct Seen {
 double gap_rate(const Pairing& at, const CommonNormal& normal) {
   return normal.n_W.dot(motion_at_place(at.body2, normal.p2_W).v_W -
                         motion_at_place(at.body1, normal.p1_W).v_W);
-}
-
-// The minimum of the cubic with these values and rates at its ends, sampled; it first falls and then rises.
-double least_of_cubic(const Seen& a, const Seen& b, double h) {
-  double least = std::min(a.gap, b.gap);
-  for (int k = 1; k < 8; ++k) {
-    const double t = k / 8.0;
-    const double u = 1 - t;
-    least = std::min(least, a.gap * u * u * (1 + 2 * t) + b.gap * t * t * (3 - 2 * t) +
-                                h * t * u * (a.rate * u - b.rate * t));
-  }
-  return least;
 }
 
 bool is_beside(const Boundary& boundary, int corner, int span) {
@@ -218,8 +207,11 @@ private:
       const auto x = root(gap, *highest, there->gap, to.x, b.gap, b);
       return met(x, x.value_or(0));
     }
-    const bool dips = a.rate * h < 0 && b.rate * h > 0;
-    if (!dips || least_of_cubic(a, b, h) > kWorthALook * std::min(a.gap, b.gap)) {
+    if (!(a.rate * h < 0 && b.rate * h > 0)) {
+      return {};
+    }
+    const HermiteCubic dip{a.gap, h * a.rate, b.gap, h * b.rate};
+    if (dip(dip.lowest_at()) > kWorthALook * std::min(a.gap, b.gap)) {
       return {};
     }
     const auto bottom = root(rate, from, a.rate, to.x, b.rate, b);

@@ -2,14 +2,13 @@
 
 #include "analysis/tolerances.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <boost/math/tools/minima.hpp>
 
 namespace higherpair {
 namespace {
@@ -20,13 +19,10 @@ double slowest_within(double v0, double a0, double v1, double a1, double h) {
   if (v0 * v1 <= 0 || !(v0 * a0 * h < 0 && v1 * a1 * h > 0)) {
     return 0;
   }
-  const auto speed = [&](double t) {
-    const double u = 1 - t;
-    return std::abs(v0) * u * u * (1 + 2 * t) + std::abs(v1) * t * t * (3 - 2 * t) +
-           (v0 > 0 ? 1 : -1) * h * t * u * (a0 * u - a1 * t);
-  };
-  const auto [t, least] = boost::math::tools::brent_find_minima(speed, 0.0, 1.0, 26);
-  return least <= kMayReverse * std::min(std::abs(v0), std::abs(v1)) ? t * h : 0;
+  const double per_step = v0 > 0 ? h : -h;
+  const HermiteCubic speed{std::abs(v0), per_step * a0, std::abs(v1), per_step * a1};
+  const double t = speed.lowest_at();
+  return speed(t) <= kMayReverse * std::min(std::abs(v0), std::abs(v1)) ? t * h : 0;
 }
 
 class StrokeEnds {
@@ -82,18 +78,12 @@ private:
     if (output.sense * before < 0 && std::abs(before) > slowest(output, fast)) {
       output.sense = -output.sense;  // by a jump to another contact, whose own event reports it
     }
-    if (std::abs(after) <= kSlowestOutput * fast) {
-      return;
-    }
     const int sense = after > 0 ? 1 : -1;
     const double slow = slowest(output, fast);
     if (output.sense == 0 && std::abs(before) > slow) {
       output.sense = before > 0 ? 1 : -1;
     }
-    if (sense == output.sense) {
-      return;
-    }
-    if (std::abs(after) <= slow) {
+    if (sense == output.sense || std::abs(after) <= slow) {
       return;
     }
     const bool reverses = output.sense != 0;

@@ -4,6 +4,7 @@
 #include "contact/touch/place_points.hpp"
 #include "contact/touch/stroke_end.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/numeric/hermite.hpp"
 #include "map_layout.hpp"
 #include "map_points.hpp"
 
@@ -201,13 +202,11 @@ private:
                                  double u) const {
     const double h = b.u - a.u;
     const double s = (u - a.u) / h;
-    const double bend = s * (1 - s) * h;
     ContactPosition at = a;
     at.u = u;
-    at.q = a.q + s * s * (3 - 2 * s) * (b.q - a.q) + bend * ((1 - s) * a.dq - s * b.dq);
-    const double turned = angle_between(a.n_W, b.n_W);
-    const double phi = s * s * (3 - 2 * s) * turned + bend * ((1 - s) * a.dphi - s * b.dphi);
-    at.n_W = Rotation<double>::from_angle(phi) * a.n_W;
+    at.q = a.q + HermiteCubic{0, h * a.dq, b.q - a.q, h * b.dq}(s);
+    const HermiteCubic phi{0, h * a.dphi, angle_between(a.n_W, b.n_W), h * b.dphi};
+    at.n_W = Rotation<double>::from_angle(phi(s)) * a.n_W;
     const bool placed = place_points(branch.opposed ? pair_ : with_other_side(pair_), at);
     return point_of(pair_, range_, branch.opposed, placed ? at : a);
   }
