@@ -129,6 +129,7 @@ Result<Model> Model::from_text(std::string_view text, const std::string& name,
 
 Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<DriverProgram> programs) {
   const std::string name = mechanism.title.empty() ? "mechanism" : mechanism.title;
+  undo_boundaries(mechanism);
   if (std::string fault = fault_of(mechanism); !fault.empty()) {
     return wrong({about(name, std::move(fault))});
   }
@@ -162,6 +163,7 @@ Result<Model> Model::with(std::span<const Setting> settings) const {
 }
 
 Result<Model> Model::with_mechanism(Mechanism mechanism) const {
+  undo_boundaries(mechanism);
   std::string fault = fault_of(mechanism);
   if (fault.empty() && mechanism.drivers.size() != data_->profile.programs.size()) {
     fault = fmt::format("{} drivers instead of {}: what they do would not be known", mechanism.drivers.size(),
@@ -175,6 +177,7 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
   }
   Profile profile =
       profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->name);
+  use_boundaries(profile.mechanism);
   if (same_structure(data_->profile.mechanism, profile.mechanism)) {
     profile.limits = data_->profile.limits;
   }

@@ -63,7 +63,52 @@ void make_own(Mechanism& mechanism, CurveRef& ref, const BoundaryRules& rules) {
   body.curves.push_back(std::move(own));
 }
 
+bool is_copy(const NamedCurve& curve) {
+  return curve.copy_of >= 0 && curve.parts.empty();
+}
+
+void move(int& index, const std::vector<int>& now) {
+  const bool there = index >= 0 && index < static_cast<int>(now.size());
+  index = there ? now[static_cast<std::size_t>(index)] : index;  // what refers to nothing is reported later
+}
+
+// Drops the copies; returns the new index of each curve, for a copy that of its original.
+std::vector<int> drop_copies(Body& body) {
+  std::vector<int> now;
+  int kept = 0;
+  for (const NamedCurve& curve : body.curves) {
+    now.push_back(is_copy(curve) ? -1 : kept++);
+  }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (is_copy(body.curves[i])) {
+      now[i] = body.curves[i].copy_of;
+      move(now[i], now);
+    }
+  }
+  std::erase_if(body.curves, is_copy);
+  return now;
+}
+
 }  // namespace
+
+void undo_boundaries(Mechanism& mechanism) {
+  std::vector<std::vector<int>> now;  // by body
+  for (Body& body : mechanism.bodies) {
+    now.push_back(drop_copies(body));
+    for (NamedCurve& curve : body.curves) {
+      curve.boundary = curve.parts.empty() ? curve.boundary : nullptr;
+      move(curve.copy_of, now.back());
+      std::for_each(curve.parts.begin(), curve.parts.end(), [&](int& part) { move(part, now.back()); });
+    }
+  }
+  for (Contact& contact : mechanism.contacts) {
+    contact.by_boundary = false;
+    for (CurveRef* ref : {&contact.first, &contact.second}) {
+      const auto body = static_cast<std::size_t>(ref->body);
+      if (body < now.size()) move(ref->curve, now[body]);
+    }
+  }
+}
 
 bool needs_boundaries(const Mechanism& mechanism, const Contact& contact) {
   const auto is_chain = [&](const CurveRef& ref) {

@@ -317,6 +317,56 @@ TEST(Model, NamesTheTableOfOneOfSeveralDriversThatIsProgrammedWrongly) {
   EXPECT_EQ(to_string(refused.error()), "four-bar: drivers.two.duration = -1: must be >= 0");
 }
 
+// The roller's own copy for the contact must follow it, whatever kept the contact: a chain or a possible gap.
+TEST(Model, WithAnotherCurveMovesAsTheProfileWithThatCurve) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{}, {R"(contacts.touch.keep="gap")", "bodies.follower.pose.y=32"}}) {
+    const Model cam = shipped_model("tangent_cam", overrides);
+    Mechanism changed = cam.mechanism();
+    Curve& roller = changed.bodies[2].curves[0].curve;
+    roller = make_circle(center(roller), 1.2 * roller.semi_latus).value();
+    const double radius = 1e3 * roller.semi_latus;
+    const Model built = cam.with_mechanism(changed).value();
+    const Model read = cam.with({{"bodies.follower.curves.roller.radius", radius}}).value();
+    const Motion a = built.run().value();
+    const Motion b = read.run().value();
+    ASSERT_EQ(a.size(), b.size());
+    for (const Column& column : a.columns()) {
+      const auto one = a.column(column.name);
+      const auto other = b.column(column.name);
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_NEAR(one[k], other[k], 1e-9 * (1 + std::abs(other[k]))) << column.name << " " << k;
+      }
+    }
+    EXPECT_EQ(built.mechanism().bodies[2].curves.size(), changed.bodies[2].curves.size());
+  }
+}
+
+// Contacts with copies of their curves, and with the joined curves of a whole body.
+TEST(Model, WithItsOwnMechanismMovesAsBefore) {
+  for (const char* name : {"tangent_cam", "geneva_four_slots", "groove_cam"}) {
+    const Model model = shipped_model(name);
+    const Model same = model.with_mechanism(model.mechanism()).value();
+    EXPECT_EQ(text_of(model.run().value()), text_of(same.run().value())) << name;
+  }
+}
+
+TEST(Model, WithAWholeConicInPlaceOfAChainNeedsNoBoundary) {
+  const Model chain = shipped_model("tangent_cam");
+  Mechanism changed = chain.mechanism();
+  for (Body& body : changed.bodies) {
+    for (NamedCurve& curve : body.curves) {
+      if (curve.boundary) curve = {curve.name, make_circle({0.005, 0}, 0.02).value()};
+    }
+  }
+  const Model model = chain.with_mechanism(changed).value();
+  EXPECT_FALSE(model.mechanism().contacts[0].by_boundary);
+  EXPECT_TRUE(model.run()->good());
+  Mechanism marked = model_of(kCam).mechanism();
+  marked.contacts[0].by_boundary = true;
+  EXPECT_TRUE(Model::from(marked)->run()->good());
+}
+
 // Mechanisms of every kind of curve, and contacts with copies and parts of them.
 TEST(Model, OfEveryShippedProfileCanBeBuiltFromItsMechanism) {
   for (const auto& entry : std::filesystem::directory_iterator(HIGHERPAIR_SOURCE_DIR "/profiles")) {

@@ -63,8 +63,9 @@ public:
     return with(std::span(settings.begin(), settings.size()));
   }
 
-  /// The same units and drivers with another mechanism, such as mechanism() with other dimensions. It counts
-  /// as built in C++: no text with keys belongs to it.
+  /// The same units and drivers with another mechanism, such as mechanism() with other dimensions or curves.
+  /// What a Model sets in a description is made anew. It counts as built in C++: no text with keys belongs to
+  /// it.
   [[nodiscard]] Result<Model> with_mechanism(Mechanism mechanism) const;
 
   /// Every number of the profile, in the order of the file; none for a model built in C++.

@@ -28,7 +28,7 @@ struct NamedCurve {
   /// line or point.
   std::shared_ptr<const Boundary> boundary = nullptr;
   /// Index of the original curve, or of the first of several, if this is a contact's own copy; else -1. Set
-  /// by Model: leave the default.
+  /// by Model, which makes copies anew: change the original.
   int copy_of = -1;
   /// Indices of the curves of the body that a contact takes as one, which is of kind kChain; else empty.
   std::vector<int> parts = {};
@@ -146,7 +146,7 @@ struct Contact {
   Keep keep = Keep::kTouching;
   bool both_sides = false;  ///< walls on both sides, as in a slot: the contact is held and may pull
   bool jump = true;         ///< continue with a second contact of the same curves when one appears
-  /// Located by places along the boundaries, which both curves have. Set by Model: leave the default.
+  /// Located by places along the boundaries, which both curves have. Set by Model, whatever it was before.
   bool by_boundary = false;
 };
 

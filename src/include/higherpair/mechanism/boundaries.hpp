@@ -12,6 +12,11 @@ namespace higherpair {
 /// \pre no curve given by its support function that becomes a boundary has cusps
 void use_boundaries(Mechanism& mechanism);
 
+/// Takes back what use_boundaries() has done to a description: contacts refer to the curves that their copies
+/// were made of, the copies are dropped, and curves of several parts are not joined yet. Indices that refer
+/// to nothing stay so.
+void undo_boundaries(Mechanism& mechanism);
+
 /// Whether use_boundaries() would prepare this contact.
 [[nodiscard]] bool needs_boundaries(const Mechanism& mechanism, const Contact& contact);
 
