@@ -1,9 +1,14 @@
 // Checks a mechanism that was built in C++ for what the reader of profiles ensures.
 #include "demands.hpp"
 #include "higherpair/cam/motion_law.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/pins.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "model_data.hpp"
 #include "tolerances.hpp"
 
@@ -38,6 +43,7 @@ public:
     }
     each("bodies", m_.bodies, [&](const std::string& at, const Body& body) { check(at, body); });
     each("joints", m_.joints, [&](const std::string& at, const Joint& joint) { check(at, joint); });
+    check_carriers();
     each("contacts", m_.contacts, [&](const std::string& at, const Contact& contact) { check(at, contact); });
     each("drivers", m_.drivers, [&](const std::string& at, const Driver& driver) { check(at, driver); });
     each("loads", m_.loads, [&](const std::string& at, const Load& load) { check(at, load); });
@@ -184,8 +190,9 @@ private:
     expect(!joint.from || !joint.to || *joint.from < *joint.to, at + ".from", "must be below `to`");
     expect(fits(joint.relative_angle), at + ".relative_angle", kFitRule);
     if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
-      expect(std::isfinite(joint.turning_ratio) && joint.turning_ratio != 0, at + ".turning_ratio",
-             "must be finite and not 0");
+      const double ratio = std::abs(joint.turning_ratio);
+      expect(ratio >= 1 / kLargestGearRatio && ratio <= kLargestGearRatio, at + ".turning_ratio",
+             "must be between 1e-9 and 1e9, or between -1e9 and -1e-9");
     }
     if (joint.teeth) {
       expect(joint.type == JointType::kGears && joint.turning_ratio != 1, at + ".teeth",
@@ -197,10 +204,28 @@ private:
     }
   }
 
+  // Of gears and belts, once all joints are known to refer to points that there are.
+  void check_carriers() {
+    const auto couples = [](const Joint& joint) { return couples_turning(joint.type); };
+    if (!found_.empty() || std::none_of(m_.joints.begin(), m_.joints.end(), couples)) return;
+    const std::vector<Pin> pins = find_pins(m_);
+    each("joints", m_.joints, [&](const std::string& at, const Joint& joint) {
+      expect(!couples(joint) || contains(carriers_of(m_, joint, pins), joint.carrier), at + ".carrier",
+             "expected a body that carries both wheels on pins at these points");
+    });
+  }
+
   void check(const std::string& at, const Contact& contact) {
     expect_name(contact.name, at);
     if (exists(at + ".first", contact.first) && exists(at + ".second", contact.second)) {
       expect(contact.first.body != contact.second.body, at, "is of a body with itself");
+      const Curve& first = curve_of(m_, contact.first);
+      const Curve& second = curve_of(m_, contact.second);
+      const std::string_view objection = why_no_contact(first, second);
+      expect(objection.empty(), at, std::string(objection));
+      expect(!contact.rolling || (contact.keep == Keep::kTouching && first.kind != CurveKind::kChain &&
+                                  second.kind != CurveKind::kChain),
+             at + ".rolling", "curves with ends, of several parts, or that may part slip");
       if (needs_boundaries(m_, contact)) {
         expect_no_cusps(at + ".first", contact.first);
         expect_no_cusps(at + ".second", contact.second);

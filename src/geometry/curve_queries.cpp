@@ -47,6 +47,10 @@ double for_samples(const Curve& curve, const F& take) {
   return step / 2;
 }
 
+bool is_concave(const Curve& curve) {
+  return radius_bounds(curve).high < 0;
+}
+
 }  // namespace
 
 Curve make_curve(const SupportCurve& support, std::size_t piece) {
@@ -93,6 +97,28 @@ Bounds radius_bounds(const Curve& curve) {
   const double flattest = curve.q > 0 ? curve.semi_latus / (curve.q * std::sqrt(curve.q)) : kInf;
   const Bounds rho{curve.semi_latus, flattest};
   return curve.side == Side::kInside ? rho : -rho;
+}
+
+std::string_view why_no_contact(const Curve& a, const Curve& b) {
+  if (a.kind == b.kind && !is_curved(a)) {
+    return is_line(a) ? "two lines cannot make a contact"
+                      : "two points cannot make a contact (join them by a revolute joint)";
+  }
+  if (is_concave(a) && is_concave(b)) {
+    return "two concave curves (side = \"outside\") cannot make a contact";
+  }
+  if (!is_concave(a) && !is_concave(b)) {
+    return "";
+  }
+  const Curve& hollow = is_concave(a) ? a : b;
+  const Curve& other = is_concave(a) ? b : a;
+  if (is_line(other)) {
+    return "a line cannot touch a concave curve (side = \"outside\")";
+  }
+  if (radius_bounds(other).low + radius_bounds(hollow).low > 0) {
+    return "the convex curve is nowhere sharp enough to fit into the concave one (side = \"outside\")";
+  }
+  return "";
 }
 
 Bounds radius_bounds(const PlacedCurve<double>& curve, const Vector2d& n_W, const Rotation<double>& half) {

@@ -46,8 +46,6 @@ inline constexpr double kOneCircle = 1e-12;
 
 // Gears.
 
-/// With larger ratios a whole turn of one wheel is within the rounding of the other's angle.
-inline constexpr double kLargestGearRatio = 1e9;
 /// Relative to the sum of the distances of two points from the origin: closer points count as one.
 inline constexpr double kSameGearPoint = 1e-12;
 /// Relative to the base radius: base circles and centres that differ by less are the same.

@@ -2,6 +2,7 @@
 
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
+#include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,6 +40,16 @@ void merge(std::vector<Pin>& pins, std::size_t into, std::size_t from) {
   pins.erase(pins.begin() + static_cast<std::ptrdiff_t>(from));
 }
 
+// The bodies pinned to a wheel at its centre, without the wheel itself; empty if nothing is pinned there.
+std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechanism, const PointRef& wheel) {
+  const auto pin = pin_with(pins, {wheel.body, point_of(mechanism, wheel)});
+  std::vector<int> bodies;
+  for (const BodyPoint& end : pin ? pins[*pin].ends : std::vector<BodyPoint>{}) {
+    if (end.body != wheel.body) bodies.push_back(end.body);
+  }
+  return bodies;
+}
+
 }  // namespace
 
 std::vector<Pin> find_pins(const Mechanism& mechanism) {
@@ -70,6 +81,17 @@ std::vector<Pin> find_pins(const Mechanism& mechanism) {
               [](const BodyPoint& a, const BodyPoint& b) { return a.body < b.body; });
   }
   return pins;
+}
+
+std::vector<int> carriers_of(const Mechanism& mechanism, const Joint& wheels, const std::vector<Pin>& pins) {
+  const std::vector<int> first = bodies_at(pins, mechanism, wheels.first);
+  std::vector<int> common;
+  for (const int body : bodies_at(pins, mechanism, wheels.second)) {
+    if (body != wheels.first.body && body != wheels.second.body && contains(first, body)) {
+      common.push_back(body);
+    }
+  }
+  return common;
 }
 
 }  // namespace higherpair

@@ -210,6 +210,56 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
             "four-bar: Units::angle = m: is the unit of a length, expected that of an angle");
 }
 
+// Two wheels of radii 10 and 30 mm on pins in ground.
+Mechanism gear_pair() {
+  Mechanism m;
+  m.title = "pair";
+  const int one = add_body(m, "one"), two = add_body(m, "two", {0.040, 0});
+  const PointRef A = add_point(m, one, "A", {0, 0}), B = add_point(m, two, "B", {0, 0});
+  add_driver(m, add_revolute(m, "a", add_point(m, kGround, "A", {0, 0}), A));
+  add_revolute(m, "b", add_point(m, kGround, "B", {0.040, 0}), B);
+  Joint mesh;
+  mesh.name = "mesh";
+  mesh.type = JointType::kGears;
+  mesh.first = A;
+  mesh.second = B;
+  mesh.turning_ratio = -1.0 / 3;
+  m.joints.push_back(mesh);
+  return m;
+}
+
+TEST(Model, OfGearsThatNothingCarriesNamesTheCarrier) {
+  const auto refusal = [](const std::function<void(Mechanism&)>& change) {
+    Mechanism m = gear_pair();
+    change(m);
+    const auto refused = Model::from(m);
+    return refused ? "" : to_string(refused.error());
+  };
+  const std::string rule =
+      "pair: joints.mesh.carrier: expected a body that carries both wheels on pins at these points";
+  EXPECT_EQ(refusal([](Mechanism&) {}), "");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].carrier = 1; }), rule);
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].second = add_point(m, 2, "off", {0.010, 0}); }), rule);
+  for (const double ratio : {0.0, 1e10, -1e-10, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(refusal([&](Mechanism& m) { m.joints[2].turning_ratio = ratio; }),
+              "pair: joints.mesh.turning_ratio: must be between 1e-9 and 1e9, or between -1e9 and -1e-9");
+  }
+}
+
+TEST(Model, OfCurvesThatCannotTouchSaysWhy) {
+  Mechanism cam = model_of(kCam).mechanism();
+  cam.title = "cam";
+  cam.bodies[1].curves[0].curve = make_circle({0.01, 0}, 0.03, Side::kOutside).value();
+  EXPECT_EQ(to_string(Model::from(cam).error()),
+            "cam: contacts.touch: a line cannot touch a concave curve (side = \"outside\")");
+  Mechanism rolling = model_of(kCam).mechanism();
+  rolling.title = "cam";
+  rolling.contacts[0].rolling = true;
+  rolling.contacts[0].keep = Keep::kGap;
+  EXPECT_EQ(to_string(Model::from(rolling).error()),
+            "cam: contacts.touch.rolling: curves with ends, of several parts, or that may part slip");
+}
+
 TEST(Model, ThatIsBuiltWithANumberBeyondItsRangeNamesIt) {
   static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   static constexpr double kInf = std::numeric_limits<double>::infinity();

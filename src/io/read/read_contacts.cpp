@@ -11,34 +11,6 @@ namespace {
 constexpr std::array<Approach, 3> kApproaches = {Approach::kNearest, Approach::kPositive,
                                                  Approach::kNegative};
 
-bool is_concave(const Curve& curve) {
-  return radius_bounds(curve).high < 0;
-}
-
-// Why two curves cannot touch anywhere without overlapping; empty if they can. Near a contact point the
-// bodies are apart only if the sum of the curvatures is not negative.
-std::string_view why_no_contact(const Curve& a, const Curve& b) {
-  if (a.kind == b.kind && !is_curved(a)) {
-    return is_line(a) ? "two lines cannot make a contact"
-                      : "two points cannot make a contact (join them by a revolute joint)";
-  }
-  if (is_concave(a) && is_concave(b)) {
-    return "two concave curves (side = \"outside\") cannot make a contact";
-  }
-  if (!is_concave(a) && !is_concave(b)) {
-    return "";
-  }
-  const Curve& hollow = is_concave(a) ? a : b;
-  const Curve& other = is_concave(a) ? b : a;
-  if (is_line(other)) {
-    return "a line cannot touch a concave curve (side = \"outside\")";
-  }
-  if (radius_bounds(other).low + radius_bounds(hollow).low > 0) {
-    return "the convex curve is nowhere sharp enough to fit into the concave one (side = \"outside\")";
-  }
-  return "";
-}
-
 void read_ends(TableReader& table, Mechanism& mechanism, Contact& contact) {
   const auto item = table.need("between", "two curves, [\"body.curve\", \"body.curve\"]");
   const auto pair = item ? as_curve_pair(table.reading(), *item, mechanism) : std::nullopt;

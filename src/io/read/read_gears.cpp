@@ -2,6 +2,7 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan_text.hpp"
+#include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "io/tolerances.hpp"
 #include "reading.hpp"
@@ -17,35 +18,10 @@ bool is_same_point(const Vector2d& a, const Vector2d& b) {
   return (a - b).norm() <= kSameGearPoint * (a.norm() + b.norm());
 }
 
-// The bodies pinned to a wheel at its centre, without the wheel itself; empty if nothing is pinned there.
-std::vector<int> bodies_at(const std::vector<Pin>& pins, const Mechanism& mechanism, const PointRef& wheel) {
-  const Vector2d center_B = point_of(mechanism, wheel);
-  const auto is_wheel = [&](const BodyPoint& end) {
-    return end.body == wheel.body && is_same_point(end.p_B, center_B);
-  };
-  std::vector<int> bodies;
-  for (const Pin& pin : pins) {
-    if (std::any_of(pin.ends.begin(), pin.ends.end(), is_wheel)) {
-      for (const BodyPoint& end : pin.ends) {
-        if (end.body != wheel.body) {
-          bodies.push_back(end.body);
-        }
-      }
-    }
-  }
-  return bodies;
-}
-
 std::optional<int> find_carrier(Reading& reading, const PendingGears& gears, const std::vector<Pin>& pins,
                                 const Mechanism& mechanism) {
   const Joint& joint = mechanism.joints[gears.joint];
-  const std::vector<int> first = bodies_at(pins, mechanism, joint.first);
-  std::vector<int> common;
-  for (const int body : bodies_at(pins, mechanism, joint.second)) {
-    if (body != joint.first.body && body != joint.second.body && contains(first, body)) {
-      common.push_back(body);
-    }
-  }
+  const std::vector<int> common = carriers_of(mechanism, joint, pins);
   if (gears.carrier) {
     const auto named = as_body(reading, *gears.carrier, mechanism);
     if (named && !contains(common, *named)) {

@@ -3,6 +3,7 @@
 #include "higherpair/geometry/support.hpp"
 
 #include <optional>
+#include <string_view>
 
 namespace higherpair {
 
@@ -20,6 +21,10 @@ namespace higherpair {
 
 /// Bounds of the signed radius of curvature over the whole curve [m]: +∞ for a line, 0 for a point.
 [[nodiscard]] Bounds radius_bounds(const Curve& curve);
+
+/// Why two curves cannot touch anywhere without overlapping; empty if they can. Near a contact point the
+/// bodies are apart only if the sum of the curvatures is not negative.
+[[nodiscard]] std::string_view why_no_contact(const Curve& a, const Curve& b);
 
 /// Bounds of the signed radius of curvature over the outward normals within `half` (at most 45°) of n_W [m].
 /// Not for lines.

@@ -16,4 +16,9 @@ struct Pin {
 /// than 1e-12 of their distance from the frame's origin.
 [[nodiscard]] std::vector<Pin> find_pins(const Mechanism& mechanism);
 
+/// The bodies to which both wheels of gears or a belt are pinned at their centres: one of them is the
+/// carrier.
+[[nodiscard]] std::vector<int> carriers_of(const Mechanism& mechanism, const Joint& wheels,
+                                           const std::vector<Pin>& pins);
+
 }  // namespace higherpair

@@ -16,6 +16,8 @@ inline constexpr double kLeastSize = 1e-12;
 inline constexpr double kLeastOfTravel = 1e-4;
 /// Two points of a body are the same if they differ by no more than this fraction of their coordinates.
 inline constexpr double kSameBodyPoint = 1e-12;
+/// With larger ratios a whole turn of one wheel is within the rounding of the other's angle.
+inline constexpr double kLargestGearRatio = 1e9;
 /// How far lines and open conics are followed, relative to the size of the mechanism.
 inline constexpr double kReachOfOpenCurves = 10;
 
