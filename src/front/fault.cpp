@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -55,12 +56,14 @@ public:
 
 private:
   template <class Items, class Check>
-  void each(const std::string& room, const Items& items, const Check& check_one) {
+  void each(std::string_view room, const Items& items, const Check& check_one) {
+    std::set<std::string_view> names;
     for (std::size_t i = 0; i < items.size() && found_.empty(); ++i) {
       const std::string& name = items[i].name;
-      check_one(name.empty() ? fmt::format("{}[{}]", room, i)
-                             : fmt::format("{}.{}", room, io_detail::visible(name)),
-                items[i]);
+      const std::string at = name.empty() ? fmt::format("{}[{}]", room, i)
+                                          : fmt::format("{}.{}", room, io_detail::visible(name));
+      expect(name.empty() || names.insert(name).second, at, "another one has the same name");
+      check_one(at, items[i]);
     }
   }
 
@@ -97,18 +100,16 @@ private:
 
   void check(const std::string& at, const Body& body) {
     expect_name(body.name, at);
-    expect(fits(body.guess_p_WB) && fits(body.guess_theta), at + ".pose", kFitRule);
-    for (const NamedPoint& point : body.points) {
-      const std::string where = fmt::format("{}.points.{}", at, io_detail::visible(point.name));
+    expect(fits(body.guess_p_WB), at + ".pose", kFitRule);
+    expect(is_sharp_angle(body.guess_theta), at + ".pose", "its angle must be at most 1e9 turns");
+    each(at + ".points", body.points, [&](const std::string& where, const NamedPoint& point) {
       expect_name(point.name, where);
       expect(fits(point.p_B), where, kFitRule);
-    }
-    for (std::size_t i = 0; i < body.curves.size(); ++i) {
-      const std::string& name = body.curves[i].name;
-      check(name.empty() ? fmt::format("{}.curves[{}]", at, i)
-                         : fmt::format("{}.curves.{}", at, io_detail::visible(name)),
-            body.curves[i], body);
-    }
+    });
+    each(at + ".curves", body.curves,
+         [&](const std::string& where, const NamedCurve& curve) { check(where, curve, body); });
+    const bool rests = body.guess_p_WB.isZero(0) && body.guess_theta == 0 && !body.mass;
+    expect(&body != &m_.bodies.front() || rests, at, "ground never moves: it has no pose and no mass");
     if (body.mass) {
       expect(fits(body.mass->mass) && fits(body.mass->inertia) && fits(body.mass->center_of_mass_B),
              at + ".mass", kFitRule);
@@ -118,9 +119,10 @@ private:
 
   void check(const std::string& at, const NamedCurve& named, const Body& body) {
     const Curve& curve = named.curve;
-    expect(curve.vertex_B.allFinite() && std::isfinite(curve.semi_latus) && std::isfinite(curve.q) &&
+    if (named.parts.empty()) expect_name(named.name, at);
+    expect(fits(curve.vertex_B) && fits(curve.semi_latus) && std::isfinite(curve.q) &&
                std::isfinite(curve.slope),
-           at, "must be finite");
+           at, kFitRule);
     expect(std::abs(curve.axis_B.norm() - 1) <= kUnitDirection, at + ".axis_B", "must be a unit vector");
     expect(named.parts.empty() || curve.kind == CurveKind::kChain, at, "has parts and must be a chain");
     switch (curve.kind) {
@@ -188,7 +190,7 @@ private:
     expect(fits(joint.from.value_or(0)), at + ".from", kFitRule);
     expect(fits(joint.to.value_or(0)), at + ".to", kFitRule);
     expect(!joint.from || !joint.to || *joint.from < *joint.to, at + ".from", "must be below `to`");
-    expect(fits(joint.relative_angle), at + ".relative_angle", kFitRule);
+    expect(is_sharp_angle(joint.relative_angle), at + ".relative_angle", "must be at most 1e9 turns");
     if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
       const double ratio = std::abs(joint.turning_ratio);
       expect(ratio >= 1 / kLargestGearRatio && ratio <= kLargestGearRatio, at + ".turning_ratio",
@@ -249,7 +251,7 @@ private:
   }
 
   void check(const std::string& at, const Driver& driver) {
-    found_ = no_such(at + ".joint", driver.joint, m_.joints, "joints");
+    found_ = found_.empty() ? no_such(at + ".joint", driver.joint, m_.joints, "joints") : found_;
     if (!found_.empty()) {
       return;
     }
@@ -263,17 +265,23 @@ private:
   }
 
   void check(const std::string& at, const Load& load) {
+    expect_name(load.name, at);
     (void)exists(at + ".body", load.body);
     expect(fits(load.p_B) && fits(load.force) && fits(load.torque), at, kFitRule);
   }
 
   void check(const std::string& at, const Spring& spring) {
+    expect_name(spring.name, at);
     if (spring.joint) {
-      found_ = no_such(at + ".joint", *spring.joint, m_.joints, "joints");
+      found_ = found_.empty() ? no_such(at + ".joint", *spring.joint, m_.joints, "joints") : found_;
+      expect(!found_.empty() || !couples_turning(m_.joints[*spring.joint].type), at + ".joint",
+             "gears and belts have no spring");
     } else if (exists(at + ".first", spring.first)) {
       (void)exists(at + ".second", spring.second);
     }
     expect(fits(spring.stiffness) && fits(spring.free) && fits(spring.damping), at, kFitRule);
+    expect(spring.stiffness >= 0 && spring.damping >= 0, at, "stiffness and damping must be >= 0");
+    expect(spring.joint || spring.free >= 0, at + ".free", "a length must be >= 0");
   }
 
   void check(const std::string& at, const LawDescription& law) {

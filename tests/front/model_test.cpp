@@ -246,6 +246,49 @@ TEST(Model, OfGearsThatNothingCarriesNamesTheCarrier) {
   }
 }
 
+TEST(Model, ThatIsBuiltIsHeldToTheRulesOfProfiles) {
+  const auto refusal = [](const std::function<void(Mechanism&)>& change) {
+    Mechanism m = four_bar();
+    change(m);
+    const auto refused = Model::from(m);
+    return refused ? "" : to_string(refused.error());
+  };
+  const auto spring = [&](const Spring& added) {
+    return refusal([&](Mechanism& m) { m.springs.push_back(added); });
+  };
+  EXPECT_EQ(spring({"s", 3, {}, {}, 1, 0, 1}), "");
+  EXPECT_EQ(spring({"s", 3, {}, {}, -1, 0, 1}), "four-bar: springs.s: stiffness and damping must be >= 0");
+  EXPECT_EQ(spring({"s", 3, {}, {}, 1, 0, -1}), "four-bar: springs.s: stiffness and damping must be >= 0");
+  EXPECT_EQ(spring({"", 3, {}, {}, 1, 0, 0}), "four-bar: springs[0]: needs a name");
+  EXPECT_EQ(spring({"s", {}, {0, 0}, {1, 0}, 1, -1, 0}), "four-bar: springs.s.free: a length must be >= 0");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.loads = {{"", 1}}; }), "four-bar: loads[0]: needs a name");
+  EXPECT_EQ(refusal([](Mechanism& m) {
+              m.loads = {{"push", 1}, {"push", 2}};
+            }),
+            "four-bar: loads.push: another one has the same name");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[2].name = "crank"; }),
+            "four-bar: bodies.crank: another one has the same name");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].name = "a"; }),
+            "four-bar: joints.a: another one has the same name");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].points[1].name = "A"; }),
+            "four-bar: bodies.crank.points.A: another one has the same name");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[1].relative_angle = 1e40; }),
+            "four-bar: joints.b.relative_angle: must be at most 1e9 turns");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[0].mass.emplace(); }),
+            "four-bar: bodies.ground: ground never moves: it has no pose and no mass");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[0].guess_theta = 1; }),
+            "four-bar: bodies.ground: ground never moves: it has no pose and no mass");
+  const auto curve = [&](const std::string& name, double radius) {
+    return refusal([&](Mechanism& m) { add_curve(m, 1, name, make_circle({0, 0}, radius).value()); });
+  };
+  EXPECT_EQ(curve("", 1), "four-bar: bodies.crank.curves[0]: needs a name");
+  EXPECT_THAT(curve("a b", 1), HasSubstr("four-bar: bodies.crank.curves.a b: a name begins"));
+  EXPECT_THAT(curve("disc", 1e51), HasSubstr("bodies.crank.curves.disc: must be finite, and at most 1e50"));
+  Mechanism geared = gear_pair();
+  geared.springs.push_back({"s", 2, {}, {}, 1, 0, 0});
+  EXPECT_EQ(to_string(Model::from(geared).error()), "pair: springs.s.joint: gears and belts have no spring");
+}
+
 TEST(Model, OfCurvesThatCannotTouchSaysWhy) {
   Mechanism cam = model_of(kCam).mechanism();
   cam.title = "cam";
@@ -289,8 +332,8 @@ TEST(Model, ThatIsBuiltWithANumberBeyondItsRangeNamesIt) {
     EXPECT_EQ(refusal([&](Mechanism& m) { m.bodies[1].points[0].p_B.y() = bad; }),
               "cam: bodies.cam.points.O" + beyond);
   }
-  EXPECT_EQ(of_curve([](Curve& c) { c.vertex_B.x() = kNan; }), "cam: bodies.cam.curves.disc: must be finite");
-  EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = kInf; }), "cam: bodies.cam.curves.disc: must be finite");
+  EXPECT_EQ(of_curve([](Curve& c) { c.vertex_B.x() = kNan; }), "cam: bodies.cam.curves.disc" + beyond);
+  EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = kInf; }), "cam: bodies.cam.curves.disc" + beyond);
   EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = -0.03; }),
             "cam: bodies.cam.curves.disc.semi_latus: must be > 0");
   EXPECT_EQ(of_curve([](Curve& c) {

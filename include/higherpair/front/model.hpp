@@ -49,8 +49,8 @@ public:
                                                std::span<const std::string> overrides = {});
 
   /// A mechanism built in C++, for example with the functions of mechanism/description.hpp. Fails if an index
-  /// refers to nothing, or a number is not finite, beyond kLargestQuantity, or not as its member says (a unit
-  /// vector, > 0); the message names it.
+  /// refers to nothing, a name is missing, illegal or not unique among its kind, or a number is not finite,
+  /// beyond kLargestQuantity, or not as its member says (a unit vector, > 0); the message names it.
   /// \param units     of columns and of `programs`; the mechanism itself is in SI units and radians
   /// \param programs  the motion of each driver; empty: default_program for each
   [[nodiscard]] static Result<Model> from(Mechanism mechanism, const Units& units = {},
