@@ -144,6 +144,10 @@ private:
         expect(curve.semi_latus > 0, at + ".semi_latus", "must be > 0");
     }
     check_references(at, named, body.curves);
+    for (std::size_t k = 0; named.boundary && found_.empty() && k < named.boundary->spans().size(); ++k) {
+      const std::string rule = fault_of(*named.boundary->spans()[k]);
+      expect(rule.empty(), fmt::format("{}, span {}", at, k), rule);
+    }
   }
 
   // Values that are no numbers, or bounds that do not hold, would keep every search from ending.

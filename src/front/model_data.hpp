@@ -70,4 +70,8 @@ void set_travels(Profile& profile);
 /// The first of the units that is one of another quantity, as "Units::angle = m: …"; empty if there is none.
 [[nodiscard]] std::string fault_of(const Units& units);
 
+/// What is wrong with the values of a span, looked at in a few places: "its values must be finite"; empty if
+/// nothing is.
+[[nodiscard]] std::string fault_of(const Span& span);
+
 }  // namespace higherpair

@@ -40,6 +40,15 @@ inline constexpr double kUnitDirection = 1e-9;
 inline constexpr int kSupportSamples = 16;
 /// By how much its radius of curvature may miss its bounds through rounding, relative to its size.
 inline constexpr double kSupportRounding = 1e-12;
+/// Places in which a span is looked at, where in a part they are, the step of differences there, as a
+/// fraction of the span's range ...
+inline constexpr int kSpanSamples = 16;
+inline constexpr double kSpanPlace = 0.43;
+inline constexpr double kSpanStep = 1e-6;
+/// ... the rounding of its values, relative to the farthest point for points, and how far differences and
+/// rates may differ, relative to the largest rate.
+inline constexpr double kSpanRounding = 1e-11;
+inline constexpr double kSpanMismatch = 0.02;
 
 // Results of a path.
 

@@ -289,6 +289,48 @@ TEST(Model, ThatIsBuiltIsHeldToTheRulesOfProfiles) {
   EXPECT_EQ(to_string(Model::from(geared).error()), "pair: springs.s.joint: gears and belts have no spring");
 }
 
+// An ellipse of 30 and 20 mm whose values a test spoils.
+class SpoiltEllipse final : public Span {
+public:
+  explicit SpoiltEllipse(std::function<void(double, SpanPoint&)> spoil) : spoil_(std::move(spoil)) {}
+  [[nodiscard]] Bounds range() const override { return {0, 2 * kPi}; }
+  [[nodiscard]] SpanPoint at(double t) const override {
+    constexpr double a = 0.03, b = 0.02;
+    const double s = std::sin(t), c = std::cos(t);
+    const double speed = std::hypot(a * s, b * c);
+    SpanPoint point{{a * c, b * s}, {b * c / speed, a * s / speed}, a * b / std::pow(speed, 3), 0, speed};
+    point.slope = -3 * a * b * (a * a - b * b) * s * c / std::pow(speed, 6);
+    spoil_(t, point);
+    return point;
+  }
+
+private:
+  std::function<void(double, SpanPoint&)> spoil_;
+};
+
+TEST(Model, WithASpanWhoseValuesDoNotBelongTogetherIsRefused) {
+  const auto refusal = [](const std::function<void(double, SpanPoint&)>& spoil) {
+    Mechanism cam = model_of(kCam).mechanism();
+    cam.title = "cam";
+    auto boundary = Boundary::make({std::make_shared<SpoiltEllipse>(spoil)}, true, 1e-6);
+    cam.contacts[0].first = add_curve(cam, 1, "oval", std::move(boundary).value());
+    const auto refused = Model::from(cam);
+    return refused ? "" : to_string(refused.error());
+  };
+  const std::string at = "cam: bodies.cam.curves.oval, span 0: its ";
+  const std::string path = "points must move at its speed along its normal turned +90 degrees";
+  EXPECT_EQ(refusal([](double, SpanPoint&) {}), "");
+  EXPECT_EQ(refusal([](double, SpanPoint& p) { p.kappa *= 1.5; }),
+            at + "curvature is not that with which its normal turns");
+  EXPECT_EQ(refusal([](double t, SpanPoint& p) {
+              if (t > 3.1) p.kappa = std::numeric_limits<double>::quiet_NaN();
+            }),
+            at + "values must be finite");
+  EXPECT_EQ(refusal([](double, SpanPoint& p) { p.n_B *= 2; }), at + "normal must be a unit vector");
+  EXPECT_EQ(refusal([](double, SpanPoint& p) { p.n_B = -p.n_B; }), at + path);
+  EXPECT_EQ(refusal([](double, SpanPoint& p) { p.speed *= 2; }), at + path);
+}
+
 TEST(Model, OfCurvesThatCannotTouchSaysWhy) {
   Mechanism cam = model_of(kCam).mechanism();
   cam.title = "cam";
