@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <tbb/global_control.h>
@@ -9,9 +10,12 @@
 
 namespace higherpair {
 
-/// Number of threads to use; 0 means as many as there are usable cores.
+/// More threads than this are not used: each needs memory.
+inline constexpr int kMostThreads = 1024;
+
+/// Number of threads to use; 0 or less means as many as there are usable cores.
 [[nodiscard]] inline int thread_count(int wanted) {
-  return wanted > 0 ? wanted : tbb::info::default_concurrency();
+  return wanted > 0 ? std::min(wanted, kMostThreads) : tbb::info::default_concurrency();
 }
 
 /// Does the work on this many threads, which may be more than there are cores.
@@ -24,7 +28,8 @@ void on_threads(int threads, const Work& work) {
   tbb::task_arena(threads).execute(work);
 }
 
-/// Calls f(0) to f(count - 1), in any order, on this many threads; 0 means as many as there are usable cores.
+/// Calls f(0) to f(count - 1), in any order, on this many threads; 0 or less means as many as there are
+/// usable cores.
 template <class F>
 void for_each_on_threads(std::size_t count, int threads, const F& f) {
   on_threads(thread_count(threads), [&] { tbb::parallel_for(std::size_t{0}, count, f); });

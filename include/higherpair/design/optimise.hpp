@@ -108,7 +108,7 @@ struct DesignSearchEnd {
 struct DesignRun {
   /// > 0: the searches end after this time with the best so far, which then depends on the machine.
   double seconds = 0;
-  int threads = 0;                          ///< 0: all; makes no difference to the result
+  int threads = 0;  ///< 0 or less: all, at most 1024; makes no difference to the result
   const std::atomic<bool>* stop = nullptr;  ///< once true, the best so far is returned
   /// Called from the caller's thread, from time to time.
   std::function<void(const DesignProgress&)> progress;

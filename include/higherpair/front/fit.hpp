@@ -33,7 +33,7 @@ struct FitSettings {
                                      ///< profile
   std::optional<int> starts;         ///< number of searches, >= 1
   std::optional<std::uint64_t> seed;
-  int threads = 0;  ///< 0: all cores; does not affect the result
+  int threads = 0;  ///< 0 or less: all cores, at most 1024; does not affect the result
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const FitProgress&)> progress;  ///< called by one thread at a time; may be empty
 };

@@ -199,7 +199,7 @@ using BlockTexts = std::vector<std::string>;
 /// the number of threads; events() and the other queries of the analysis then answer as after its last row.
 /// Memory does not grow with the number of rows. Ends early if `take` returns false or the run is stopped.
 /// \pre no row of the analysis has been taken
-/// \param threads  number of threads; 0: one for each available core
+/// \param threads  number of threads, at most 1024; 0 or less: one for each available core
 /// \param texts    makes the texts of a block; called on any thread, several at once. It gets the strings
 ///                 that it left for an earlier block, emptied, to reuse their memory
 /// \param take     receives the blocks and their texts in order, one at a time; returning false ends the run

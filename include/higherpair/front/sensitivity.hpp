@@ -31,7 +31,7 @@ struct SensitivitySettings {
   /// Paths or globs ("bodies.*") of the numbers by which to differentiate. Empty: those of [tolerances], else
   /// the variables of [design], else every number of bodies, joints, loads, springs and gravity.
   std::vector<std::string> by;
-  int threads = 0;                          ///< number of threads; 0: one for each available core
+  int threads = 0;                          ///< at most 1024; 0 or less: one for each available core
   const std::atomic<bool>* stop = nullptr;  ///< as RunSettings::stop
 };
 
@@ -197,7 +197,7 @@ inline constexpr std::int64_t kMostToleranceVariants = 100'000'000;
 struct ToleranceVariantSettings {
   std::int64_t count = 100'000;  ///< from 1 to kMostToleranceVariants
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: one for each available core
+  int threads = 0;  ///< at most 1024; 0 or less: one for each available core
   std::optional<std::int64_t> samples;
   double tolerance = 1e-9;
   const std::atomic<bool>* stop = nullptr;

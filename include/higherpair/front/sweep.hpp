@@ -85,7 +85,7 @@ private:
 
 /// Computes the blocks from `first` on, on several threads at once, and passes them to `take` in order, one
 /// at a time. Ends early if `take` returns false or the sweep is stopped.
-/// \param threads  number of threads; 0: one for each available core
+/// \param threads  number of threads, at most 1024; 0 or less: one for each available core
 void run_sweep(const Sweep& sweep, std::int64_t first, int threads,
                const std::function<bool(const SweepBlock&)>& take);
 
