@@ -221,6 +221,24 @@ private:
   std::vector<Vector2d> ink_;
 };
 
+// With the usual numbers in place of those with which nothing can be drawn.
+DrawSettings usable(DrawSettings settings) {
+  constexpr double kMost = 1e100;  // a picture of this size has numbers that a double holds
+  const DrawSettings usual;
+  const auto use = [](double& number, double otherwise) {
+    number = number >= 1 / kMost && number <= kMost ? number : otherwise;
+  };
+  use(settings.width, usual.width);
+  use(settings.most_height, usual.most_height);
+  for (PictureUnit DrawSettings::*unit :
+       {&DrawSettings::length, &DrawSettings::velocity, &DrawSettings::acceleration, &DrawSettings::force,
+        &DrawSettings::torque}) {
+    use((settings.*unit).si, (usual.*unit).si);
+  }
+  std::erase_if(settings.targets, [](const Vector2d& target) { return !target.allFinite(); });
+  return settings;
+}
+
 }  // namespace
 
 std::vector<Role> default_layers() {
@@ -229,8 +247,9 @@ std::vector<Role> default_layers() {
           Role::kLinkage, Role::kTrace,   Role::kLabel};
 }
 
-std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings) {
+std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   assert(!scenes.empty());
+  const DrawSettings settings = usable(given);
   const Box& view = scenes.front().view;
   const Vector2d size = view.size();
   const double scale = std::min(settings.width / size.x(), settings.most_height / size.y());

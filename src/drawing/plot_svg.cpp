@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include <fmt/core.h>
 
@@ -240,9 +242,34 @@ private:
   const PlotData& data_;
 };
 
+bool can_be_drawn(double value) {
+  return std::abs(value) <= kLargestPlotted;
+}
+
+// Without what cannot be drawn.
+PlotData drawable(PlotData data) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (PlotSeries& series : data.series) {
+    series.y.resize(series.x.size(), kNan);
+    for (std::vector<double>* values : {&series.x, &series.y}) {
+      std::replace_if(
+          values->begin(), values->end(), [](double value) { return !can_be_drawn(value); }, kNan);
+    }
+  }
+  std::erase_if(data.marks, [](const PlotMark& mark) { return !can_be_drawn(mark.x); });
+  std::erase_if(data.points,
+                [](const PlotPoint& point) { return !can_be_drawn(point.x) || !can_be_drawn(point.y); });
+  std::erase_if(data.ranges,
+                [](const PlotRange& range) { return !can_be_drawn(range.from) || !can_be_drawn(range.to); });
+  return data;
+}
+
 }  // namespace
 
-std::string plots_svg(const std::vector<PlotData>& plots, double width) {
+std::string plots_svg(const std::vector<PlotData>& given, double asked) {
+  const double width = picture_width(asked);
+  std::vector<PlotData> plots;
+  std::transform(given.begin(), given.end(), std::back_inserter(plots), drawable);
   std::vector<PlotLayout> layouts;
   double bottom = 0;
   for (const PlotData& data : plots) {

@@ -243,7 +243,8 @@ double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std
 
 }  // namespace
 
-std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double width) {
+std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double asked) {
+  const double width = picture_width(asked);
   SvgWriter rehearsal({width, 1, "", ""});  // only to find the height
   const double height = write_all(rehearsal, polygons, title, width);
   SvgWriter svg({width, height, title, kPolygonStyle}, {{"class", "hp-polygon"}});

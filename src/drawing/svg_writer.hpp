@@ -2,6 +2,7 @@
 
 #include "higherpair/drawing/xml.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -13,6 +14,11 @@ namespace higherpair {
 /// A number in SVG notation: at most 5 decimals, no trailing zeros, never an exponent.
 /// \pre  finite
 [[nodiscard]] std::string svg_number(double value);
+
+/// A width that a picture can have, near the one that was asked for [px].
+[[nodiscard]] inline double picture_width(double asked) {
+  return asked > 200 ? std::min(asked, 1e5) : 200;
+}
 
 /// The `d` of a path, in px.
 class SvgPath {

@@ -11,6 +11,8 @@ namespace higherpair {
 inline constexpr double kNoTickValue = 1e-10;
 /// Anything below this is 0: the powers of ten of its ticks would not be numbers.
 inline constexpr double kLeastTickValue = 1e-290;
+/// Anything beyond this is not drawn: sums and squares of it would not be numbers.
+inline constexpr double kLargestPlotted = 1e150;
 /// Relative to the largest of the values: a smaller spread is rounding.
 inline constexpr double kNoTickSpread = 1e-9;
 /// As a fraction of a step: a tick this far beyond an end of the axis is still on it.

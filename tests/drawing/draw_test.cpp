@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -252,6 +253,19 @@ TEST(Drawing, MarksItsTargets) {
   }
   ASSERT_EQ(drawn.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_LT((drawn[i] - settings.targets[i]).norm(), 1e-3);
+}
+
+TEST(Drawing, OfNoSizeHasTheUsualOne) {
+  const auto scenes = scenes_of(shipped("four_bar")).value();
+  const DrawSettings usual;
+  const std::string expected = draw_svg(scenes.scenes, usual);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {0.0, -5.0, nan, std::numeric_limits<double>::infinity()}) {
+    DrawSettings settings;
+    settings.width = settings.most_height = settings.length.si = settings.velocity.si = bad;
+    settings.targets = {{nan, 1}};
+    EXPECT_EQ(draw_svg(scenes.scenes, settings), expected) << bad;
+  }
 }
 
 TEST(Drawing, HasTheForcesOfTheTable) {

@@ -295,12 +295,19 @@ TEST(Plot, ShowsWhatRoundingHasLeftOfNoughtAsNought) {
 
 TEST(Plot, HasNoNumberThatIsNone) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const PlotData& data : {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}),
-                               line({0, 1}, {infinity, 1}), line({3, 3}, {7, 7}), PlotData{}}) {
-    const std::string svg = plots_svg({data});
-    EXPECT_THAT(svg, Not(HasSubstr("nan")));
-    EXPECT_THAT(svg, Not(HasSubstr("inf")));
-    EXPECT_NO_THROW(read_back(svg));
+  for (const PlotData& data :
+       {line({0, 1}, {kNaN, kNaN}), line({}, {}), line({kNaN, 1}, {1, 2}), line({0, 1}, {infinity, 1}),
+        line({3, 3}, {7, 7}), PlotData{}, line({0, 1}, {1e308, -1e308}), line({-1e308, 1e308}, {0, 1})}) {
+    PlotData marked = data;
+    marked.marks = {{kNaN, "a", "b", ""}, {-infinity, "a", "b", ""}};
+    marked.ranges = {{kNaN, 1, "r"}, {0, infinity, "r"}};
+    marked.points = {{kNaN, 1, "mm", "p", "", ""}, {0, infinity, "mm", "p", "", ""}};
+    for (const std::string& svg : {plots_svg({data}), plots_svg({marked}), plots_svg({data}, kNaN),
+                                   plots_svg({data}, 0), plots_svg({data}, infinity)}) {
+      EXPECT_THAT(svg, Not(HasSubstr("nan")));
+      EXPECT_THAT(svg, Not(HasSubstr("inf")));
+      EXPECT_NO_THROW(read_back(svg));
+    }
   }
 }
 

@@ -112,6 +112,7 @@ struct PictureUnit {
   double si = 1;
 };
 
+/// Widths, heights and units that are not finite and > 0 count as those given here.
 struct DrawSettings {
   std::vector<Role> layers;  ///< empty: default_layers()
   double width = 900;        ///< of the picture, or of each picture of a strip [px]
@@ -137,7 +138,7 @@ struct DrawSettings {
 [[nodiscard]] std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& settings);
 
 // A plot as plain data, and its picture. Numbers are in the units that are named beside them; NaN is
-// undefined and leaves a gap.
+// undefined and leaves a gap, and so does what is beyond 1e150. Marks, points and ranges there are left out.
 
 struct PlotAxis {
   std::string name;  ///< "driver"
@@ -202,7 +203,7 @@ struct PlotData {
 /// The plots as one SVG picture, one below the other. Elements carry data-role (`axis`, `tick`, `series`,
 /// `event`, `status`) and data-name; each axis carries data-domain, its two ends in its unit, and data-range,
 /// the same in px, so that what is drawn can be read back.
-/// \param width  [px], at least 200
+/// \param width  [px], from 200 to 100,000; another one counts as the nearest of them
 [[nodiscard]] std::string plots_svg(const std::vector<PlotData>& plots, double width = 720);
 
 // Velocity, acceleration and force polygons of one row, as textbooks draw them. In names `_{…}` is a
@@ -247,7 +248,7 @@ struct Polygon {
 /// bar, its equations and the values of its arrows. Elements carry data-role (`velocity`, `acceleration`,
 /// `force`, `label`) and data-name; the group of a polygon carries data-scale (px per unit) and data-origin
 /// ("x y" in px of the pole, y up).
-/// \param width  [px], at least 200
+/// \param width  [px], from 200 to 100,000; another one counts as the nearest of them
 [[nodiscard]] std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title,
                                        double width = 860);
 
