@@ -32,6 +32,12 @@ bool holds(const DesignPoint& point) {
   return !point.x.empty() && point.violation <= kConstraintTolerance;
 }
 
+bool is_sound(const DesignVariable& variable) {
+  return variable.low < variable.high && std::isfinite(variable.high - variable.low) &&
+         std::isfinite(variable.start) && std::isfinite(variable.step) && variable.step >= 0 &&
+         (!variable.log || variable.low > 0);
+}
+
 class Optimiser {
 public:
   Optimiser(const DesignProblem& problem, const DesignOptions& options)
@@ -243,7 +249,9 @@ const std::vector<std::string>& design_method_names() {
 }
 
 DesignOutcome optimise(const DesignProblem& problem, const DesignOptions& options) {
-  return Optimiser(problem, options).run();
+  const auto& variables = problem.variables;
+  const bool sound = !variables.empty() && std::all_of(variables.begin(), variables.end(), is_sound);
+  return sound ? Optimiser(problem, options).run() : DesignOutcome{};
 }
 
 }  // namespace higherpair

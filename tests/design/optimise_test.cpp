@@ -129,7 +129,7 @@ TEST(Optimise, ResultsAreTheSameForAnyNumberOfThreads) {
   DesignOptions options = few(50);
   options.seed = 31;
   std::vector<DesignOutcome> outcomes;
-  for (const int threads : {1, 2, 7}) {
+  for (const int threads : {1, 2, 7, -3, 1000000000}) {
     options.threads = threads;
     outcomes.push_back(optimise(rastrigin(), options));
   }
@@ -283,6 +283,19 @@ TEST(Optimise, NothingThatIsFiniteIsNoDesign) {
   EXPECT_TRUE(best.x.empty());
   EXPECT_EQ(best.objective, std::numeric_limits<double>::infinity());
   EXPECT_EQ(best.violation, std::numeric_limits<double>::infinity());
+}
+
+TEST(Optimise, OfVariablesWithoutARangeSearchesNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const DesignVariable& variable : {DesignVariable{0, 1, nan}, DesignVariable{nan, 1, 0},
+                                         DesignVariable{1, 1, 1}, DesignVariable{-1, 1, 0, 0, true}}) {
+    DesignProblem problem = rosenbrock();
+    problem.variables[1] = variable;
+    const DesignOutcome outcome = optimise(problem, few(3));
+    EXPECT_TRUE(outcome.best.x.empty());
+    EXPECT_EQ(outcome.evaluations, 0);
+  }
+  EXPECT_TRUE(optimise(DesignProblem{}).best.x.empty());
 }
 
 TEST(Optimise, StaysWithinBounds) {

@@ -416,6 +416,21 @@ top = { column = "follower.y", of = "max" }
               HasSubstr("A title\n\n100 variants: 100 ok\n\ntop [mm]\n  smallest 37 "));
 }
 
+TEST(ColumnStatistics, LeaveOutWhatIsNoNumber) {
+  ColumnStatistics none;
+  EXPECT_TRUE(std::isnan(none.mean()));
+  EXPECT_THAT(none.histogram(2), ElementsAre(0, 0));
+  ColumnStatistics some;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> values = {1e308, -1e308, infinity, -infinity, std::nan("")};
+  for (const double value : values) some.add(value);
+  for (const double value : values) some.place(value);
+  EXPECT_EQ(some.count(), 2);
+  EXPECT_EQ(some.mean(), 0);
+  EXPECT_THAT(some.histogram(2), ElementsAre(1, 1));
+  EXPECT_TRUE(some.histogram(0).empty());
+}
+
 TEST(SweepSummaries, CountCausesThatDifferInTheirNumbersAsOne) {
   const SweepSummary summary = summary_of(Sweep::of(cam_sweep({}, R"(
 [sweep]

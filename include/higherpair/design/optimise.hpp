@@ -16,9 +16,9 @@ namespace higherpair {
 
 /// A number that the optimiser may choose.
 struct DesignVariable {
-  double low = 0;   ///< < high
-  double high = 1;  ///< finite
-  double start = 0;
+  double low = 0;    ///< < high
+  double high = 1;   ///< finite, as are all
+  double start = 0;  ///< one out of the range counts as its nearer end
   double step = 0;   ///< > 0: only multiples of it can be manufactured; 0: any value
   bool log = false;  ///< searched on a logarithmic scale, for lengths of unknown order of magnitude; low > 0
 };
@@ -160,8 +160,8 @@ inline constexpr double kConstraintTolerance = 1e-9;
 /// Many local searches from random points within the ranges and from points near the best so far: the method
 /// that did best on path tasks of linkages, whose objectives have many local minima. The same seed gives the
 /// same result for any number of threads. Designs in which all constraints hold rank before others, which
-/// rank by their largest violation. A value that is not finite counts as a violation. \pre at least one
-/// variable, each with low < high
+/// rank by their largest violation. A value that is not finite counts as a violation. Without variables, or
+/// if one is not as DesignVariable says, nothing is searched and the outcome has no designs.
 [[nodiscard]] DesignOutcome optimise(const DesignProblem& problem, const DesignOptions& options = {});
 
 }  // namespace higherpair

@@ -30,7 +30,7 @@ struct Measured {
 /// whatever its status: the statuses say how far the numbers of rows that are not ok can be trusted.
 class MeasureSet {
 public:
-  /// \param columns  of a run with the settings from settings_for() for these measures
+  /// \pre `columns` are those of a run with the settings from settings_for() for these measures
   MeasureSet(std::vector<Measure> measures, const std::vector<Column>& columns);
 
   /// Forgets all rows.

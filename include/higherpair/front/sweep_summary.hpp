@@ -13,7 +13,7 @@ namespace higherpair {
 /// value, mean and deviation; the second the distribution in between.
 class ColumnStatistics {
 public:
-  /// First pass; NaN is ignored.
+  /// First pass; NaN and infinities are ignored.
   void add(double value);
   /// Second pass, over the same values.
   void place(double value);
@@ -21,7 +21,7 @@ public:
   [[nodiscard]] std::int64_t count() const { return count_; }
   [[nodiscard]] double least() const { return least_; }
   [[nodiscard]] double largest() const { return largest_; }
-  [[nodiscard]] double mean() const;
+  [[nodiscard]] double mean() const;  ///< NaN without values
   /// Standard deviation with n - 1 in the denominator; 0 for a single value.
   [[nodiscard]] double deviation() const;
   /// The value below which the fraction `share` of all values lies, to within 1/65536 of the range.

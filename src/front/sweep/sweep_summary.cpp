@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <fmt/core.h>
@@ -53,7 +54,7 @@ std::string statistics_text(const Column& column, const ColumnStatistics& of) {
 }  // namespace
 
 void ColumnStatistics::add(double value) {
-  if (std::isnan(value)) {
+  if (!std::isfinite(value)) {
     return;
   }
   if (count_++ == 0) {
@@ -67,6 +68,9 @@ void ColumnStatistics::add(double value) {
 }
 
 double ColumnStatistics::mean() const {
+  if (count_ == 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   return static_cast<double>(first_ + sum_ / static_cast<long double>(count_));
 }
 
@@ -79,11 +83,12 @@ double ColumnStatistics::deviation() const {
 }
 
 void ColumnStatistics::place(double value) {
-  if (std::isnan(value)) {
+  if (!std::isfinite(value)) {
     return;
   }
   bins_.resize(kBins);
-  const double share = largest_ > least_ ? (value - least_) / (largest_ - least_) : 0;
+  const double range = largest_ / 2 - least_ / 2;  // the whole one may be beyond what a double holds
+  const double share = range > 0 ? std::clamp((value / 2 - least_ / 2) / range, 0.0, 1.0) : 0;
   ++bins_[std::min(static_cast<std::size_t>(share * static_cast<double>(kBins)), kBins - 1)];
 }
 
@@ -103,7 +108,7 @@ double ColumnStatistics::quantile(double share) const {
 
 std::vector<std::int64_t> ColumnStatistics::histogram(std::size_t bars) const {
   std::vector<std::int64_t> counts(bars, 0);
-  for (std::size_t i = 0; i < bins_.size(); ++i) {
+  for (std::size_t i = 0; i < bins_.size() && bars > 0; ++i) {
     counts[i * bars / kBins] += bins_[i];
   }
   return counts;
