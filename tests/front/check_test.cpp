@@ -382,6 +382,28 @@ TEST(Check, OfACornerHasNoRadiusAndNoBoundForThePressure) {
   EXPECT_FALSE(report.good);
 }
 
+TEST(Check, NamesALimitOfAProgramThatMakesNoSense) {
+  const Model model = shipped_model("ellipse_cam_roller");
+  const auto with = [&](LimitKey key, double value) {
+    CheckLimits limits;
+    limits.all[static_cast<std::size_t>(key)] = GivenLimit{value, {}, "", {}};
+    CheckSettings settings;
+    settings.limits = std::make_shared<const CheckLimits>(limits);
+    return check(model, settings);
+  };
+  const auto refusal = [&](LimitKey key, double value) { return to_string(with(key, value).error()); };
+  EXPECT_THAT(refusal(LimitKey::kWidth, std::nan("")),
+              HasSubstr("CheckLimits::all: width = nan: must be finite"));
+  EXPECT_THAT(refusal(LimitKey::kElasticModulus, 0), HasSubstr("elastic_modulus = 0: must be > 0"));
+  EXPECT_THAT(refusal(LimitKey::kPoissonRatio, 0.6), HasSubstr("poisson_ratio = 0.6: Poisson's ratio is"));
+  EXPECT_THAT(refusal(LimitKey::kMaxPressureAngle, -1), HasSubstr("a pressure angle is limited to"));
+  const auto unused = with(LimitKey::kMaxContactForce, 1);
+  ASSERT_TRUE(unused);
+  ASSERT_EQ(unused->notes.size(), 1U);
+  EXPECT_THAT(note_text(unused->notes[0]),
+              HasSubstr("ellipse_cam_roller.toml: note: max_contact_force: nothing in this mechanism has"));
+}
+
 // A search for better numbers works on mechanisms of a model: their limits and materials remain.
 TEST(Check, OfTheModelsOtherMechanismsHasTheSameLimits) {
   const Model model = shipped_model("checked_cam");

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <string>
@@ -689,7 +690,12 @@ TEST(Fit, WhatIsMeasuredWronglyIsSaidWithItsPlace) {
   EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n1,2,3\n"),
               HasSubstr("measured.csv:3:1: expected 2 fields, found 3"));
   EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n0,1e60\n1,1\n2,2\n"),
-              HasSubstr("1e+60 is too large"));
+              HasSubstr("follower.y: 1e+60 is too large"));
+  MeasuredTable table;
+  table.source = "lab";
+  table.columns = {{"driver", "deg", {0, 10, 20, 30}, {}, {}},
+                   {"follower.y", "mm", {30, std::numeric_limits<double>::infinity(), 31, 32}, {}, {}}};
+  EXPECT_EQ(to_string(fit(model_of(kCamFit), table).error()), "lab: follower.y: inf is too large");
 }
 
 TEST(Fit, AProfileThatAsksForNothingOrTooMuchIsRefused) {

@@ -227,6 +227,9 @@ TEST(Measures, NameTheColumnsThatAreLikeAWrongOne) {
       "`follower.y` or "
       "`follower.x` or `follower.vy`?\n"
       "test.toml:7:3: results.m.column = \"status\": this column holds words; a measure needs numbers");
+  Measure own;  // of a program
+  own.column = "folower.y";
+  EXPECT_THAT(measure_refusal(model, {own}), ::testing::StartsWith("test.toml: \"folower.y\": there is no"));
 }
 
 TEST(Measures, WantARowWhereTheyAreTaken) {
@@ -241,6 +244,7 @@ TEST(Measures, WantARowWhereTheyAreTaken) {
       "one of the rows, or let driver.samples or driver.positions have a row there");
   EXPECT_THAT(at(400), HasSubstr("the rows end at 360;"));
   EXPECT_THAT(at(-1), HasSubstr("the rows begin at 0;"));
+  EXPECT_EQ(at(std::nan("")), "test.toml:7:3: results.m.at = nan: must be finite");
 }
 
 // A place is one of the run's own units.

@@ -178,6 +178,8 @@ inline constexpr std::size_t kLimitKeys = 20;
 /// Its name in profiles: "max_pressure_angle".
 [[nodiscard]] std::string_view name_of(LimitKey key);
 [[nodiscard]] Dimension dimension_of(LimitKey key);
+/// Why a value in SI units makes no sense as this limit: "must be > 0"; empty if it does.
+[[nodiscard]] std::string objection_to(LimitKey key, double value);
 
 struct GivenLimit {
   double value = 0;               ///< SI units

@@ -35,9 +35,14 @@ std::string fault_of(const CheckLimits& limits, const Mechanism& mechanism) {
       return fmt::format("CheckLimits::{}: there are {} for {}", name, sets.size(), count);
     }
     for (const LimitSet& set : sets) {
-      for (const auto& limit : set) {
-        if (limit && !std::isfinite(limit->value))
-          return fmt::format("CheckLimits::{}: {} must be finite", name, limit->path);
+      for (std::size_t k = 0; k < set.size(); ++k) {
+        if (!set[k]) continue;
+        const auto key = static_cast<LimitKey>(k);
+        const std::string objection =
+            std::isfinite(set[k]->value) ? objection_to(key, set[k]->value) : "must be finite";
+        if (!objection.empty()) {
+          return fmt::format("CheckLimits::{}: {} = {}: {}", name, name_of(key), set[k]->value, objection);
+        }
       }
     }
     return "";
@@ -163,10 +168,13 @@ CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dim
 
 void CheckFigures::note_unused() {
   const auto note = [&](const LimitSet& set) {
-    for (const auto& limit : set) {
-      if (limit && used_.count(&*limit) == 0) {
-        report_.notes.push_back({limit->place, limit->path + ": nothing in this mechanism has this"});
-      }
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const auto& limit = set[k];
+      if (!limit || used_.count(&*limit) != 0) continue;
+      const std::string name(limit->path.empty() ? name_of(static_cast<LimitKey>(k)) : limit->path);
+      Diagnostic unused{limit->place, name + ": nothing in this mechanism has this"};
+      if (unused.place.source.empty()) unused.place.source = profile_.source;
+      report_.notes.push_back(std::move(unused));
     }
   };
   note(limits_.all);

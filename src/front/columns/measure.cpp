@@ -88,6 +88,7 @@ PlaceOfRow place_in_units(const DriverSchedule& schedule, const Profile& profile
 // The objection to the place of a measure; empty where there is a row at that place.
 // \param places  of all rows, in ascending order
 std::string place_objection(const std::vector<double>& places, const Measure& measure, bool in_time) {
+  if (!std::isfinite(measure.at)) return "must be finite";
   const auto below = std::upper_bound(places.begin(), places.end(), measure.at);
   const auto above = std::lower_bound(places.begin(), places.end(), measure.at);
   const double low = below == places.begin() ? -kInf : *std::prev(below);
@@ -151,6 +152,14 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
   return mistakes;
 }
 
+// The mistakes of measures that a program made are of the model.
+Diagnostics placed(Diagnostics mistakes, const Model& model) {
+  for (Diagnostic& mistake : mistakes) {
+    if (mistake.place.source.empty()) mistake.place.source = model.data().name;
+  }
+  return mistakes;
+}
+
 }  // namespace
 
 Result<RunSettings> settings_for(const Model& model, std::span<const Measure> measures,
@@ -163,7 +172,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
     return tl::unexpected(available.error());
   }
   if (Diagnostics mistakes = column_mistakes(*available, measures); !mistakes.empty()) {
-    return wrong(std::move(mistakes));
+    return wrong(placed(std::move(mistakes), model));
   }
   const auto schedule = schedule_of(model.data(), settings);
   if (!schedule) {
@@ -171,7 +180,7 @@ Result<RunSettings> settings_for(const Model& model, std::span<const Measure> me
   }
   if (Diagnostics mistakes = place_mistakes(*schedule, measures, model.profile(), settings);
       !mistakes.empty()) {
-    return wrong(std::move(mistakes));
+    return wrong(placed(std::move(mistakes), model));
   }
   std::set<std::string> chosen(settings.columns.begin(), settings.columns.end());
   const auto add_once = [&](const std::string& name) {

@@ -57,7 +57,10 @@ public:
   }
 
 private:
-  void fail(const Place& place, std::string message) { mistakes_.push_back({place, std::move(message)}); }
+  // A column that a program made has no place of its own.
+  void fail(const Place& place, std::string message) {
+    mistakes_.push_back({place.source.empty() ? table() : place, std::move(message)});
+  }
   [[nodiscard]] Place table() const { return {measured_.source, 0, 0}; }
 
   [[nodiscard]] const MeasuredColumn* column_of(const std::string& name) const {
@@ -111,7 +114,8 @@ private:
         break;
       }
       if (std::abs(values[row]) > 1e12) {
-        fail({measured_.source, measured_.lines[row], 1}, fmt::format("{} is too large", values[row]));
+        fail({measured_.source, measured_.lines[row], 1},
+             fmt::format("{}: {} is too large", column.name, values[row]));
         break;
       }
     }
@@ -192,7 +196,7 @@ private:
       fitted.place = column->place;
       for (const double value : fitted.values) {
         if (std::abs(value) > kLargestQuantity) {
-          fail(column->place, fmt::format("{} is too large", value));
+          fail(column->place, fmt::format("{}: {} is too large", column->name, value));
           break;
         }
       }

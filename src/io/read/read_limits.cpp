@@ -59,22 +59,6 @@ constexpr bool rows_follow_the_enum() {
 }
 static_assert(rows_follow_the_enum());
 
-// Why a number makes no sense; empty if it does.
-std::string objection_to(double value, Range range) {
-  switch (range) {
-    case Range::kPositive:
-      return value > 0 ? "" : "must be > 0";
-    case Range::kNotNegative:
-      return value >= 0 ? "" : "must be >= 0";
-    case Range::kSteepness:
-      return value > 0 && value < kPi / 2 ? ""
-                                          : "a pressure angle is limited to more than 0 and less than 90 deg";
-    case Range::kPoisson:
-      break;
-  }
-  return value >= 0 && value <= 0.5 ? "" : "Poisson's ratio is from 0 to 0.5";
-}
-
 // Reads the keys that belong in one table, which is at `path`.
 LimitSet read_set(TableReader& table, const std::string& path,
                   const std::function<bool(const KeyRow&)>& belongs) {
@@ -85,7 +69,7 @@ LimitSet read_set(TableReader& table, const std::string& path,
     if (!quantity) {
       continue;
     }
-    if (const std::string objection = objection_to(quantity->si, row.range); !objection.empty()) {
+    if (const std::string objection = objection_to(row.key, quantity->si); !objection.empty()) {
       report(table.reading(), *item, objection);
     }
     limits[static_cast<std::size_t>(row.key)] =
@@ -154,6 +138,21 @@ std::string_view name_of(LimitKey key) {
 
 Dimension dimension_of(LimitKey key) {
   return kKeys[static_cast<std::size_t>(key)].dimension;
+}
+
+std::string objection_to(LimitKey key, double value) {
+  switch (kKeys[static_cast<std::size_t>(key)].range) {
+    case Range::kPositive:
+      return value > 0 ? "" : "must be > 0";
+    case Range::kNotNegative:
+      return value >= 0 ? "" : "must be >= 0";
+    case Range::kSteepness:
+      return value > 0 && value < kPi / 2 ? ""
+                                          : "a pressure angle is limited to more than 0 and less than 90 deg";
+    case Range::kPoisson:
+      break;
+  }
+  return value >= 0 && value <= 0.5 ? "" : "Poisson's ratio is from 0 to 0.5";
 }
 
 const GivenLimit* limit_of(const CheckLimits& limits, const std::vector<LimitSet>& own, std::size_t index,
