@@ -110,13 +110,13 @@ struct DesignRun {
   double seconds = 0;
   int threads = 0;  ///< 0 or less: all, at most 1024; makes no difference to the result
   const std::atomic<bool>* stop = nullptr;  ///< once true, the best so far is returned
-  /// Called from the caller's thread, from time to time.
+  /// Called from the caller's thread, from time to time; may be empty.
   std::function<void(const DesignProgress&)> progress;
   /// Results of earlier searches for the same problem with the same method and seed, in any order: they are
   /// not repeated, and the outcome is the same to the last bit.
   std::vector<DesignSearchEnd> known;
   /// Receives the result of every other search, from one thread at a time; not of a search that was cut
-  /// short.
+  /// short. May be empty.
   std::function<void(const DesignSearchEnd&)> ended;
 };
 

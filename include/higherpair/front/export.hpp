@@ -59,11 +59,11 @@ inline constexpr double kDefaultExportTolerance = 1e-5;
 [[nodiscard]] Result<std::string> curve_csv(const Model& model, const ExportedCurve& curve,
                                             const ExportAccuracy& accuracy, const Units& units);
 
-/// A DXF (io/dxf_writer.hpp) with a layer for each curve, named after it with a dash for the dot.
+/// A DXF with a layer for each curve, named after it with a dash for the dot.
 [[nodiscard]] Result<std::string> curves_dxf(const Model& model, const std::vector<ExportedCurve>& curves,
                                              const ExportAccuracy& accuracy, const Units& units);
 
-/// An SVG picture at true size (drawing/outline_svg.hpp).
+/// An SVG picture at true size.
 [[nodiscard]] Result<std::string> curves_svg(const Model& model, const std::vector<ExportedCurve>& curves,
                                              const ExportAccuracy& accuracy, const Units& units);
 /// @}

@@ -144,7 +144,7 @@ struct ColumnValues {
 /// valid as long as it lives.
 class Motion {
 public:
-  /// All rows of an analysis.
+  /// The rows of an analysis that have not been taken yet.
   explicit Motion(Analysis analysis);
 
   /// Number of rows.

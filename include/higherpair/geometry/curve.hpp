@@ -67,8 +67,7 @@ enum class CurveKind { kCircle, kEllipse, kParabola, kHyperbola, kLine, kPoint, 
 enum class Side { kInside, kOutside };
 
 /// The boundary of a body in the body's frame B: a conic, a flat face (line) or a knife edge (point), which
-/// have closed forms; or any curve given by its support. Except for the algebra of conics, the rest of the
-/// library uses curve_queries.hpp and support.hpp instead of these numbers.
+/// have closed forms; or any curve given by its support.
 ///
 /// A conic is represented by a vertex on its focal axis. With x from the vertex along `axis_B` (to the convex
 /// side) and y across,

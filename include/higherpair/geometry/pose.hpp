@@ -55,8 +55,7 @@ template <class T>
   return std::atan2(v.y(), v.x());
 }
 
-/// The angle from a to b [rad], in (-π, π]; of any lengths. For unit vectors angle_between() in
-/// known_rotation.hpp is faster.
+/// The angle from a to b [rad], in (-π, π]; of any lengths.
 [[nodiscard]] inline double angle_from_to(const Vector2d& a, const Vector2d& b) {
   return std::atan2(cross(a, b), a.dot(b));
 }

@@ -200,7 +200,8 @@ struct Mechanism {
 };
 
 /// Functions that build a mechanism piece by piece, in metres and radians, with names as in a profile. Ground
-/// is body 0 and is added automatically. Nothing is checked here; Model::from does that.
+/// is body 0 and is added automatically. Nothing is checked here; Model::from does that. \pre a body to which
+/// a point or curve is added is there
 
 inline constexpr int kGround = 0;
 
