@@ -252,6 +252,19 @@ double Statics::largest_multiplier() const {
   return largest;
 }
 
+Statics::Holding Statics::holding(std::size_t i) const {
+  const ConstraintRow& held = rows_[held_rows_[i]];
+  const int body = held.body[1];
+  double largest = 0;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    if (std::find(rows_[k].body.begin(), rows_[k].body.end(), body) != rows_[k].body.end()) {
+      largest = std::max(largest, std::abs(multipliers_[k]));
+    }
+  }
+  const double multiplier = multipliers_[held_rows_[i]];
+  return {body, multiplier * held.coefficient[1].z(), std::abs(multiplier) > kHeldByRounding * largest};
+}
+
 double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {
   double sum = 0;
   for (const std::size_t i : held_rows_) {

@@ -16,6 +16,9 @@ inline constexpr double kBalancedWrenches = 1e-8;
 /// Multipliers are differences of forces that may be much larger: below this fraction of the largest they,
 /// and pulling forces, are rounding.
 inline constexpr double kMultiplierRounding = 1e-11;
+/// Moment about its pin that an idle body may be left with, relative to the largest force on it times the
+/// size: above kRoundAbout, by which its curves may be off the pin.
+inline constexpr double kHeldByRounding = 1e-6;
 /// In the search for the least sum of forces, numbers below this, relative to the largest in a row of the
 /// tableau or in a condition, count as zero.
 inline constexpr double kTableauNothing = 1e-13;

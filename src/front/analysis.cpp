@@ -255,6 +255,7 @@ bool Analysis::Impl::next_row(Row& row) {
     return false;
   }
   reactions = dynamics ? &dynamics->solve(run) : nullptr;
+  note_idle_moments();
   history.note(run);
   RowSource source{run, drivers, schedule.time(next), reactions, false, &history};
   source.opens = source.reactions != nullptr && run.row.status == RowStatus::kOk && source.reactions->opens();
@@ -263,6 +264,20 @@ bool Analysis::Impl::next_row(Row& row) {
   row.status = source.status();
   good = good && row.status == RowStatus::kOk;
   return advance(next + 1);
+}
+
+void Analysis::Impl::note_idle_moments() {
+  if (reactions == nullptr || !reactions->defined) {
+    return;
+  }
+  const Statics& statics = dynamics->statics();
+  for (std::size_t i = 0; i < statics.holding_count(); ++i) {
+    const Statics::Holding holding = statics.holding(i);
+    IdleMoment& largest = idle[holding.body];
+    if (holding.matters && std::abs(holding.moment) > std::abs(largest.moment)) {
+      largest = {-holding.moment, next};
+    }
+  }
 }
 
 // The rows before `end` have been taken. False where the run is stopped in the search for openings that
@@ -298,6 +313,7 @@ std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> mod
   if (forces) {
     impl->dynamics.emplace(impl->run);
     impl->start = impl->run;
+    impl->idle.resize(impl->run.mechanism().bodies.size());
   }
   return impl;
 }
@@ -319,7 +335,11 @@ void Analysis::Impl::begin_at(std::int64_t row, const RunPlace& from) {
   }
 }
 
-void Analysis::Impl::add_block(std::vector<Event> found, bool all_good, std::int64_t end) {
+void Analysis::Impl::add_block(std::vector<Event> found, bool all_good,
+                               const std::vector<IdleMoment>& moments, std::int64_t end) {
+  for (std::size_t body = 0; body < moments.size(); ++body) {
+    if (std::abs(moments[body].moment) > std::abs(idle[body].moment)) idle[body] = moments[body];
+  }
   events.insert(events.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
   good = good && all_good;
   (void)advance(end);
@@ -350,8 +370,31 @@ const std::vector<Event>& Analysis::events() const {
   return impl_->events;
 }
 
+namespace {
+
+std::string idle_text(const Analysis::Impl& impl, std::size_t body) {
+  const Mechanism& mechanism = impl.model->profile.mechanism;
+  const auto [moment, row] = impl.idle[body];
+  const Dimension of_driver = driver_dimension(mechanism);
+  return fmt::format(
+      "bodies.{}: it turns freely, and nothing balances the moment about its pin, {:.6g} {} at driver = "
+      "{:.6g} {}, so that the forces are not those of equilibrium; put loads, springs and the centre of mass on the "
+      "pin, or set rolling = true",
+      mechanism.bodies[body].name, from_si(dimension::kTorque, impl.units).apply(moment),
+      unit_text(dimension::kTorque, impl.units),
+      from_si(of_driver, impl.units).apply(impl.schedule.state(row).si.position),
+      unit_text(of_driver, impl.units));
+}
+
+}  // namespace
+
 Diagnostics Analysis::notes() const {
   Diagnostics notes = impl_->notes;
+  for (std::size_t body = 0; body < impl_->idle.size(); ++body) {
+    if (impl_->idle[body].moment != 0) {
+      notes.push_back(about(impl_->model->profile.source, idle_text(*impl_, body)));
+    }
+  }
   if (impl_->next == impl_->schedule.size()) {
     const auto touched = [&](std::size_t contact) {
       return std::any_of(impl_->events.begin(), impl_->events.end(), [&](const Event& event) {

@@ -45,6 +45,12 @@ namespace higherpair {
 /// theirs, and blocks computed on several threads are the same to the last bit.
 inline constexpr std::int64_t kBlockRows = 4096;
 
+/// The largest moment about the pin of an idle body that nothing balances, and the row where it is.
+struct IdleMoment {
+  double moment = 0;  ///< [N m]; 0: the body is in equilibrium
+  std::int64_t row = 0;
+};
+
 /// The row loop: from the schedule of the drivers to the rows of a table and the events on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;
@@ -63,6 +69,7 @@ struct Analysis::Impl {
   std::vector<std::size_t> open = {};    ///< contacts that may part and are open in the first row
   ContactForceReport contacts = {};      ///< only with forces, after the last row
   const Reactions* reactions = nullptr;  ///< in the current row; only with forces
+  std::vector<IdleMoment> idle = {};     ///< of Mechanism::bodies; only with forces
 
   RowHistory history = {};             ///< up to the current row
   std::optional<RowScout> scout = {};  ///< only of a run of several blocks whose rows are computed in order
@@ -74,7 +81,8 @@ struct Analysis::Impl {
   /// Continues with `row`, the first of a block; `from` is the state at the row before it.
   void begin_at(std::int64_t row, const RunPlace& from);
   /// Adds what a worker has found in the rows from `next` up to, but not including, `end`.
-  void add_block(std::vector<Event> found, bool all_good, std::int64_t end);
+  void add_block(std::vector<Event> found, bool all_good, const std::vector<IdleMoment>& moments,
+                 std::int64_t end);
 
   /// The events up to a row that make the path to it bad: overlaps, and limit positions and ends of curves
   /// before the row itself.
@@ -83,6 +91,7 @@ struct Analysis::Impl {
 private:
   void begin_block();
   void read_drivers();
+  void note_idle_moments();
   void add_event(const RunEvent& what, double share);
   [[nodiscard]] Event opening_event(const ContactForceReport::Opening& opening) const;
   void move();

@@ -223,6 +223,33 @@ TEST_F(Slips, ForcesOfAMechanismThatNothingLoadsAreNoted) {
               Not(HasSubstr("nothing loads")));
 }
 
+// Nothing balances a moment about the pin of a roller that slips; 7 N at 15 mm make 105 N mm, 0.1 kg at 4 mm
+// in gravity make 3.9 N mm where its weight is level with the pin, as in the pose.
+TEST_F(Slips, AMomentOnABodyThatTurnsFreelyIsNoted) {
+  const std::string forces = "forces " + shipped_profile("roller_body.toml") + " --csv /dev/null ";
+  const std::string load = "--set loads.t.body=roller --set loads.t.torque=0 --set 'loads.t.force=[0,7]' ";
+  const std::string mass =
+      "--set bodies.roller.mass=0.1 --set bodies.roller.inertia=10 --set 'gravity=[0,-9.81]' ";
+  const auto note = [](const std::string& moment) {
+    return HasSubstr("note: bodies.roller: it turns freely, and nothing balances the moment about its pin, " +
+                     moment);
+  };
+  EXPECT_THAT(run(forces + "--set loads.t.body=roller --set loads.t.torque=1000").err,
+              note("1000 N*mm at driver = "));
+  EXPECT_THAT(run(forces + "--set driver.samples=9001 --threads 2 --set loads.t.point=M " + load).err,
+              note("105 N*mm at driver = "));
+  EXPECT_THAT(run(forces + mass + "--set 'bodies.roller.center_of_mass=[4,0]'").err, note("-"));
+  EXPECT_THAT(run("check " + shipped_profile("roller_body.toml") +
+                  " --set loads.t.body=roller --set loads.t.torque=3")
+                  .err,
+              note("3 N*mm"));
+  for (const std::string& balanced :
+       {load + "--set loads.t.point=P", mass + "--set 'bodies.roller.center_of_mass=[0,0]'",
+        load + "--set loads.t.point=M --set contacts.touch.rolling=true"}) {
+    EXPECT_THAT(run(forces + balanced).err, Not(HasSubstr("note: bodies.roller"))) << balanced;
+  }
+}
+
 TEST_F(Slips, AContactThatNeverTouchesIsNotedByAllCommandsThatRunThePath) {
   const std::string missed = shipped_profile("geneva_four_slots.toml") +
                              " --set bodies.crank.curves.pin.at=[50,0] --set driver.samples=5 "

@@ -27,6 +27,7 @@ struct Block {
   RunPlace end;   // state at its last row
   BlockTexts texts;
   std::vector<Event> events;
+  std::vector<IdleMoment> idle;
   bool good = true;
   bool complete = false;  // false: stopped
 };
@@ -59,6 +60,7 @@ public:
     worker->begin_at(block.rows.first, block.from);
     worker->events.clear();
     worker->good = true;
+    std::fill(worker->idle.begin(), worker->idle.end(), IdleMoment());
     block.rows.statuses.clear();
     block.rows.values.clear();
     const std::int64_t wanted = std::min(kBlockRows, whole_.schedule.size() - block.rows.first);
@@ -72,6 +74,7 @@ public:
       block.end = {worker->run, worker->history};
       block.events = std::move(worker->events);
       block.good = worker->good;
+      block.idle = worker->idle;
       for (std::string& text : block.texts) text.clear();
       texts_(block.rows, block.texts);
     }
@@ -88,7 +91,7 @@ public:
       ended_ = true;
       return;
     }
-    whole_.add_block(std::move(block.events), block.good,
+    whole_.add_block(std::move(block.events), block.good, block.idle,
                      block.rows.first + static_cast<std::int64_t>(block.rows.size()));
     last_ = std::move(block.end);
     const std::lock_guard lock(mutex_);

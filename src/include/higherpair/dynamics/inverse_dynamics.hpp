@@ -13,7 +13,7 @@ namespace higherpair {
 /// inertia, loads, springs and dampers, solved for the reactions of joints and contacts and the efforts of
 /// drivers. Contacts slip without friction. Bodies without mass have no inertia. Idle bodies
 /// (Plan::idle_bodies, such as a roller) have no angular acceleration: a moment about their pin, which
-/// nothing resists, is ignored.
+/// nothing resists, has no effect on any force; Statics::holding() says what it is.
 class InverseDynamics {
 public:
   explicit InverseDynamics(const Run& run);
@@ -21,6 +21,9 @@ public:
   /// The reactions in run.row; valid until the next call. `run` must be the one of the constructor,
   /// or a copy. With one driver and no surplus of conditions nothing is allocated.
   const Reactions& solve(const Run& run);
+
+  /// The balance of the last row whose reactions are defined.
+  [[nodiscard]] const Statics& statics() const { return statics_; }
 
 private:
   void read_joints(const Run& run);

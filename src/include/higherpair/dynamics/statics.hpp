@@ -52,6 +52,16 @@ public:
   [[nodiscard]] std::size_t contact_row(std::size_t contact) const { return contact_rows_[contact]; }
   [[nodiscard]] std::size_t driver_row(std::size_t driver) const { return driver_rows_[driver]; }
 
+  /// The moment about its pin that holds the i-th of the idle bodies, in the order of the groups, and whether
+  /// it is more than rounding against the forces on that body: then the body is not in equilibrium.
+  struct Holding {
+    int body = 0;
+    double moment = 0;  ///< [N m]
+    bool matters = false;
+  };
+  [[nodiscard]] std::size_t holding_count() const { return held_rows_.size(); }
+  [[nodiscard]] Holding holding(std::size_t i) const;
+
   /// Power, for these motions, of the conditions that hold idle bodies [W]; 0 where these do not turn.
   [[nodiscard]] double holding_power(const std::vector<BodyMotion>& bodies) const;
 
