@@ -198,10 +198,8 @@ private:
     const Deadline deadline{end == DesignEnd::kStopped ? nullptr : options_.stop};
     std::int64_t further = 0;
     if (!best_.x.empty()) {
-      Search search(problem_, best_.branch, deadline);
-      outcome.multipliers = multipliers_at(search, best_);
-      further += search.evaluations();
       outcome.best = made(best_, deadline, further);
+      outcome.multipliers = multipliers_of(outcome.best, deadline, further);
     }
     outcome.different = static_cast<int>(optima_.size());
     std::stable_sort(optima_.begin(), optima_.end(), is_better);
@@ -227,6 +225,18 @@ private:
     DesignPoint rounded = rounded_to_steps(search, point, options_.method);
     evaluations += search.evaluations();
     return rounded;
+  }
+
+  // Those of the remaining problem: variables with steps stay where they are.
+  [[nodiscard]] std::vector<double> multipliers_of(const DesignPoint& point, const Deadline& deadline,
+                                                   std::int64_t& evaluations) const {
+    Search search(problem_, point.branch, deadline);
+    for (std::size_t i = 0; i < point.x.size(); ++i) {
+      if (problem_.variables[i].step > 0) search.fix(i, point.x[i]);
+    }
+    std::vector<double> multipliers = multipliers_at(search, point);
+    evaluations += search.evaluations();
+    return multipliers;
   }
 
   const DesignProblem& problem_;

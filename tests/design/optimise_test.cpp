@@ -125,6 +125,16 @@ TEST(Optimise, AMultiplierIsWhatMovingTheLimitGains) {
   EXPECT_NEAR(outcome.multipliers[0], 1 / (2 * std::sqrt(2.0)), 1e-5);
 }
 
+// With x = -1/2 the other variable is -√(7/4 + c) at the limit moved by c.
+TEST(Optimise, AMultiplierIsThatOfTheDesignThatIsRounded) {
+  DesignProblem problem = disc();
+  problem.variables[0].step = 0.5;
+  const DesignOutcome outcome = optimise(problem, few(3));
+  EXPECT_EQ(outcome.best.x[0], -0.5);
+  ASSERT_EQ(outcome.multipliers.size(), 1U);
+  EXPECT_NEAR(outcome.multipliers[0], 1 / std::sqrt(7), 1e-5);
+}
+
 TEST(Optimise, ResultsAreTheSameForAnyNumberOfThreads) {
   DesignOptions options = few(50);
   options.seed = 31;

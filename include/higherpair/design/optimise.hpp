@@ -149,8 +149,8 @@ struct DesignOutcome {
   std::int64_t evaluations = 0;
   DesignEnd end = DesignEnd::kStarts;
   /// Lagrange multiplier of each constraint: how much smaller the objective would be for each unit by which
-  /// its limit is relaxed, to first order at `free`; >= 0, and 0 if it is inactive or the multiplier is
-  /// unknown.
+  /// its limit is relaxed, to first order at `best`, while variables with steps keep their values; >= 0, and
+  /// 0 if it is inactive or the multiplier is unknown.
   std::vector<double> multipliers;
 };
 
