@@ -17,16 +17,34 @@ DesignMethod method_for(const DesignProblem& problem, DesignMethod method) {
   return method == DesignMethod::kLeastSquares && problem.has_cost ? DesignMethod::kSlsqp : method;
 }
 
+bool gains(const DesignPoint& before, const DesignPoint& after) {
+  return after.violation < before.violation - kConstraintTolerance ||
+         after.objective < before.objective - kWorthwhileGain * std::abs(before.objective);
+}
+
+// Looks for something better at small steps along each variable: where an extreme passes from one place to
+// another the objective has a kink, at which its gradient may show no way down although there is one.
+bool looks_around(Search& search) {
+  const DesignPoint before = search.best();
+  const Eigen::VectorXd u = search.best_unit();
+  for (Eigen::Index i = 0; i < u.size() && !search.stopped(); ++i) {
+    for (const double step : {-kLookAround, kLookAround}) {
+      Eigen::VectorXd near = u;
+      near(i) = std::clamp(u(i) + step, 0.0, 1.0);
+      if (!search.is_fixed(static_cast<std::size_t>(i))) (void)search.evaluate(near);
+    }
+  }
+  return gains(before, search.best());
+}
+
 // Starts again from the best point as long as that brings a gain: a new start discards a bad local model.
 void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
   constexpr int kMostRounds = 4;
+  const bool kinks = method == DesignMethod::kSlsqp && search.problem().has_cost;
   for (int round = 0; round < kMostRounds && !search.stopped(); ++round) {
     const DesignPoint before = search.best();
     search_by_nlopt(search, search.best_unit(), method, seed);
-    const DesignPoint& after = search.best();
-    const bool gains = after.violation < before.violation - kConstraintTolerance ||
-                       after.objective < before.objective - kWorthwhileGain * std::abs(before.objective);
-    if (!gains) {
+    if (!gains(before, search.best()) && !(kinks && looks_around(search))) {
       return;
     }
   }

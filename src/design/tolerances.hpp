@@ -12,6 +12,8 @@ inline constexpr double kDesignDifference = 1e-6;
 inline constexpr double kActiveConstraint = 1e-6;
 /// Gain, as a fraction of the objective, for which a search begins again from its best point.
 inline constexpr double kWorthwhileGain = 1e-6;
+/// Step of u at which a search by gradients looks for something better where it has ended.
+inline constexpr double kLookAround = 1e-3;
 /// Penalty per unit of violation, for the methods that do not support constraints: far above objectives,
 /// which are of the order of 1.
 inline constexpr double kPenalty = 1e3;
