@@ -180,7 +180,8 @@ FourBarInMechanism as_four_bar(const Ring& ring, const Nearness& near) {
   return found;
 }
 
-// The line along which the point C of a body on a slide moves on the other body.
+// The line along which the point C of a body on a slide moves on the other body; p_G is where the joint's
+// coordinate is 0.
 struct GuideLine {
   Vector2d p_G = Vector2d::Zero();
   Vector2d along_G = Vector2d::UnitX();
@@ -217,6 +218,7 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
         loop.crank = crank;
         loop.linkage = {r2, r3, cross(line.along_G, Vector2d(line.p_G - O.on_one)), 0};
         loop.inversion = inversion_of(loop);
+        loop.at_foot = line.along_G.dot(O.on_one - line.p_G);
         loop.along_G = line.along_G;
         loop.coupler_AC = p_C - A.p_B;
         found.push_back(loop);

@@ -184,6 +184,18 @@ TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
   EXPECT_NEAR(loop.at("stroke").at("length").get<double>(), 60, 1e-12);
   EXPECT_NEAR(loop.at("stroke").at("time_ratio").get<double>(), 1, 1e-12);
   EXPECT_NEAR(loop.at("stroke").at("outer").at("slider").get<double>(), 108, 1e-12);
+  // The coordinate of the slide, wherever that begins and whichever body carries its line.
+  for (const std::string slide :
+       {R"(between = ["ground.Q", "piston.C"])", R"(between = ["piston.C", "ground.Q"])"}) {
+    std::string moved = kSliderCrank;
+    moved.replace(moved.find("between = [\"ground.O\", \"piston.C\"]"), 34, slide);
+    moved.replace(moved.find("points.O = [0, 0]"), 17, "points = { O = [0, 0], Q = [17, 0] }");
+    const nlohmann::json stroke =
+        nlohmann::json::parse(run(moved, "--json -").out).at("slider_cranks").at(0).at("stroke");
+    const bool ahead = slide.find("ground.Q") < slide.find("piston");
+    EXPECT_NEAR(stroke.at("outer").at("slider").get<double>(), ahead ? 91 : -91, 1e-12);
+    EXPECT_NEAR(stroke.at("inner").at("slider").get<double>(), ahead ? 31 : -31, 1e-12);
+  }
   // At 90°: l - l sqrt(1 - q²) - r q/2 with q = r/l = 30/78, in units of r.
   const double q = 30.0 / 78;
   EXPECT_NEAR(loop.at("harmonic").at("position").get<double>(), (1 - std::sqrt(1 - q * q)) / q - q / 2,

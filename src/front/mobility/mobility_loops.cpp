@@ -108,8 +108,8 @@ public:
       json["stroke"] = {{"length", length.apply(stroke->length)},
                         {"time_ratio", stroke->time_ratio},
                         {"turn_in", angle.apply(stroke->turn_in)},
-                        {"outer", dead_centre(stroke->outer)},
-                        {"inner", dead_centre(stroke->inner)}};
+                        {"outer", dead_centre(loop, stroke->outer)},
+                        {"inner", dead_centre(loop, stroke->inner)}};
     }
     const bool central = std::abs(linkage.r4) <= kCentralOffset * (linkage.r2 + linkage.r3);
     if (central && linkage.r2 < linkage.r3) {
@@ -132,8 +132,8 @@ private:
     return json;
   }
 
-  [[nodiscard]] Json dead_centre(const DeadCentre& at) const {
-    return {{"crank", angle.apply(at.theta2)}, {"slider", length.apply(at.r1)}};
+  [[nodiscard]] Json dead_centre(const SliderCrankInMechanism& loop, const DeadCentre& at) const {
+    return {{"crank", angle.apply(at.theta2)}, {"slider", length.apply(loop.at_foot + at.r1)}};
   }
 
   // A slider-crank whose guide moves as a quick-return mechanism, with the names its parts have there.

@@ -36,7 +36,8 @@ struct SliderCrankInMechanism {
   int slider = -1;  ///< -1: a slot
   int joint = 0;    ///< the slide or slot
   SliderCrankInversion inversion = SliderCrankInversion::kGuide;
-  SliderCrank linkage;                     ///< theta1 = 0: along the joint's line
+  SliderCrank linkage;  ///< theta1 = 0: along the joint's line
+  double at_foot = 0;   ///< the joint's coordinate where the slider's pin is level with the crank's [m]
   Vector2d along_G = Vector2d::UnitX();    ///< that direction in the frame of the guide
   Vector2d coupler_AC = Vector2d::Zero();  ///< from the crank to the slider, in the coupler's frame [m]
 };
