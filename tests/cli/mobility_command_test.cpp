@@ -177,6 +177,13 @@ TEST_F(MobilityCommand, NamesAChangePointOfARhombusOnce) {
   EXPECT_THAT(text.out, HasSubstr("turns fully through change points, at 0 deg; 180 deg\n"));
 }
 
+// Coupler and rocker do not turn against each other at the start; their pin is their centre all the same.
+TEST_F(MobilityCommand, ACommonPinIsAnInstantCentre) {
+  const Outcome text = run_program("mobility " + shipped_profile("four_bar.toml"));
+  EXPECT_THAT(text.out, HasSubstr("coupler, rocker: ("));
+  EXPECT_THAT(text.out, Not(HasSubstr("move as one")));
+}
+
 TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
   const Outcome outcome = run(kSliderCrank, "--json -");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

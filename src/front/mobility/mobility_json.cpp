@@ -7,6 +7,7 @@
 #include "mobility_gears.hpp"
 #include "mobility_loops.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace higherpair {
@@ -155,9 +156,29 @@ private:
     return json;
   }
 
+  // The pins that two bodies share: also where the bodies do not turn against each other for a moment, such a
+  // pin is their centre.
+  void add_common_pin(InstantCenter& center) const {
+    const std::vector<BodyMotion>& bodies = findings.mobility.moving;
+    const auto is_on = [](const Pin& pin, std::size_t body) {
+      return std::any_of(pin.ends.begin(), pin.ends.end(),
+                         [&](const BodyPoint& end) { return end.body == static_cast<int>(body); });
+    };
+    const std::vector<Pin> pins = find_pins(mechanism);
+    const auto common = std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) {
+      return is_on(pin, center.i) && is_on(pin, center.j);
+    });
+    if (center.kind == InstantCenterKind::kUndefined && common != pins.end()) {
+      const BodyPoint& end = common->ends.front();
+      center.kind = InstantCenterKind::kPoint;
+      center.p_W = bodies[end.body].X_WB * end.p_B;
+    }
+  }
+
   [[nodiscard]] Json centers() const {
     Json json = Json::array();
-    for (const InstantCenter& center : instant_centers(findings.mobility.moving, size_of(mechanism))) {
+    for (InstantCenter& center : instant_centers(findings.mobility.moving, size_of(mechanism))) {
+      add_common_pin(center);
       Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
       switch (center.kind) {
         case InstantCenterKind::kUndefined:
