@@ -108,8 +108,9 @@ const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact) {
 
 bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, int contact) {
   const ChainTouch* touch = touch_in(groups, contact);
-  return touch != nullptr && touch->carrier == kGround &&
-         mechanism.contacts[contact].second.body == touch->body;
+  const Contact& of = mechanism.contacts[contact];
+  return touch != nullptr && touch->carrier == kGround && of.second.body == touch->body &&
+         of.first.body != kGround;
 }
 
 }  // namespace higherpair

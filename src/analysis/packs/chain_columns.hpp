@@ -56,7 +56,7 @@ struct ChainTask {
 [[nodiscard]] const ChainTouch* touch_in(std::span<const ChainGroup> groups, int contact);
 
 /// Whether kPressure is defined for a contact: its second body has to be joined to ground and placed by the
-/// contact.
+/// contact, and its first must not be ground.
 [[nodiscard]] bool has_pressure(const Mechanism& mechanism, std::span<const ChainGroup> groups, int contact);
 
 }  // namespace higherpair

@@ -218,7 +218,8 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
       out[11] = row.contacts[index].rates.sliding;
     }
     put_arcs(source, index, details, *arcs, out + 12);
-    put(details.pressure, out + 14);
+    // A body that touches ground moves along it: its own direction says nothing about what drives it.
+    if (own.first.body != kGround) put(details.pressure, out + 14);
     put(details.transmission, out + 15);
   });
 }
