@@ -221,8 +221,9 @@ std::optional<ChainRecipe> chain_of(const Sweep::Data& data) {
   Worker worker(data);
   const std::int64_t size = data.variants.size();
   std::vector<std::vector<double>> tries;
-  for (std::int64_t k = 0; k < std::min(size, kTries); ++k) {
-    tries.push_back(worker.numbers(cut(size, k, kTries)));
+  const std::int64_t wanted = std::min(size, kTries);
+  for (std::int64_t k = 0; k < wanted; ++k) {
+    tries.push_back(worker.numbers(cut(size, k, wanted)));
   }
   return ChainRecipe::of(data.model, data.paths, data.run, data.measures, worker.models(), tries);
 }
