@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <unistd.h>
 
 #include <fmt/core.h>
@@ -17,15 +18,25 @@
 namespace higherpair::cli {
 namespace {
 
-// A signal handler may only touch lock-free atomic flags.
+// A signal handler may only touch lock-free atomics, and call few functions.
 std::atomic<bool> signalled = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-void on_interrupt(int) {
-  signalled = true;
-}
+std::atomic<std::time_t> first_signal = 0;  // [s]
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::time_t>::is_always_lock_free);
 
 void end_at_once(int) {
   _exit(kExitInterrupted);
+}
+
+// The second signal ends the program, in case no loop heeds the first one. Not within a second or two:
+// timeout(1) sends the same signal twice.
+void on_interrupt(int number) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!signalled.exchange(true)) {
+    first_signal = now.tv_sec;
+  } else if (now.tv_sec > first_signal + 1) {
+    end_at_once(number);
+  }
 }
 
 void on_signals(void (*handler)(int)) {
