@@ -104,7 +104,7 @@ double travel_of(const DriverSchedule& schedule, std::size_t driver) {
   return travel;
 }
 
-// The objection to a driver that moves this far from its first position [rad or m]; empty if there is none.
+// The objection to a driver that moves this far in all [rad or m]; empty if there is none.
 std::string travel_objection(const Model::Data& model, std::size_t driver, double travel) {
   const Profile& profile = model.profile;
   const std::string name = driver_name(profile.mechanism.drivers[driver]);
@@ -115,26 +115,24 @@ std::string travel_objection(const Model::Data& model, std::size_t driver, doubl
   const double longest = kLongestDriverSlide * model.plan->size;
   if (has_angle(driven_joint(profile.mechanism, driver).type)) {
     const double turns = travel / (2 * kPi);
-    return turns <= kMostDriverTurns
-               ? ""
-               : fmt::format(
-                     "{} goes {:.6g} turns from its first position; at most 1e7 turns can be followed; "
-                     "bring its `end`, `positions` or `duration` nearer to the start",
-                     name, turns);
+    return turns <= kMostDriverTurns ? ""
+                                     : fmt::format(
+                                           "{} goes {:.6g} turns in all; at most 1e7 turns can be followed; "
+                                           "change its `end`, `positions` or `duration`",
+                                           name, turns);
   }
   return travel <= longest
              ? ""
              : fmt::format(
-                   "{} goes {} from its first position; at most {}, 1e7 times the size of the mechanism, can "
-                   "be followed (the largest distance of its points, or {} where they coincide); bring its "
-                   "`end`, "
-                   "`positions` or `duration` nearer to the start",
+                   "{} goes {} in all; at most {}, 1e7 times the size of the mechanism, can "
+                   "be followed (the largest distance of its points, or {} where they coincide); change its "
+                   "`end`, `positions` or `duration`",
                    name, length(travel), length(longest), length(1));
 }
 
 std::optional<Error> refuse_long_travel(const Model::Data& model, const DriverSchedule& schedule) {
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    std::string objection = travel_objection(model, i, travel_of(schedule, i));
+    std::string objection = travel_objection(model, i, schedule.travel(i));
     if (!objection.empty()) {
       return error_about(model, ErrorKind::kInput, std::move(objection));
     }

@@ -58,6 +58,8 @@ inline constexpr double kSameBaseRadius = 1e-9;
 inline constexpr double kOneTurn = 1e-6;
 /// Relative to the peak acceleration: noise below this is not worth a note.
 inline constexpr double kNoiseWorthSaying = 0.01;
+/// Most repetitions of a law in a run: each takes several steps, and some are looked through at once.
+inline constexpr double kMostRepetitions = 1e6;
 /// How far a number may be from a whole one and count as whole, relative to the larger of itself and 1.
 inline constexpr double kWholeNumber = 1e-9;
 /// Relative to the step: steps of a driver from row to row that differ by less are equal.

@@ -120,6 +120,23 @@ TEST(LawSchedule, RepetitionsJumpAgain) {
   EXPECT_EQ(schedule.turning_points(1).size(), 4U);
 }
 
+// Between two rows the driver goes there and back any number of times.
+TEST(LawSchedule, KnowsItsWholeTravelAndItsGreatestSpeed) {
+  const std::string law =
+      "repeat = true\nsegments = [{ over = 2, law = \"cycloidal\", rise = 8 }, "
+      "{ over = 4, law = \"uniform\", rise = -8 }]\n";
+  const auto schedule = DriverSchedule::step(read(slider("time_step = 14\nduration = 14\n", law))).value();
+  EXPECT_NEAR(schedule.travel(0), 0.040, 1e-15);
+  // Twice the mean, in the middle of the rise; all rows are at rest or on the way back.
+  EXPECT_NEAR(schedule.greatest_speed(0), 0.008, 1e-15);
+  const auto many = DriverSchedule::step(read(slider("time_step = 1e7\nduration = 1e8\n", law)));
+  ASSERT_FALSE(many);
+  EXPECT_THAT(
+      to_string(many.error().front()),
+      HasSubstr(
+          "driver.duration takes the driver through 1.66667e+07 repetitions of laws.lift; at most 1e6"));
+}
+
 TEST(LawSchedule, GivesHigherDerivatives) {
   const auto schedule =
       DriverSchedule::step(read(crank_profile("law = \"lift\"\ntime_step = 1\n[laws.lift]\nsegments = [{ "

@@ -180,6 +180,14 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::in_time(const Profile&
   schedule.time_to_si_ = to_si(dimension::kTime, profile.units);
   schedule.time_from_si_ = from_si(dimension::kTime, profile.units);
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const auto& law = schedule.drivers_[i].law;
+    const double repetitions = law && law->repeats() ? schedule.duration_ / (law->end() - law->begin()) : 0;
+    if (repetitions > kMostRepetitions) {
+      return tl::unexpected(Diagnostics{mistake(
+          profile, i, "duration",
+          fmt::format("takes the driver through {:.6g} repetitions of {}; at most 1e6 can be followed",
+                      repetitions, profile.programs[i].law_name))});
+    }
     const DriverState last = schedule.state(schedule.size() - 1, i);
     if (is_turning(profile, i) && !is_sharp_angle(last.si.position)) {
       return tl::unexpected(

@@ -1,6 +1,7 @@
 // The motion of the drivers of a schedule in time between its rows.
 #include "higherpair/cam/law_series.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "io/tolerances.hpp"
 
 #include <algorithm>
@@ -97,6 +98,59 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   const bool first =
       missed(one) == missed(other) ? from_share(one) <= from_share(other) : missed(one) < missed(other);
   return std::clamp(first ? one : other, before, after);
+}
+
+// The way from one time to another, in the profile's unit.
+double DriverSchedule::way(const OneDriver& driver, double from, double to) const {
+  std::vector<double> times = reversals(driver, from, to);
+  times.push_back(to);
+  const auto position = [&](double t) {
+    return driver.law ? (*driver.law)(t) : driver.start + t * (driver.velocity + t * driver.acceleration / 2);
+  };
+  double way = 0;
+  double last = position(from);
+  for (const double t : times) {
+    way += std::abs(position(t) - last);
+    last = position(t);
+  }
+  return way;
+}
+
+double DriverSchedule::travel(std::size_t driver) const {
+  const OneDriver& one = drivers_[driver];
+  const auto si = [&](double way) {
+    return std::abs(one.position_to_si.apply(way) - one.position_to_si.apply(0));
+  };
+  if (timed_) {
+    const double length = one.law && one.law->repeats() ? one.law->end() - one.law->begin() : kInf;
+    const double rounds = std::floor(duration_ / length);
+    const double rest = rounds > 0 ? duration_ - rounds * length : duration_;
+    return si((rounds > 0 ? rounds * way(one, 0, length) : 0) + way(one, 0, rest));
+  }
+  if (one.positions.empty()) {
+    return si(size_ == 1 ? 0 : one.end - one.start);
+  }
+  double sum = 0;
+  for (std::size_t k = 1; k < one.positions.size(); ++k) {
+    sum += std::abs(one.positions[k] - one.positions[k - 1]);
+  }
+  return si(sum);
+}
+
+double DriverSchedule::greatest_speed(std::size_t driver) const {
+  const OneDriver& one = drivers_[driver];
+  const auto speed = [&](std::int64_t row) { return std::abs(state(row, driver).si.velocity); };
+  double greatest = std::max(speed(0), speed(size_ - 1));
+  if (one.law && timed_) {
+    const MotionLaw& law = *one.law;
+    const double to = std::min(duration_, std::max(law.end(), 0.0) + law.end() - law.begin());
+    const LawExtremes velocity = law.extremes(1, 0, to);
+    greatest = std::max({greatest, std::abs(one.velocity_to_si.apply(velocity.least)),
+                         std::abs(one.velocity_to_si.apply(velocity.greatest))});
+  } else if (one.law) {
+    for (std::int64_t row = 0; row < size_; ++row) greatest = std::max(greatest, speed(row));
+  }
+  return greatest;
 }
 
 std::vector<DriverSchedule::TurningPoint> DriverSchedule::turning_points(std::int64_t row) const {

@@ -85,6 +85,12 @@ public:
   /// One driver in one row. \pre 0 <= row < size(), driver < driver_count().
   [[nodiscard]] DriverState state(std::int64_t row, std::size_t driver = 0) const;
 
+  /// How far a driver goes in all, there and back [rad or m].
+  [[nodiscard]] double travel(std::size_t driver) const;
+
+  /// Its largest speed, in any row and, in time, between them [rad/s or m/s].
+  [[nodiscard]] double greatest_speed(std::size_t driver) const;
+
   /// The positions of all drivers in the first row [rad or m].
   [[nodiscard]] std::vector<double> first_positions() const;
 
@@ -139,6 +145,7 @@ private:
                                                            bool equally_spaced);
   [[nodiscard]] DriverMotion values(std::int64_t row, const OneDriver& driver) const;
   [[nodiscard]] LawSide side_of(std::int64_t row) const;
+  [[nodiscard]] double way(const OneDriver& driver, double from, double to) const;
   [[nodiscard]] static std::vector<double> reversals(const OneDriver& driver, double from, double to);
 
   std::vector<OneDriver> drivers_;
