@@ -1,5 +1,6 @@
 // The geometry and the speeds of one contact along the path.
 #include "check_parts.hpp"
+#include "front/columns/path_columns.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/analysis/touching_places.hpp"
 #include "higherpair/contact/details.hpp"
@@ -313,7 +314,7 @@ ContactCheck contact_check(const CheckedPath& checked, std::size_t index, bool s
   const Run& start = checked.start;
   const auto contact = std::make_shared<CheckedContact>(start, index, split);
   ContactCheck check;
-  check.quantities = {contact->sought(driver_rate(checked) * start.plan().size),
+  check.quantities = {contact->sought(largest_rate(checked.schedule, start) * start.plan().size),
                       [contact](const Run& run, double, std::span<double> out) { contact->fill(run, out); }};
   check.read = [contact, index, places = touching_places(start, index)](const PathRanges& ranges,
                                                                         CheckFigures& figures) {

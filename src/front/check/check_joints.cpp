@@ -23,7 +23,7 @@ public:
   explicit CheckedJoints(const CheckedPath& checked)
       : drivers_(checked.profile, checked.schedule),
         size_(checked.start.plan().size),
-        rate_(driver_rate(checked)) {
+        rate_(largest_rate(checked.schedule, checked.start)) {
     const Mechanism& mechanism = checked.start.mechanism();
     for (const DriverProgram& program : checked.profile.programs) {
       known_ = known_ && (!program.law || checked.schedule.is_timed());
@@ -112,16 +112,6 @@ private:
 };
 
 }  // namespace
-
-double driver_rate(const CheckedPath& checked) {
-  double rate = 0;
-  for (std::size_t i = 0; i < checked.schedule.driver_count(); ++i) {
-    const double velocity = std::abs(checked.schedule.state(0, i).si.velocity);
-    const bool turns = has_angle(driven_joint(checked.start.mechanism(), i).type);
-    rate = std::max(rate, turns ? velocity : velocity / checked.start.plan().size);
-  }
-  return rate;
-}
 
 JointCheck joint_check(const CheckedPath& checked) {
   const auto joints = std::make_shared<CheckedJoints>(checked);

@@ -72,10 +72,6 @@ struct CheckedPath {
   const ContactForceReport* forces = nullptr;  ///< null without masses, loads and springs
 };
 
-/// The largest speed of a driver at the beginning of the path; for a slide relative to the mechanism's size
-/// [1/s].
-[[nodiscard]] double driver_rate(const CheckedPath& checked);
-
 using PathRanges = std::vector<PathRange>;
 
 inline constexpr Sought kGreatest = {false, true, 0};

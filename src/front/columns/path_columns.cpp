@@ -83,11 +83,21 @@ std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers) {
   return motions;
 }
 
+double largest_rate(const DriverSchedule& schedule, const Run& start) {
+  double rate = 0;
+  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
+    const bool turns = has_angle(driven_joint(start.mechanism(), i).type);
+    rate = std::max(rate, schedule.greatest_speed(i) / (turns ? 1 : start.plan().size));
+  }
+  return rate;
+}
+
 PathColumns::PathColumns(const Analysis& analysis, RunSettings settings)
     : data_(analysis.impl().model),
       settings_(std::move(settings)),
       start_(analysis.impl().run),
       drivers_(data_->profile, analysis.impl().schedule),
+      rate_(largest_rate(drivers_.schedule(), start_)),
       path_(path_of(analysis.impl().schedule)),
       columns_(analysis.impl().columns) {
   if (settings_.forces) dynamics_.emplace(start_);

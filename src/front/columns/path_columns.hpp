@@ -48,6 +48,10 @@ private:
   Scaling time_from_si_;
 };
 
+/// The largest speed of a driver on the path through a schedule; of a slide relative to the mechanism's size
+/// [1/s].
+[[nodiscard]] double largest_rate(const DriverSchedule& schedule, const Run& start);
+
 [[nodiscard]] std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers);
 
 /// The columns of a run at any place on its path.
@@ -66,6 +70,7 @@ public:
   [[nodiscard]] const Run& start() const { return start_; }
   [[nodiscard]] const RowPath& path() const { return path_; }
   [[nodiscard]] const DriverPlaces& drivers() const { return drivers_; }
+  [[nodiscard]] double rate() const { return rate_; }  ///< largest_rate()
   [[nodiscard]] PathPlace place(double at) const { return {path_.row(at), at}; }
   /// The parameter of a row.
   [[nodiscard]] double parameter_of(std::int64_t row) const;
@@ -78,6 +83,7 @@ private:
   RunSettings settings_;
   Run start_;
   DriverPlaces drivers_;
+  double rate_;
   RowPath path_;
   ColumnSet columns_;
   std::optional<InverseDynamics> dynamics_;

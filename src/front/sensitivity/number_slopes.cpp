@@ -93,13 +93,12 @@ bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double cha
 
 NaturalScales natural_scales(const PathColumns& columns) {
   const DriverSchedule& schedule = columns.drivers().schedule();
-  NaturalScales natural{columns.start().plan().size, 0};
+  NaturalScales natural{columns.start().plan().size, columns.rate()};
   for (std::int64_t row = 0; row < schedule.size(); ++row) {
     for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-      const DriverMotion motion = schedule.state(row, i).si;
       const double unit = has_angle(driven_joint(columns.start().mechanism(), i).type) ? 1 : natural.size;
-      natural.rate = std::max(
-          {natural.rate, std::abs(motion.velocity) / unit, std::sqrt(std::abs(motion.acceleration) / unit)});
+      natural.rate =
+          std::max(natural.rate, std::sqrt(std::abs(schedule.state(row, i).si.acceleration) / unit));
     }
   }
   return natural;

@@ -30,17 +30,8 @@ double rounding_of(const PathColumns& columns, std::size_t column) {
     return 0;
   }
   const double size = columns.start().plan().size;
-  double rate = 0;
-  const DriverSchedule& schedule = columns.drivers().schedule();
-  for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const bool turns = has_angle(driven_joint(columns.data().profile.mechanism, i).type);
-    for (const std::int64_t row : {std::int64_t{0}, schedule.size() / 2, schedule.size() - 1}) {
-      const double velocity = std::abs(schedule.state(row, i).si.velocity);
-      rate = std::max(rate, turns ? velocity : velocity / size);
-    }
-  }
   return from_si(of, columns.units())
-      .apply(kResultRounding * std::pow(size, of.length) * std::pow(rate, -of.time));
+      .apply(kResultRounding * std::pow(size, of.length) * std::pow(columns.rate(), -of.time));
 }
 
 // One extreme of a column: the largest value of sign times the column.
