@@ -32,9 +32,9 @@ void end_at_once(int) {
 void on_interrupt(int number) {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  if (!signalled.exchange(true)) {
-    first_signal = now.tv_sec;
-  } else if (now.tv_sec > first_signal + 1) {
+  signalled = true;
+  std::time_t first = 0;
+  if (!first_signal.compare_exchange_strong(first, now.tv_sec) && now.tv_sec > first + 1) {
     end_at_once(number);
   }
 }
