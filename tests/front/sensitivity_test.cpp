@@ -625,24 +625,27 @@ TEST(SensitivityOfResults, ThatGrowElsewhereHaveNoSlopes) {
   EXPECT_THAT(slope(report, 0, "bodies.cam.curves.disc.radius").remark, HasSubstr("without bounds"));
 }
 
-// What touches ground moves along it: 90 degrees with any numbers. The derivatives are rounding at every
+// What touches a body at rest moves along it: 90 degrees with any numbers. The derivatives are rounding at every
 // place of the path, and the largest one to each side would count.
 TEST(SensitivityOfResults, OfAColumnThatIsConstantButForRoundingAreZero) {
   const Model model = model_of(R"(
 units.length = "m"
 bodies.ground.points.O = [-0.3036126579185672, 0.24691751118265248]
 bodies.ground.curves.round = { type = "circle", center = [1.1246795890274268, 0.4830555509962816], radius = 0.7294928466672169 }
-bodies.ground.curves.oval = { type = "ellipse", center = [-0.8680933838659026, 0.36452732909840885], semi_axes = [0.4354686878382511, 0.12857457257073193], rotation = 18.734226877548694 }
+bodies.anvil.points.O = [-0.3036126579185672, 0.24691751118265248]
+bodies.anvil.curves.oval = { type = "ellipse", center = [-0.8680933838659026, 0.36452732909840885], semi_axes = [0.4354686878382511, 0.12857457257073193], rotation = 18.734226877548694 }
 bodies.cam.points.O = [-0.3036126579185672, 0.24691751118265248]
 bodies.cam.curves.edge = { type = "ellipse", center = [-0.139154540449317, -0.7449574934580531], semi_axes = [0.07333130903879553, 0.2508616364569471], rotation = 278.84963024481374 }
 bodies.rider.curves.left = { type = "circle", center = [0.3837379348491962, -1.2152232398586769], radius = 1.1233820509888963 }
 bodies.rider.curves.right = { type = "circle", center = [0.4356626386203546, 0.7267935615627925], radius = 1.0 }
 bodies.rider.curves.roller = { type = "circle", center = [0.1435433003467232, -0.9337970005957518], radius = 0.19190958500598188 }
 joints.o = { type = "revolute", between = ["cam.O", "ground.O"] }
+joints.rest = { type = "revolute", between = ["ground.O", "anvil.O"] }
 contacts.round = { between = ["rider.left", "ground.round"] }
-contacts.oval = { between = ["ground.oval", "rider.right"] }
+contacts.oval = { between = ["anvil.oval", "rider.right"] }
 contacts.ride = { between = ["rider.roller", "cam.edge"] }
-driver = { joint = "o", start = 0, end = 40, samples = 5 }
+drivers.o = { joint = "o", start = 0, end = 40, samples = 5 }
+drivers.rest = { joint = "rest", start = 0, end = 0, samples = 5, velocity = 0 }
 )");
   const SensitivityReport report = report_of(model, wanted({"oval.pressure:max"}));
   EXPECT_NEAR(report.results[0].value, 90, 1e-9);
