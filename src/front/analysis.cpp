@@ -376,8 +376,8 @@ std::string idle_text(const Analysis::Impl& impl, std::size_t body) {
   const Dimension of_driver = driver_dimension(mechanism);
   return fmt::format(
       "bodies.{}: it turns freely, and nothing balances the moment about its pin, {:.6g} {} at driver = "
-      "{:.6g} {}, so that the forces are not those of equilibrium; put loads, springs and the centre of mass on the "
-      "pin, or set rolling = true",
+      "{:.6g} {}, so that the forces are not those of equilibrium; put loads, springs and the centre of mass "
+      "on the pin, or set rolling = true",
       mechanism.bodies[body].name, from_si(dimension::kTorque, impl.units).apply(moment),
       unit_text(dimension::kTorque, impl.units),
       from_si(of_driver, impl.units).apply(impl.schedule.state(row).si.position),

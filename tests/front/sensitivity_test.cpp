@@ -625,8 +625,8 @@ TEST(SensitivityOfResults, ThatGrowElsewhereHaveNoSlopes) {
   EXPECT_THAT(slope(report, 0, "bodies.cam.curves.disc.radius").remark, HasSubstr("without bounds"));
 }
 
-// What touches a body at rest moves along it: 90 degrees with any numbers. The derivatives are rounding at every
-// place of the path, and the largest one to each side would count.
+// What touches a body at rest moves along it: 90 degrees with any numbers. The derivatives are rounding at
+// every place of the path, and the largest one to each side would count.
 TEST(SensitivityOfResults, OfAColumnThatIsConstantButForRoundingAreZero) {
   const Model model = model_of(R"(
 units.length = "m"
