@@ -16,7 +16,6 @@ namespace {
 constexpr double kFewest = 48;          // least number of parts of a path
 constexpr double kMostSamples = 1e6;    // of a path
 constexpr double kFewestInStretch = 3;  // least number of parts between two breaks
-constexpr double kRoomInStep = 1e-6;    // by so much more than a step is one step
 constexpr double kMarks = 256;          // positions of the run that are kept to go on from, on a path
 // Between samples a motion should not be lost. To take it up again costs thousands of steps: after so many
 // times the best value found so far is the extreme.

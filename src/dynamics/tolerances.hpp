@@ -67,6 +67,8 @@ inline constexpr double kLowestForce = 1e-15;
 /// size.
 inline constexpr double kLongestSampleTurn = kPi / 360;
 inline constexpr double kLongestSampleSlide = 1.0 / 360;
+/// In steps: what is left of a stretch and longer than a step by less is one step.
+inline constexpr double kRoomInStep = 1e-6;
 /// Distance of a stretch's outer samples from its ends, as a fraction of the stretch.
 inline constexpr double kInsideStretch = 1e-6;
 /// Samples nearer to a singular position than this fraction of the spacing are left out.
