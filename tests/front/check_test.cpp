@@ -735,7 +735,7 @@ TEST(Check, FailsAsARunDoes) {
   const GivenLimit none{kNoValue, {}, "limits.max_pressure_angle", {}};
   EXPECT_EQ(limited([](CheckLimits& limits) { limits.contacts.resize(1); }), "");
   EXPECT_THAT(limited([&](CheckLimits& limits) { limits.all[0] = none; }),
-              HasSubstr("CheckLimits::all: limits.max_pressure_angle must be finite"));
+              HasSubstr("CheckLimits::all: max_pressure_angle = nan: must be finite"));
   EXPECT_THAT(limited([](CheckLimits& limits) { limits.contacts.resize(9); }),
               HasSubstr("CheckLimits::contacts: there are 9 for 1"));
 }

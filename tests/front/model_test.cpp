@@ -491,11 +491,11 @@ TEST(Model, WithAnotherCurveMovesAsTheProfileWithThatCurve) {
     const Motion a = built.run().value();
     const Motion b = read.run().value();
     ASSERT_EQ(a.size(), b.size());
-    for (const Column& column : a.columns()) {
-      const auto one = a.column(column.name);
-      const auto other = b.column(column.name);
+    for (const char* column : {"slide.position", "slide.velocity"}) {
+      const auto one = a.column(column);
+      const auto other = b.column(column);
       for (std::size_t k = 0; k < a.size(); ++k) {
-        EXPECT_NEAR(one[k], other[k], 1e-9 * (1 + std::abs(other[k]))) << column.name << " " << k;
+        EXPECT_NEAR(one[k], other[k], 1e-9 * (1 + std::abs(other[k]))) << column << " " << k;
       }
     }
     EXPECT_EQ(built.mechanism().bodies[2].curves.size(), changed.bodies[2].curves.size());
@@ -516,7 +516,9 @@ TEST(Model, WithAWholeConicInPlaceOfAChainNeedsNoBoundary) {
   Mechanism changed = chain.mechanism();
   for (Body& body : changed.bodies) {
     for (NamedCurve& curve : body.curves) {
-      if (curve.boundary) curve = {curve.name, make_circle({0.005, 0}, 0.02).value()};
+      if (!curve.boundary) continue;
+      curve.boundary = nullptr;
+      curve.curve = make_circle({0.005, 0}, 0.02).value();
     }
   }
   const Model model = chain.with_mechanism(changed).value();
