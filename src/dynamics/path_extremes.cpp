@@ -136,7 +136,8 @@ private:
     double at = std::lerp(from, to, kInsideStretch);
     take(mover, at);
     while (at < last && !is_stopped(start_)) {
-      const double left = std::ceil((last - at) / steps_.next(mover.run(), at, longest) - kRoomInStep);
+      const double step = std::max(steps_.next(mover.run(), at, longest), shortest_);
+      const double left = std::ceil((last - at) / step - kRoomInStep);
       at = left > 1 ? at + (last - at) / left : last;
       take(mover, at);
     }
@@ -360,6 +361,7 @@ private:
   std::vector<Stretch> stretches_;
   std::vector<Approach> approaches_;
   std::vector<Mover> marks_;
+  double shortest_ = (path_.knots.back() - path_.knots.front()) / kMostSamples;  // step
   double between_marks_ = (path_.knots.back() - path_.knots.front()) / kMarks;
 };
 
