@@ -80,31 +80,6 @@ TEST(Model, CanBeBuiltWithoutAFile) {
   EXPECT_EQ(motion.column("driver.velocity")[0], 180 / kPi);
 }
 
-// At every size, by a power of two so that no number is rounded.
-TEST(Model, OfAnySizeHasTheSameMotion) {
-  RunSettings settings;
-  settings.jerk = true;
-  settings.samples = 37;
-  const Motion usual = Model::from(four_bar(), kSiUnits)->run(settings).value();
-  for (const int power : {-60, -47, -40, 40}) {
-    Mechanism scaled = four_bar();
-    const double factor = std::ldexp(1, power);
-    for (Body& body : scaled.bodies) {
-      body.guess_p_WB *= factor;
-      for (NamedPoint& point : body.points) point.p_B *= factor;
-    }
-    const Motion motion = Model::from(scaled, kSiUnits)->run(settings).value();
-    EXPECT_TRUE(motion.good()) << power;
-    for (const char* angle : {"rocker.angle", "rocker.jerk", "coupler.alpha"}) {
-      const auto expected = usual.column(angle);
-      const auto found = motion.column(angle);
-      for (std::size_t k = 0; k < usual.size(); ++k) {
-        EXPECT_NEAR(found[k], expected[k], 1e-9 * (1 + std::abs(expected[k]))) << angle << " " << power;
-      }
-    }
-  }
-}
-
 TEST(Model, ThatIsBuiltRunsAsTheOneThatIsRead) {
   const Model read = model_of(kCam);
   Mechanism cam;

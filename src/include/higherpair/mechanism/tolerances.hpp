@@ -9,8 +9,8 @@ namespace higherpair {
 /// Points closer than this fraction of their coordinates coincide: rounding of the coordinates alone, 1e-16
 /// of them, would exceed the default tolerance of 1e-9 of the distance.
 inline constexpr double kCoincident = 1e-7;
-/// Least size of a mechanism [m]: anything smaller is the rounding of what should be 0.
-inline constexpr double kLeastSize = 1e-30;
+/// Least size of a mechanism [m], a hundredth of an atom: anything smaller is rounding.
+inline constexpr double kLeastSize = 1e-12;
 /// Relative to how far a sliding driver goes: a mechanism of smaller size would take as many steps to go that
 /// far as this is small.
 inline constexpr double kLeastOfTravel = 1e-4;
