@@ -31,8 +31,13 @@ public:
     }
     motion_ = *std::move(motion);
     for (const Event& event : motion_->events()) {
-      events_.push_back({event.type, event.driver_si, 0, event.joint, event.contact, event.cause,
-                         std::nullopt, event.value, std::nullopt, {}});
+      RunEvent& made = events_.emplace_back();
+      made.type = event.type;
+      made.driver = event.driver_si;
+      made.joint = event.joint;
+      made.contact = event.contact;
+      made.cause = event.cause;
+      made.value = event.value;
     }
   }
 
