@@ -161,6 +161,10 @@ std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
 
 void note_crossings(Run& run, const Path& path, double s, double end) {
   for (const Crossing& crossing : run.work.crossings) {
+    const bool on_the_way = (crossing.s - s) * (end - s) >= 0 && (end - crossing.s) * (end - s) >= 0;
+    if (!on_the_way) {
+      continue;
+    }
     RunEvent event = event_at(EventType::kDeadPoint, path, crossing.s,
                               "branches cross here: the input cannot tell which way the mechanism goes on; "
                               "it is taken straight on");
@@ -169,12 +173,10 @@ void note_crossings(Run& run, const Path& path, double s, double end) {
         std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const RunEvent& other) {
           return is_same_item(event, other) && is_at_same_drivers(run, event, other, kSameChangePoint);
         });
-    const bool on_the_way = (crossing.s - s) * (end - s) >= 0 && (end - crossing.s) * (end - s) >= 0;
-    if (known || !on_the_way) {
-      continue;
+    if (!known) {
+      run.at.reported.push_back(event);
+      run.events.push_back(std::move(event));
     }
-    run.at.reported.push_back(event);
-    run.events.push_back(std::move(event));
   }
 }
 

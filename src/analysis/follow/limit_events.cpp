@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 namespace higherpair {
+
 RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) {
   RunEvent event = event_at(EventType::kLimitPosition, path, s, limit_cause(run.plan().groups[g]));
   name_item(run, g, event);

@@ -115,6 +115,13 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
 
 }  // namespace
 
+double distance_ahead(const OneFreedom& follower, double q, int direction, double contact, double near) {
+  const double distance = direction * (contact - q);
+  const double turn = 2 * kPi;
+  const double ahead = follower.turns ? distance - turn * std::floor((distance + near) / turn) : distance;
+  return ahead < 0 && ahead >= -near ? 0 : ahead;
+}
+
 FindResult find_contact(const ContactPair& pair, double u, double q, int direction, bool from_overlap) {
   ListedContacts listed(pair, u);
   return search(pair, u, q, direction, from_overlap, listed);

@@ -12,13 +12,6 @@
 
 namespace higherpair {
 
-double distance_ahead(const OneFreedom& follower, double q, int direction, double contact, double near) {
-  const double distance = direction * (contact - q);
-  const double turn = 2 * kPi;
-  const double ahead = follower.turns ? distance - turn * std::floor((distance + near) / turn) : distance;
-  return ahead < 0 && ahead >= -near ? 0 : ahead;
-}
-
 double size_at(const ContactPair& pair, double u, double q) {
   const Vector2d p1 = pose_at(pair.motion1, u) * anchor(pair.curve1);
   const Vector2d p2 = pose_at(pair.motion2, q) * anchor(pair.curve2);

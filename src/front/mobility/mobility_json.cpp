@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace higherpair {
 namespace {
@@ -158,17 +159,19 @@ private:
 
   // The pins that two bodies share: also where the bodies do not turn against each other for a moment, such a
   // pin is their centre.
-  void add_common_pin(InstantCenter& center) const {
+  void add_common_pin(std::span<const Pin> pins, InstantCenter& center) const {
+    if (center.kind != InstantCenterKind::kUndefined) {
+      return;
+    }
     const std::vector<BodyMotion>& bodies = findings.mobility.moving;
     const auto is_on = [](const Pin& pin, std::size_t body) {
       return std::any_of(pin.ends.begin(), pin.ends.end(),
                          [&](const BodyPoint& end) { return end.body == static_cast<int>(body); });
     };
-    const std::vector<Pin> pins = find_pins(mechanism);
     const auto common = std::find_if(pins.begin(), pins.end(), [&](const Pin& pin) {
       return is_on(pin, center.i) && is_on(pin, center.j);
     });
-    if (center.kind == InstantCenterKind::kUndefined && common != pins.end()) {
+    if (common != pins.end()) {
       const BodyPoint& end = common->ends.front();
       center.kind = InstantCenterKind::kPoint;
       center.p_W = bodies[end.body].X_WB * end.p_B;
@@ -177,8 +180,9 @@ private:
 
   [[nodiscard]] Json centers() const {
     Json json = Json::array();
+    const std::vector<Pin> pins = find_pins(mechanism);
     for (InstantCenter& center : instant_centers(findings.mobility.moving, size_of(mechanism))) {
-      add_common_pin(center);
+      add_common_pin(pins, center);
       Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
       switch (center.kind) {
         case InstantCenterKind::kUndefined:

@@ -53,15 +53,14 @@ struct PathRange {
 
 /// Smallest and largest values of quantities along a whole path, whatever its rows. Samples (two for each
 /// degree of a turning driver, and one in each part of a boundary that a contact passes) show near which
-/// places they can lie; there the quantity is
-/// interpolated at Chebyshev points of positions that the run moves to, on intervals that are halved until
-/// the series has converged to within rounding. At jumps both one-sided limits count. Of equal extremes the
-/// first one on the path is taken. Extremes that lie entirely between two samples may be missed. The stretch
-/// between a limit position or dead point and the samples next to it is not searched, since rates there are
-/// rounding or unbounded; from a few positions on it growth beyond the extreme is told. Ends early where
-/// is_stopped(start). \param start  the mechanism at the path's first positions, as start_run returns it
-/// \param breaks  ascending parameters of the path at which derivatives are known to jump
-/// \return for each block of quantities a range of each
+/// places they can lie; there the quantity is interpolated at Chebyshev points of positions that the run
+/// moves to, on intervals that are halved until the series has converged to within rounding. At jumps both
+/// one-sided limits count. Of equal extremes the first one on the path is taken. Extremes that lie entirely
+/// between two samples may be missed. The stretch between a limit position or dead point and the samples next
+/// to it is not searched, since rates there are rounding or unbounded; from a few positions on it growth
+/// beyond the extreme is told. Ends early where is_stopped(start). \param start  the mechanism at the path's
+/// first positions, as start_run returns it \param breaks  ascending parameters of the path at which
+/// derivatives are known to jump \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,
                                                                 const std::vector<double>& breaks = {});
