@@ -130,7 +130,14 @@ void judge_drivers(const SizedMechanism& sized, const Freedom& all, const Mechan
   }
 }
 
-// Velocities at the start for given rates of the drivers; the solution of least norm, so that idle bodies are
+// Rate of a driver at the start [rad/s or m/s]: the given one. A single driver that starts from rest has rate
+// 1: the instant centres are the same for any other.
+double rate_at_start(const MobilityQuestion& question, std::size_t driver) {
+  const std::vector<double>& given = question.velocities;
+  return given.empty() || (given.size() == 1 && given.front() == 0) ? 1 : given[driver];
+}
+
+// Velocities at the start for the rates of the drivers; the solution of least norm, so that idle bodies are
 // at rest.
 std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const MobilityQuestion& question,
                                       const MechanismPosition& start) {
@@ -142,8 +149,7 @@ std::vector<BodyMotion> moving_bodies(const SizedMechanism& sized, const Mobilit
   for (Eigen::Index i = 0; i < drivers.rows(); ++i) {
     const auto driver = static_cast<std::size_t>(i);
     const bool turns = driven_joint(sized.mechanism, driver).type == JointType::kRevolute;
-    rates(conditions.J.rows() + i) =
-        (question.velocities.empty() ? 1 : question.velocities[driver]) * (turns ? sized.size : 1);
+    rates(conditions.J.rows() + i) = rate_at_start(question, driver) * (turns ? sized.size : 1);
   }
   const Eigen::VectorXd solved = LeastNormSolver(J, kRankFloor).solve(rates);
   // A driver at its dead point moves nothing.

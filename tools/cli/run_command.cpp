@@ -84,11 +84,11 @@ std::string value_text(const Event& event, const Model& model) {
 }
 
 std::vector<std::string> event_lines(const std::vector<Event>& events, const Model& model) {
-  const std::string unit = driver_unit(model);
+  const std::string unit = driver_unit(model), time_unit = unit_text(dimension::kTime, model.units());
   std::vector<std::string> lines;
   for (const Event& event : events) {
     const std::string item = event.item.empty() ? "" : ": " + event.item;
-    const std::string time = event.time ? fmt::format(", time = {:.15g}", *event.time) : "";
+    const std::string time = event.time ? fmt::format(", time = {:.15g} {}", *event.time, time_unit) : "";
     lines.push_back(fmt::format("{} at driver = {:.15g} {}{}{}{}: {}", name_of(event.type), event.driver,
                                 unit, time, item, value_text(event, model), event.cause));
   }

@@ -2,6 +2,7 @@
 
 #include "front/columns/column_set.hpp"
 #include "higherpair/linkage/instant_centers.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "mobility_gears.hpp"
@@ -157,13 +158,10 @@ private:
     return json;
   }
 
-  // The pins that two bodies share: also where the bodies do not turn against each other for a moment, such a
-  // pin is their centre.
-  void add_common_pin(std::span<const Pin> pins, InstantCenter& center) const {
-    if (center.kind != InstantCenterKind::kUndefined) {
-      return;
-    }
-    const std::vector<BodyMotion>& bodies = findings.mobility.moving;
+  // Two bodies that are at rest against each other for a moment have the centre that their joint gives them
+  // in every other moment.
+  void set_by_joint(std::span<const Pin> pins, InstantCenter& center) const {
+    const std::vector<BodyMotion>& moving = findings.mobility.moving;
     const auto is_on = [](const Pin& pin, std::size_t body) {
       return std::any_of(pin.ends.begin(), pin.ends.end(),
                          [&](const BodyPoint& end) { return end.body == static_cast<int>(body); });
@@ -174,7 +172,15 @@ private:
     if (common != pins.end()) {
       const BodyPoint& end = common->ends.front();
       center.kind = InstantCenterKind::kPoint;
-      center.p_W = bodies[end.body].X_WB * end.p_B;
+      center.p_W = moving[end.body].X_WB * end.p_B;
+      return;
+    }
+    for (const Joint& joint : mechanism.joints) {
+      if (joint.type == JointType::kPrismatic &&
+          joins(joint, static_cast<int>(center.i), static_cast<int>(center.j))) {
+        center.kind = InstantCenterKind::kAtInfinity;
+        center.u_W = perp(Vector2d(moving[joint.first.body].X_WB.R_WB * joint.direction_A));
+      }
     }
   }
 
@@ -182,7 +188,9 @@ private:
     Json json = Json::array();
     const std::vector<Pin> pins = find_pins(mechanism);
     for (InstantCenter& center : instant_centers(findings.mobility.moving, size_of(mechanism))) {
-      add_common_pin(pins, center);
+      if (center.kind == InstantCenterKind::kUndefined) {
+        set_by_joint(pins, center);
+      }
       Json one = {{"bodies", {body(static_cast<int>(center.i)), body(static_cast<int>(center.j))}}};
       switch (center.kind) {
         case InstantCenterKind::kUndefined:

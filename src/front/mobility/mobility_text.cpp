@@ -233,7 +233,7 @@ private:
       } else if (center["kind"] == "at_infinity") {
         add("  {}: at infinity along ({}, {})", pair, number(center["x"]), number(center["y"]));
       } else {
-        add("  {}: none, they move as one", pair);
+        add("  {}: undefined, they are at rest against each other", pair);
       }
     }
   }

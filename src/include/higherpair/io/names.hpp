@@ -18,7 +18,7 @@ namespace higherpair::io_detail {
 }
 
 inline constexpr std::string_view kNameRule =
-    "a name begins with a letter or _ and goes on with letters, digits, _ and -";
+    "a name begins with a letter from A to Z or a to z, or _, and goes on with these, digits and -";
 
 /// `text` without leading and trailing spaces and tabs.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {

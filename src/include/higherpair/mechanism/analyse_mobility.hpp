@@ -17,8 +17,9 @@ struct MechanismPosition {
 
 /// From where to analyse a mechanism.
 struct MobilityQuestion {
-  std::vector<double> drivers;     ///< coordinates to hold at the start; empty: leave them free
-  std::vector<double> velocities;  ///< velocities of the drivers, for `moving`; empty: 1 for each
+  std::vector<double> drivers;  ///< coordinates to hold at the start; empty: leave them free
+  std::vector<double>
+      velocities;  ///< velocities of the drivers, for `moving`; empty, or a single 0: 1 for each
   /// An assembled position; none: assembled near the poses, with the drivers held or free.
   std::optional<MechanismPosition> start;
 };
