@@ -126,6 +126,15 @@ TEST_F(DesignCommand, AConstraintThatCannotHoldIsExitCode4) {
   EXPECT_TRUE(fs::exists(file("b.toml")));
 }
 
+// The linkage below and above the line of centres: the mirror image draws the mirrored line.
+TEST_F(DesignCommand, TellsApartEqualNumbersInTwoAssemblies) {
+  const Answer answer = run("design " + std::string(HIGHERPAIR_SOURCE_DIR) +
+                            "/profiles/design_hoeken_line.toml -o " + file("b.toml") + " --starts 4");
+  EXPECT_EQ(answer.code, 0) << answer.text;
+  EXPECT_THAT(answer.text, HasSubstr("  2. 0.00356650853 (as 1, assembled otherwise): crank 0.95392"));
+  EXPECT_THAT(answer.text, HasSubstr(" cm/cm\n"));
+}
+
 TEST_F(DesignCommand, WhatIsWrongIsExitCode2AndNothingIsWritten) {
   const std::string four_bar = std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/four_bar.toml";
   const Answer no_task = run("design " + four_bar + " -o " + file("b.toml"));

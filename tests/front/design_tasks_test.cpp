@@ -75,7 +75,7 @@ TEST(DesignTasks, TheLeastCamHasThePressureAngleThatIsAllowed) {
   EXPECT_NEAR(report.variables.front().after, 1.750944530, 1e-6);
   EXPECT_NEAR(report.constraints.front().after, 30, 1e-5);
   EXPECT_GT(report.constraints.front().cost, 0);
-  EXPECT_EQ(report.constraints.front().cost_unit, "in/(deg)");
+  EXPECT_EQ(report.constraints.front().cost_unit, "in/deg");
 }
 
 // y = √(a² sin² θ + b² cos² θ) against 4 (1 - cos 2θ).

@@ -64,7 +64,7 @@ std::string constraints_text(const DesignReport& report) {
   for (const auto& constraint : report.constraints) {
     text += fmt::format(
         "{:<{}}  {:>16}  {:>16}  {:<10} margin {}{}{}\n", constraint.what, width, shown(constraint.before),
-        shown(constraint.after), constraint.unit, shown(constraint.margin),
+        shown(constraint.after), constraint.unit, shown(constraint.margin, 4),
         constraint.margin < 0 ? ", VIOLATED" : "",
         constraint.cost > 0 ? fmt::format(", costs {:.4g} {}", constraint.cost, constraint.cost_unit) : "");
   }
@@ -76,15 +76,22 @@ std::string search_text(const DesignReport& report) {
                                  report.method, report.evaluations, report.different);
   const bool has_steps = std::any_of(report.variables.begin(), report.variables.end(),
                                      [](const auto& variable) { return variable.step > 0; });
+  std::vector<std::string> designs;
   for (std::size_t k = 0; k < std::min<std::size_t>(5, report.optima.size()); ++k) {
-    text += fmt::format("  {}. {}{}{}{}:", k + 1, shown(report.optima[k].objective),
-                        report.optima[k].holds ? "" : " (violates a constraint)",
-                        report.optima[k].as_found.value_or(true) ? "" : " (its profile starts otherwise)",
-                        has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "");
+    std::string design;
     for (std::size_t i = 0; i < report.variables.size(); ++i) {
-      text += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
+      design += fmt::format(" {} {:.5g}", report.variables[i].name, report.optima[k].variables[i]);
     }
-    text += "\n";
+    // The assembly is not among the numbers.
+    const auto same = std::find(designs.begin(), designs.end(), design);
+    text += fmt::format(
+        "  {}. {}{}{}{}{}:{}\n", k + 1, shown(report.optima[k].objective),
+        report.optima[k].holds ? "" : " (violates a constraint)",
+        report.optima[k].as_found.value_or(true) ? "" : " (its profile starts otherwise)",
+        has_steps && report.optima[k].text.empty() ? " (not rounded to steps)" : "",
+        same == designs.end() ? "" : fmt::format(" (as {}, assembled otherwise)", same - designs.begin() + 1),
+        design);
+    designs.push_back(std::move(design));
   }
   return text;
 }

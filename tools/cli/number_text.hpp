@@ -10,9 +10,9 @@
 
 namespace higherpair::cli {
 
-/// A number for people, with nine digits.
-[[nodiscard]] inline std::string shown(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "-";
+/// A number for people.
+[[nodiscard]] inline std::string shown(double value, int digits = 9) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
 }
 
 /// A field of CSV with all digits; empty if the value is undefined.

@@ -17,9 +17,6 @@ struct SensitivityFindings {
   std::size_t top = 10;  ///< how many numbers are printed for each result
 };
 
-/// The unit of the derivative of a result by a number: "deg/mm".
-[[nodiscard]] std::string unit_per(const std::string& result, const std::string& number);
-
 /// The change of a result in per cent per one per cent of the number; none if either is 0.
 [[nodiscard]] std::optional<double> relative_slope(const ResultSensitivity& result, std::size_t number,
                                                    const SensitivityReport& report);

@@ -300,14 +300,6 @@ private:
 
 }  // namespace
 
-std::string unit_per(const std::string& result, const std::string& number) {
-  if (number == "1") {
-    return result;
-  }
-  const bool compound = number.find_first_of("/*") != std::string::npos;
-  return compound ? fmt::format("{}/({})", result, number) : fmt::format("{}/{}", result, number);
-}
-
 std::optional<double> relative_slope(const ResultSensitivity& result, std::size_t number,
                                      const SensitivityReport& report) {
   const double of = report.numbers[number].value;

@@ -139,6 +139,9 @@ private:
 /// it back as part of a quantity gives the same unit.
 [[nodiscard]] std::string unit_text(const Dimension& dimension, const Units& units);
 
+/// The unit of the derivative of a quantity by another one, from the units of both: "deg/mm", "N/(m/s)".
+[[nodiscard]] std::string unit_per(const std::string& quantity, const std::string& other);
+
 /// A value in SI units and radians as a text in the units given, "12.5 mm".
 /// \param digits  significant digits, as of the format "g"
 [[nodiscard]] std::string with_unit(double si, const Dimension& dimension, const Units& units,

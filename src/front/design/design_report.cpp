@@ -206,7 +206,7 @@ private:
         line.margin = sign * (limit - line.after);
         line.cost = cost_of(k, limit, static_cast<std::size_t>(at));
         if (task_.objectives.size() == 1) line.cost /= task_.objectives.front().weight;
-        line.cost_unit = fmt::format("{}/({})", unit_of_all(report), unit);
+        line.cost_unit = unit_per(unit_of_all(report), unit);
         if (std::abs(line.margin) <= setup_.slack(k)) line.margin = 0;
         report.holds = report.holds && line.margin >= 0;
         report.constraints.push_back(std::move(line));

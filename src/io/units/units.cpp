@@ -212,6 +212,14 @@ std::string unit_text(const Dimension& dimension, const Units& units) {
   return fmt::format("{}{}{}", above.empty() ? "1" : above, below.empty() ? "" : "/", below);
 }
 
+std::string unit_per(const std::string& quantity, const std::string& other) {
+  if (other == "1") {
+    return quantity;
+  }
+  const bool compound = other.find_first_of("/*") != std::string::npos;
+  return compound ? fmt::format("{}/({})", quantity, other) : fmt::format("{}/{}", quantity, other);
+}
+
 std::string with_unit(double si, const Dimension& dimension, const Units& units, int digits) {
   return fmt::format("{:.{}g} {}", from_si(dimension, units).apply(si), digits, unit_text(dimension, units));
 }
