@@ -330,7 +330,7 @@ std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positio
       const double size = run.plan().size;
       const double largest = run.tolerance * size + known * (tracked->pair.motion1.turns ? size : 1);
       if (!result.converged || !(result.mismatch <= largest) || !(std::abs(track.at.sliding) <= largest)) {
-        return Slip{tracked->driver_sign * u, track.at.sliding, tracked->contact};
+        return Slip{tracked->driver_sign * track.at.u, track.at.sliding, tracked->contact};
       }
     }
   }

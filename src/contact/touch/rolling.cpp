@@ -14,19 +14,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace higherpair {
 namespace {
 
 constexpr int kMaxRollSteps = 60;
-constexpr double kMostRollSteps = 1e15;  // largest number of steps, which an integer can still count
 
 using Jacobian = Eigen::Matrix<double, 3, 2>;  // of gap, tangential distance and third condition, by q and φ
 
 double size_of(const ContactPair& pair, const ContactPosition& at) {
   return (at.p1_W - pair.motion1.p_WO).norm() + (at.p2_W - pair.motion2.p_WO).norm() + kNeverZero;
+}
+
+// Large angles have no more digits than this [rad].
+double rounding_of(const RollingTrack& track) {
+  const ContactPosition& at = track.at;
+  const double far = std::abs(track.phi) + (track.pair.motion1.turns ? std::abs(at.u) : 0) +
+                     (track.pair.motion2.turns ? std::abs(at.q) : 0);
+  return kRollingUlps * std::numeric_limits<double>::epsilon() * far;
 }
 
 // Residuals of the three conditions, and their derivatives by q and φ.
@@ -122,10 +129,7 @@ RollingResult solve(RollingTrack& track, const AddThird& add_third) {
   if (!place()) {
     return result;
   }
-  // Large angles have no more digits than this.
-  const double far = std::abs(track.phi) + (track.pair.motion1.turns ? std::abs(at.u) : 0) +
-                     (track.pair.motion2.turns ? std::abs(at.q) : 0);
-  const double near = std::max(kNewtonQuadratic, kRollingUlps * std::numeric_limits<double>::epsilon() * far);
+  const double near = std::max(kNewtonQuadratic, rounding_of(track));
   double last = kInf;
   for (int i = 0; i < kMaxRollSteps; ++i) {
     Equations equations = contact_equations(track.pair, at);
@@ -183,6 +187,37 @@ void add_rates(RollingTrack& track) {
   at.d2q = (a1 + relative - a2).dot(v2) / v2.squaredNorm();
 }
 
+struct RollStep {
+  RollingTrack track;
+  RollingResult result;
+  bool agrees = false;  // with what was predicted
+};
+
+// A step, predicted and solved. If the normal turns on by 2π and the follower by 4π, the arcs of equal
+// ellipses have the same difference again: such a solution, or another one far away, is refused.
+RollStep roll_step(const RollingTrack& from, double u) {
+  RollStep step{from, {}};
+  RollingTrack& track = step.track;
+  ContactPosition& at = track.at;
+  const double h = u - at.u;
+  at.u = u;
+  at.q += h * (at.dq + h / 2 * at.d2q);
+  at.n_W = Rotation<double>::from_angle(h * at.dphi) * at.n_W;
+  track.phi += h * at.dphi;
+  const double q = at.q;
+  step.result = solve(track, [&](double phi, Equations& equations) { add_arcs(track, phi, equations); });
+  if (!step.result.converged) {
+    return step;
+  }
+  add_rates(track);
+  const double unit = track.pair.motion2.turns ? 1 : size_of(track.pair, at);
+  const double turned = std::abs(track.phi - from.phi);
+  const double change = turned + std::abs(at.q - from.at.q) / unit;
+  step.agrees = turned <= kFarthestInnerTurn &&
+                std::abs(at.q - q) / unit <= kWalkAgreement * change + kInnerMismatch + rounding_of(track);
+  return step;
+}
+
 }  // namespace
 
 RollingResult start_rolling(RollingTrack& track, const ContactPair& pair, double u, double q,
@@ -204,25 +239,23 @@ RollingResult start_rolling(RollingTrack& track, const ContactPair& pair, double
 }
 
 RollingResult roll_to(RollingTrack& track, double u) {
-  RollingResult result;
-  result.converged = true;
-  const double scale = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
-  const double from = track.at.u;
-  const double parts = std::ceil(std::abs(u - from) / (kLargestTurn * scale));
-  const auto steps = static_cast<std::int64_t>(std::clamp(parts, 1.0, kMostRollSteps));
-  for (std::int64_t i = 1; i <= steps; ++i) {
-    const double to =
-        i == steps ? u : from + (u - from) * static_cast<double>(i) / static_cast<double>(steps);
-    const double h = to - track.at.u;
-    track.at.u = to;
-    track.at.q += h * (track.at.dq + h / 2 * track.at.d2q);
-    track.at.n_W = Rotation<double>::from_angle(h * track.at.dphi) * track.at.n_W;
-    track.phi += h * track.at.dphi;
-    result = solve(track, [&](double phi, Equations& equations) { add_arcs(track, phi, equations); });
-    if (!result.converged) {
+  const double unit = track.pair.motion1.turns ? 1 : size_of(track.pair, track.at);
+  StepLength length(kLargestTurn * unit);
+  RollingResult result{.converged = true};
+  while (track.at.u != u) {
+    const auto [h, last] = length.next(u - track.at.u);
+    RollStep step = roll_step(track, last ? u : track.at.u + h);
+    if (step.agrees) {
+      track = std::move(step.track);
+      result = step.result;
+      length.taken();
+      continue;
+    }
+    length.refused(h);
+    if (length.value() < shortest_step(unit, u)) {
+      result.converged = false;
       return result;
     }
-    add_rates(track);
   }
   return result;
 }
