@@ -260,7 +260,7 @@ bool Analysis::Impl::next_row(Row& row) {
   columns.fill(source, row.values);
   row.number = next;
   row.status = source.status();
-  good = good && row.status == RowStatus::kOk;
+  note_status(row.status);
   return advance(next + 1);
 }
 
@@ -271,10 +271,19 @@ void Analysis::Impl::note_idle_moments() {
   const Statics& statics = dynamics->statics();
   for (std::size_t i = 0; i < statics.holding_count(); ++i) {
     const Statics::Holding holding = statics.holding(i);
-    IdleMoment& largest = idle[holding.body];
+    IdleMoment& largest = found.idle[holding.body];
     if (holding.matters && std::abs(holding.moment) > std::abs(largest.moment)) {
       largest = {-holding.moment, next};
     }
+  }
+}
+
+void Analysis::Impl::note_status(RowStatus status) {
+  found.good = found.good && status == RowStatus::kOk;
+  if (status == RowStatus::kNotConverged) {
+    InexactRows& rows = found.inexact;
+    rows.first = rows.count++ == 0 ? next : rows.first;
+    rows.residual = std::max(rows.residual, run.row.residual);
   }
 }
 
@@ -311,7 +320,7 @@ std::unique_ptr<Analysis::Impl> make_impl(std::shared_ptr<const Model::Data> mod
   if (forces) {
     impl->dynamics.emplace(impl->run);
     impl->start = impl->run;
-    impl->idle.resize(impl->run.mechanism().bodies.size());
+    impl->found.idle.resize(impl->run.mechanism().bodies.size());
   }
   return impl;
 }
@@ -333,13 +342,20 @@ void Analysis::Impl::begin_at(std::int64_t row, const RunPlace& from) {
   }
 }
 
-void Analysis::Impl::add_block(std::vector<Event> found, bool all_good,
-                               const std::vector<IdleMoment>& moments, std::int64_t end) {
-  for (std::size_t body = 0; body < moments.size(); ++body) {
-    if (std::abs(moments[body].moment) > std::abs(idle[body].moment)) idle[body] = moments[body];
+void RowsFound::add(RowsFound later) {
+  events.insert(events.end(), std::make_move_iterator(later.events.begin()),
+                std::make_move_iterator(later.events.end()));
+  good = good && later.good;
+  for (std::size_t body = 0; body < later.idle.size(); ++body) {
+    if (std::abs(later.idle[body].moment) > std::abs(idle[body].moment)) idle[body] = later.idle[body];
   }
-  events.insert(events.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
-  good = good && all_good;
+  inexact.first = inexact.count == 0 ? later.inexact.first : inexact.first;
+  inexact.count += later.inexact.count;
+  inexact.residual = std::max(inexact.residual, later.inexact.residual);
+}
+
+void Analysis::Impl::add_block(RowsFound of_block, std::int64_t end) {
+  found.add(std::move(of_block));
   (void)advance(end);
 }
 
@@ -365,14 +381,14 @@ bool Analysis::stopped() const {
 }
 
 const std::vector<Event>& Analysis::events() const {
-  return impl_->events;
+  return impl_->found.events;
 }
 
 namespace {
 
 std::string idle_text(const Analysis::Impl& impl, std::size_t body) {
   const Mechanism& mechanism = impl.model->profile.mechanism;
-  const auto [moment, row] = impl.idle[body];
+  const auto [moment, row] = impl.found.idle[body];
   const Dimension of_driver = driver_dimension(mechanism);
   return fmt::format(
       "bodies.{}: it turns freely, and nothing balances the moment about its pin, {:.6g} {} at driver = "
@@ -384,18 +400,34 @@ std::string idle_text(const Analysis::Impl& impl, std::size_t body) {
       unit_text(of_driver, impl.units));
 }
 
+std::string inexact_text(const Analysis::Impl& impl) {
+  const InexactRows& rows = impl.found.inexact;
+  const Dimension of_driver = driver_dimension(impl.model->profile.mechanism);
+  return fmt::format(
+      "{} of {} rows are `not_converged`, the first at driver = {:.6g} {}: conditions are met to {:.3g} {}, "
+      "where the tolerance is {:.3g}",
+      rows.count, impl.next,
+      from_si(of_driver, impl.units).apply(impl.schedule.state(rows.first).si.position),
+      unit_text(of_driver, impl.units), from_si(dimension::kLength, impl.units).apply(rows.residual),
+      unit_text(dimension::kLength, impl.units),
+      from_si(dimension::kLength, impl.units).apply(impl.run.tolerance * impl.run.plan().size));
+}
+
 }  // namespace
 
 Diagnostics Analysis::notes() const {
   Diagnostics notes = impl_->notes;
-  for (std::size_t body = 0; body < impl_->idle.size(); ++body) {
-    if (impl_->idle[body].moment != 0) {
+  for (std::size_t body = 0; body < impl_->found.idle.size(); ++body) {
+    if (impl_->found.idle[body].moment != 0) {
       notes.push_back(about(impl_->model->profile.source, idle_text(*impl_, body)));
     }
   }
+  if (impl_->found.inexact.count > 0) {
+    notes.push_back(about(impl_->model->profile.source, inexact_text(*impl_)));
+  }
   if (impl_->next == impl_->schedule.size()) {
     const auto touched = [&](std::size_t contact) {
-      return std::any_of(impl_->events.begin(), impl_->events.end(), [&](const Event& event) {
+      return std::any_of(impl_->found.events.begin(), impl_->found.events.end(), [&](const Event& event) {
         return event.contact == static_cast<int>(contact) &&
                (event.type == EventType::kEngage || event.type == EventType::kOverlap);
       });
@@ -427,7 +459,7 @@ std::optional<double> Analysis::highest_speed() const {
 }
 
 bool Analysis::good() const {
-  return impl_->good;
+  return impl_->found.good;
 }
 
 Result<Analysis> Model::start(const RunSettings& settings) const {

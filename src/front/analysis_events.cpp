@@ -94,12 +94,12 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
     const Joint& joint = mechanism.joints[*what.joint];
     event.value = from_si(coordinate_dimension(joint), units).apply(*what.value);
   }
-  good = good && !is_fault(event.type, event.row, event.share, schedule.size() - 1);
-  events.push_back(std::move(event));
+  found.good = found.good && !is_fault(event.type, event.row, event.share, schedule.size() - 1);
+  found.events.push_back(std::move(event));
 }
 
 void Analysis::Impl::move() {
-  const std::size_t first = events.size();
+  const std::size_t first = found.events.size();
   for_each_part(schedule, next, motions, [&](const std::vector<DriverMotion>& end, double from, double to) {
     move_to(run, end);
     for (const RunEvent& event : run.events) {
@@ -107,7 +107,7 @@ void Analysis::Impl::move() {
     }
   });
   add_law_jumps();
-  std::stable_sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(), is_earlier);
+  std::stable_sort(found.events.begin() + static_cast<std::ptrdiff_t>(first), found.events.end(), is_earlier);
 }
 
 void Analysis::Impl::add_law_jumps() {
@@ -140,13 +140,13 @@ void Analysis::Impl::add_law_jumps() {
       }
     }
     event.cause += "; a row there shows what is after it";
-    events.push_back(std::move(event));
+    found.events.push_back(std::move(event));
   }
 }
 
 std::vector<Event> Analysis::Impl::faults_before(std::int64_t row) const {
   std::vector<Event> faults;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(faults), [&](const Event& event) {
+  std::copy_if(found.events.begin(), found.events.end(), std::back_inserter(faults), [&](const Event& event) {
     return event.row <= row && is_fault(event.type, event.row, event.share, row);
   });
   return faults;
@@ -178,10 +178,10 @@ bool Analysis::Impl::report_openings() {
     return false;
   }
   for (const ContactForceReport::Opening& opening : contacts.openings) {
-    events.push_back(opening_event(opening));
-    good = false;
+    found.events.push_back(opening_event(opening));
+    found.good = false;
   }
-  std::stable_sort(events.begin(), events.end(), is_earlier);
+  std::stable_sort(found.events.begin(), found.events.end(), is_earlier);
   return true;
 }
 

@@ -51,6 +51,24 @@ struct IdleMoment {
   std::int64_t row = 0;
 };
 
+/// Rows whose conditions are not met to within the tolerance.
+struct InexactRows {
+  std::int64_t count = 0;
+  std::int64_t first = 0;
+  double residual = 0;  ///< the largest [m]
+};
+
+/// What is found in rows besides their values.
+struct RowsFound {
+  std::vector<Event> events = {};
+  bool good = true;
+  std::vector<IdleMoment> idle = {};  ///< of Mechanism::bodies; only with forces
+  InexactRows inexact = {};
+
+  /// Adds what is found in later rows.
+  void add(RowsFound later);
+};
+
 /// The row loop: from the schedule of the drivers to the rows of a table and the events on the path.
 struct Analysis::Impl {
   std::shared_ptr<const Model::Data> model;
@@ -63,13 +81,11 @@ struct Analysis::Impl {
   std::int64_t next = 0;                         ///< number of the next row
   std::vector<DriverState> drivers = {};         ///< in the current row
   std::vector<DriverMotion> motions = {};        ///< in the current row
-  std::vector<Event> events = {};
-  bool good = true;
-  Diagnostics notes = {};                ///< from the start
-  std::vector<std::size_t> open = {};    ///< contacts that may part and are open in the first row
-  ContactForceReport contacts = {};      ///< only with forces, after the last row
-  const Reactions* reactions = nullptr;  ///< in the current row; only with forces
-  std::vector<IdleMoment> idle = {};     ///< of Mechanism::bodies; only with forces
+  RowsFound found = {};                          ///< in the rows before `next`
+  Diagnostics notes = {};                        ///< from the start
+  std::vector<std::size_t> open = {};            ///< contacts that may part and are open in the first row
+  ContactForceReport contacts = {};              ///< only with forces, after the last row
+  const Reactions* reactions = nullptr;          ///< in the current row; only with forces
 
   RowHistory history = {};             ///< up to the current row
   std::optional<RowScout> scout = {};  ///< only of a run of several blocks whose rows are computed in order
@@ -81,8 +97,7 @@ struct Analysis::Impl {
   /// Continues with `row`, the first of a block; `from` is the state at the row before it.
   void begin_at(std::int64_t row, const RunPlace& from);
   /// Adds what a worker has found in the rows from `next` up to, but not including, `end`.
-  void add_block(std::vector<Event> found, bool all_good, const std::vector<IdleMoment>& moments,
-                 std::int64_t end);
+  void add_block(RowsFound of_block, std::int64_t end);
 
   /// The events up to a row that make the path to it bad: overlaps, and limit positions and ends of curves
   /// before the row itself.
@@ -92,6 +107,7 @@ private:
   void begin_block();
   void read_drivers();
   void note_idle_moments();
+  void note_status(RowStatus status);
   void add_event(const RunEvent& what, double share);
   [[nodiscard]] Event opening_event(const ContactForceReport::Opening& opening) const;
   void move();

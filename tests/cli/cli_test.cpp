@@ -354,6 +354,33 @@ TEST_F(Program, LeavesNoPartFileWhereAReaderHasReadEnough) {
   }
 }
 
+TEST_F(Program, EndsWithExitCode1WhereNobodyReadsWhateverTheCommand) {
+  const std::string code = (folder_ / "code").string(), err = (folder_ / "err").string();
+  for (const std::string& arguments :
+       {"mobility " + profile("four_bar.toml"), "branches " + profile("four_bar.toml"), std::string("--help"),
+        "analyze " + profile("four_bar.toml")}) {
+    // The reader has gone before the program begins.
+    const std::string command = "(sleep 0.2; " + std::string(HIGHERPAIR_PROGRAM) + " " + arguments + " 2>" +
+                                err + "; echo $? >" + code + ") | true";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(read_file(code), "1\n") << arguments;
+  }
+}
+
+TEST_F(Program, SaysHowManyRowsAreNotSolvedToTheTolerance) {
+  const std::string rows = "analyze " + profile("four_bar.toml") + " --tolerance 1e-30";
+  const Outcome few = run(rows + " --samples 5");
+  EXPECT_EQ(few.code, 4);
+  EXPECT_THAT(few.err, HasSubstr(" of 5 rows are `not_converged`, the first at driver = "));
+  EXPECT_THAT(few.err, HasSubstr(" cm, where the tolerance is 4.66e-30\n"));
+  // Rows of blocks that are computed on several threads are counted as well.
+  const Outcome many = run(rows + " --samples 20001 --columns driver,status --json -");
+  std::int64_t count = 0;
+  const nlohmann::json table = nlohmann::json::parse(many.out);
+  for (const auto& row : table.at("rows")) count += row.at(1) == "not_converged" ? 1 : 0;
+  EXPECT_THAT(many.err, HasSubstr(std::to_string(count) + " of 20001 rows"));
+}
+
 TEST_F(Program, SaysThatNothingIsDriven) {
   std::ofstream(folder_ / "still.toml") << R"([bodies.ground]
 points = { A = [0, 0], B = [10, 0] }

@@ -194,7 +194,8 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
               m.gravity_W = {INFINITY, 0};
             }),
             "four-bar: gravity: must be finite, and at most 1e50 in SI units");
-  const std::string rule = ": a name begins with a letter or _ and goes on with letters, digits, _ and -";
+  const std::string rule =
+      ": a name begins with a letter from A to Z or a to z, or _, and goes on with these, digits and -";
   EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].name = "my body,[x]\n"; }),
             "four-bar: bodies.my body,[x]?" + rule);
   EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].points[0].name = "A.x"; }),

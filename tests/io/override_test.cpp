@@ -116,6 +116,10 @@ TEST(Override, APathThatLeadsNowhereIsExplained) {
               ElementsAre(::testing::AllOf(
                   HasSubstr("override bodies.ground.points.O1.2=3: bodies.ground.points.O1 = ["),
                   HasSubstr("expected a list of 2 numbers, found 3"))));
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O3.0=3"}),
+              ElementsAre(HasSubstr("there is no `O3` in bodies.ground.points; did you mean `O1`")));
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.0=3"}),
+              ElementsAre(HasSubstr("there is no list that `0` could be an item of")));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.x=3"}),
               ElementsAre(HasSubstr("`x` is no item")));
   EXPECT_THAT(messages(kCamProfile, {"driver..end=3"}), ElementsAre(HasSubstr("`` is no name")));

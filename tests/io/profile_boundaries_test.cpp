@@ -244,6 +244,14 @@ TEST_F(ProfileBoundaries, WrongNumbersOfArcsAndSegmentsAreRefused) {
                   "`from` to `to`: 0 deg from here to there"));
   EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 0, to = 361 }"),
               ElementsAre(HasSubstr("more than a turn from here to there")));
+  for (const std::string ends : {"0, to = -360", "360, to = 0", "90, to = -270", "0, to = -720"}) {
+    EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = " + ends + " }"),
+                ElementsAre(HasSubstr(
+                    "whole turns clockwise from here to there; for a whole circle exchange the two")))
+        << ends;
+  }
+  EXPECT_THAT(messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 0, to = 1e-12 }"),
+              ElementsAre(HasSubstr("0 deg from here to there")));
   EXPECT_THAT(
       messages_of("{ type = \"arc\", center = [0, 0], radius = 5, from = 0, to = 90, material = \"left\" }"),
       ElementsAre(HasSubstr("c.material = \"left\": this curve has its material inside or outside: `side`")));

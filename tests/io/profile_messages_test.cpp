@@ -333,10 +333,10 @@ TEST(ProfileMessages, AnglesMustHaveAPlaceWithinTheTurn) {
 TEST(ProfileMessages, NamesAreWords) {
   EXPECT_THAT(
       about("[bodies.\"my cam\"]\n[bodies.2b]\n"),
-      ElementsAre("test.toml:12:9: bodies.my cam: a name begins with a letter or _ and goes on with letters, "
-                  "digits, _ and -",
-                  "test.toml:13:9: bodies.2b: a name begins with a letter or _ and goes on with letters, "
-                  "digits, _ and -"));
+      ElementsAre("test.toml:12:9: bodies.my cam: a name begins with a letter from A to Z or a to z, or _, "
+                  "and goes on with these, digits and -",
+                  "test.toml:13:9: bodies.2b: a name begins with a letter from A to Z or a to z, or _, "
+                  "and goes on with these, digits and -"));
 }
 
 TEST(ProfileMessages, StayOnOneLineWhateverTheNames) {

@@ -77,6 +77,7 @@ void refuse_missing_values(CLI::App& command) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  end_on_signals();
   CLI::App app("Analyses planar mechanisms whose bodies touch, by their equivalent linkages.", "higherpair");
   app.require_subcommand(1);
   const std::string version = "higherpair " + std::string(higherpair::version());
@@ -116,7 +117,6 @@ int run_program(int argc, char** argv) {
     tell("higherpair: {}\n", argument_error(app, error));
     return exit_code_of(error.get_exit_code());
   }
-  end_on_signals();
   const auto parsed =
       std::find_if(given.begin(), given.end(), [](const auto& one) { return one.first->parsed(); });
   return parsed->second();

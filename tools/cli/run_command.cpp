@@ -223,13 +223,12 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
 
 void end_on_signals() {
   on_signals(end_at_once);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
-// A write that waits for a reader is not restarted after a signal but fails; so does a write to a pipe that
-// nobody reads.
+// A write that waits for a reader is not restarted after a signal but fails.
 void listen_to_signals() {
   on_signals(on_interrupt);
-  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void print_events(const std::vector<Event>& events, const Model& model) {

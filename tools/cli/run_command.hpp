@@ -55,12 +55,11 @@ void print_events(const std::vector<Event>& events, const Model& model);
 /// Prints on standard error the events passed before the position drawn, if there are any.
 void print_passed(const std::vector<Event>& passed, const Model& model);
 
-/// From this call on INT, TERM and HUP end the program at once with kExitInterrupted; for use while no output
-/// has been begun.
+/// From this call on INT, TERM and HUP end the program at once with kExitInterrupted, which is for use while
+/// no output has been begun, and a write to a pipe that nobody reads fails.
 void end_on_signals();
 
-/// From this call on INT, TERM and HUP only set interruption(), and a write to a pipe that nobody reads
-/// fails.
+/// From this call on INT, TERM and HUP only set interruption().
 void listen_to_signals();
 [[nodiscard]] const std::atomic<bool>& interruption();
 

@@ -26,9 +26,7 @@ struct Block {
   RunPlace from;  // state at the row before; for the first block, at the start
   RunPlace end;   // state at its last row
   BlockTexts texts;
-  std::vector<Event> events;
-  std::vector<IdleMoment> idle;
-  bool good = true;
+  RowsFound found;
   bool complete = false;  // false: stopped
 };
 
@@ -58,9 +56,7 @@ public:
     }
     auto worker = take_worker();
     worker->begin_at(block.rows.first, block.from);
-    worker->events.clear();
-    worker->good = true;
-    std::fill(worker->idle.begin(), worker->idle.end(), IdleMoment());
+    worker->found = {.idle = std::vector<IdleMoment>(whole_.found.idle.size())};
     block.rows.statuses.clear();
     block.rows.values.clear();
     const std::int64_t wanted = std::min(kBlockRows, whole_.schedule.size() - block.rows.first);
@@ -72,9 +68,7 @@ public:
     block.complete = static_cast<std::int64_t>(block.rows.size()) == wanted;
     if (block.complete) {
       block.end = {worker->run, worker->history};
-      block.events = std::move(worker->events);
-      block.good = worker->good;
-      block.idle = worker->idle;
+      block.found = std::move(worker->found);
       for (std::string& text : block.texts) text.clear();
       texts_(block.rows, block.texts);
     }
@@ -91,8 +85,7 @@ public:
       ended_ = true;
       return;
     }
-    whole_.add_block(std::move(block.events), block.good, block.idle,
-                     block.rows.first + static_cast<std::int64_t>(block.rows.size()));
+    whole_.add_block(std::move(block.found), block.rows.first + static_cast<std::int64_t>(block.rows.size()));
     last_ = std::move(block.end);
     const std::lock_guard lock(mutex_);
     written_.push_back({std::move(block.rows), std::move(block.texts)});

@@ -52,6 +52,9 @@ Step item_of(Value& list, const std::string& part, const Mark& mark) {
 }
 
 Step entry_of(Table& table, const std::string& part, const Mark& mark) {
+  if (item_number(part)) {
+    return tl::unexpected(fmt::format("there is no list that `{}` could be an item of", part));
+  }
   if (!is_name(part)) {
     return tl::unexpected(fmt::format("`{}` is no name (letters, digits, _ and -)", part));
   }
@@ -134,7 +137,7 @@ tl::expected<Overridden, std::string> apply_override(Value document, std::string
   for (const std::string& part : parts) {
     const Step next = descend(*target, part, {number, 0, 0});
     if (!next) {
-      return tl::unexpected(next.error());
+      return tl::unexpected(doubt.empty() ? next.error() : doubt);
     }
     target = *next;
   }

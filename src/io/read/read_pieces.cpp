@@ -29,14 +29,19 @@ std::optional<ContourPiece> arc_piece(TableReader& table) {
     return std::nullopt;
   }
   const double sweep = to - arc.from;
-  if (std::abs(sweep) < kSweepRounding || sweep > 2 * kPi + kSweepRounding) {
+  const double turns = std::round(sweep / (2 * kPi));
+  const bool whole = std::abs(sweep - 2 * kPi * turns) < kSweepRounding;
+  if (sweep > 2 * kPi + kSweepRounding || (whole && turns < 1)) {
     report(table.reading(), *table.take("to"),
-           fmt::format("an arc goes counter-clockwise from `from` to `to`: {} from here to there",
-                       sweep > 0 ? "more than a turn" : "0 deg"));
+           fmt::format("an arc goes counter-clockwise from `from` to `to`: {} from here to there{}",
+                       turns == 0  ? "0 deg"
+                       : turns < 0 ? "whole turns clockwise"
+                                   : "more than a turn",
+                       turns < 0 ? "; for a whole circle exchange the two" : ""));
     return std::nullopt;
   }
   // From 350 to 10 is 20 degrees.
-  arc.sweep = sweep > 2 * kPi - kSweepRounding ? 2 * kPi : sweep - 2 * kPi * std::floor(sweep / (2 * kPi));
+  arc.sweep = whole ? 2 * kPi : sweep - 2 * kPi * std::floor(sweep / (2 * kPi));
   return arc;
 }
 

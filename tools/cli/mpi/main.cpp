@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
                "higherpair-sweep-mpi");
   app.set_version_flag("--version", "higherpair-sweep-mpi " + std::string(version()));
   SweepOptions options;
+  end_on_signals();
   add_sweep_options(app, options);
   try {
     app.parse(argc, argv);
