@@ -18,7 +18,7 @@ export async function checkRow(page, table, row, checks) {
   const scene = await page.evaluate(() => {
     const report = JSON.parse(document.getElementById("report-data").textContent);
     const [x0, y0, x1, y1] = report.scene.view;
-    return { joints: report.joints, size: Math.hypot(x1 - x0, y1 - y0) * report.lengthPerMm };
+    return { joints: report.joints, size: Math.hypot(x1 - x0, y1 - y0) * report.lengthPerUnit };
   });
   const state = await page.evaluate(() => higherpair.state());
   checks.equal(state.row, row, "row that is shown");

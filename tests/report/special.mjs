@@ -1,5 +1,5 @@
 // Single properties for which one report is enough.
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 /** A title that looks like a script is shown as text. */
@@ -40,6 +40,40 @@ export async function checkLooks({ report, profiles, open }, checks) {
   checks.equal(styles.opacity, "1", "opacity of the fill");
   checks.equal(styles.line, styles.ink, "line of the cam");
   await page.close();
+}
+
+/** A four-bar whose lengths are this many times some millimetres. */
+const fourBar = (size) => `
+bodies.ground.points = { O2 = [0, 0], O4 = [${40 * size}, 0] }
+bodies.crank = { pose.angle = 60, points = { O2 = [0, 0], A = [${10 * size}, 0] } }
+bodies.coupler = { pose.angle = 30, points = { A = [0, 0], B = [${35 * size}, 0], E = [${20 * size}, ${10 * size}] } }
+bodies.rocker = { pose = { x = ${40 * size}, angle = 100 }, points = { O4 = [0, 0], B = [${25 * size}, 0] } }
+joints.O2 = { type = "revolute", between = ["ground.O2", "crank.O2"] }
+joints.A = { type = "revolute", between = ["crank.A", "coupler.A"] }
+joints.B = { type = "revolute", between = ["coupler.B", "rocker.B"] }
+joints.O4 = { type = "revolute", between = ["ground.O4", "rocker.O4"] }
+driver = { joint = "O2", start = 60, end = 420, samples = 91 }
+`;
+
+/** A mechanism of a few nanometres or kilometres is drawn as one of some centimetres. */
+export async function checkSizes({ report, output, open }, checks) {
+  const drawn = [];
+  for (const size of [1, 1e-7, 1e6]) {
+    const file = join(output, `four_bar_${size}.toml`);
+    writeFileSync(file, fourBar(size));
+    const page = await open(await report(file, `size ${size}`));
+    drawn.push(await page.evaluate(() => [...document.querySelectorAll("#drawing path, #drawing circle, #drawing text")].map((shape) => {
+      const box = shape.getBoundingClientRect();
+      return [shape.dataset.name, box.left, box.top, box.width, box.height];
+    })));
+    await page.close();
+  }
+  const [usual, ...others] = drawn;
+  for (const other of others) {
+    checks.equal(other.length, usual.length, "shapes of another size");
+    const moved = usual.filter((shape, i) => shape.some((value, k) => k > 0 && !(Math.abs(value - other[i][k]) < 0.5)));
+    checks.equal(moved.map(([name]) => name).join(), "", "shapes that are drawn elsewhere in another size");
+  }
 }
 
 /** The page of a long run contains part of it, says so, and knows the extremes of the whole run. */

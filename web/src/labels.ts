@@ -67,7 +67,7 @@ export class Labels {
     });
   }
 
-  /** @param scale  mm per px */
+  /** @param scale  units per px */
   place(frame: (body: number) => Frame, scale: number): void {
     const shown = this.labels.filter(({ second, numbers }) => !second && numbers.length > 0);
     const anchors = shown.map(({ numbers, body }) => anchorOf(numbers, frame(body)));

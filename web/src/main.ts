@@ -69,7 +69,7 @@ function start({ report, rows }: { report: Report; rows: Rows }): void {
 /** For tests and the browser console: the state of the page, read back from the drawing. */
 function expose(report: Report, rows: Rows, player: Player, stage: Stage): void {
   const inUnits = (place: [number, number] | null): number[] | null =>
-    place === null ? null : place.map((value) => value * report.lengthPerMm);
+    place === null ? null : place.map((value) => value * report.lengthPerUnit);
   Object.assign(window, {
     higherpair: {
       get rows() {

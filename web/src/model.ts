@@ -1,4 +1,4 @@
-// The results of the program, as the page receives them. Lengths of the scene are in mm, angles in rad.
+// The results of the program, as the page receives them. Lengths of the scene are in a unit that suits its size, angles in rad.
 
 export interface Column {
   readonly name: string;
@@ -20,7 +20,7 @@ export interface Shape {
   /** Index of the body in whose frame the numbers are; absent: ground. */
   readonly body?: number;
   readonly closed?: boolean;
-  /** For a moving text: the name of the length given by its fifth number [mm]. */
+  /** For a moving text: the name of the length given by its fifth number [units]. */
   readonly text?: string;
   readonly colour?: string;
   /** Not filled although it is closed. */
@@ -36,7 +36,7 @@ export interface Scene {
   readonly bodies: readonly string[];
   readonly fixed: readonly (Shape & { readonly numbers: Numbers })[];
   readonly moving: readonly Shape[];
-  /** By role of arrow: its length per unit [mm]. Torques are arcs, whose angle per unit is `turn` [rad]. */
+  /** By role of arrow: the length of one that stands for 1 of `unit`. Torques are arcs, whose angle per unit is `turn` [rad]. */
   readonly scales: { readonly [role: string]: { readonly unit: string; readonly length?: number; readonly turn?: number } };
 }
 
@@ -110,7 +110,8 @@ export interface Report {
   /** Number of rows of the run; the page may contain fewer. */
   readonly size: number;
   readonly lengthUnit: string;
-  readonly lengthPerMm: number;
+  /** Of a unit of the scene, in lengthUnit. */
+  readonly lengthPerUnit: number;
   readonly driver: Driver;
   readonly joints: readonly { readonly name: string; readonly at: string; readonly body: number; readonly point: readonly [number, number] }[];
   readonly contacts: readonly string[];

@@ -5,7 +5,7 @@ import type { View } from "./view";
 
 interface Grip {
   readonly body: number;
-  /** Point where the body is held, in its frame [mm]. */
+  /** Point where the body is held, in its frame [units]. */
   readonly point: readonly [number, number];
 }
 
@@ -86,7 +86,7 @@ export class PointerControl {
     return found.has(this.report.driver.body) ? this.report.driver.body : (found.values().next().value ?? null);
   }
 
-  // The pointer's position in ground [mm], y up.
+  // The pointer's position in ground [units], y up.
   private place(event: PointerEvent): [number, number] {
     const [x, y] = this.view.toDrawing([event.clientX, event.clientY]);
     return [x, -y];
@@ -118,7 +118,7 @@ export class PointerControl {
     return best;
   }
 
-  // Distance of the point held from another position [mm].
+  // Distance of the point held from another position [units].
   private distance({ body, point }: Grip, [x, y]: readonly [number, number], row: number): number {
     const places = this.rows.places(row);
     if (places === null) return Infinity;

@@ -11,10 +11,10 @@ const MOST_TURN = 1.5 * Math.PI;
 export class ScaleLegend {
   constructor(private readonly report: Report) {}
 
-  /** @param scale  mm per px */
+  /** @param scale  units per px */
   show(scale: number): void {
     const { scales } = this.report.scene;
-    const samples = [sample("length", this.report.lengthUnit, 1 / this.report.lengthPerMm / scale)];
+    const samples = [sample("length", this.report.lengthUnit, 1 / this.report.lengthPerUnit / scale)];
     for (const [role, { unit, length, turn }] of Object.entries(scales)) {
       if (length !== undefined) samples.push(sample(role, unit, length / scale));
       if (turn !== undefined) samples.push(arcSample(unit, turn));

@@ -1,4 +1,4 @@
-// Shapes of a scene as SVG elements. User units are mm; y points down in SVG and up in the scene.
+// Shapes of a scene as SVG elements. User units are those of the scene; y points down in SVG and up in the scene.
 import { svg } from "./dom";
 import type { Numbers, Shape, Vector } from "./model";
 

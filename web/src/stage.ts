@@ -54,7 +54,7 @@ export class Stage {
     group.element.append(element);
   }
 
-  /** @param scale  mm per px; texts keep their size in px */
+  /** @param scale  units per px; texts keep their size in px */
   setScale(scale: number): void {
     this.scale = scale;
     this.show(this.row);
@@ -79,11 +79,11 @@ export class Stage {
     this.labels.place((body) => frame(places, body), this.scale);
   }
 
-  private lengthText(millimetres: number): string {
-    return quantity(millimetres * this.report.lengthPerMm, this.report.lengthUnit, 0, 4);
+  private lengthText(length: number): string {
+    return quantity(length * this.report.lengthPerUnit, this.report.lengthUnit, 0, 4);
   }
 
-  /** The drawn position of a point of a body [mm], read back from the drawing; null if nothing of the body is drawn. */
+  /** The drawn position of a point of a body [units], read back from the drawing; null if nothing of the body is drawn. */
   drawn(body: number, point: readonly [number, number]): [number, number] | null {
     if (this.root.classList.contains("undefined")) return null;
     if (body === 0) return [point[0], point[1]];

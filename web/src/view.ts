@@ -7,7 +7,7 @@ const MARGIN = 0.06; // relative to the picture: margin around everything that m
 export const ZOOM = 1.3;
 
 export class View {
-  /** mm per px, and the centre of the picture [mm, y down] */
+  /** units per px, and the centre of the picture [units, y down] */
   private scale = 1;
   private centre: [number, number] = [0, 0];
   private fitted = true;
@@ -15,7 +15,7 @@ export class View {
   constructor(
     private readonly root: SVGSVGElement,
     private readonly report: Report,
-    private readonly scaled: (millimetresPerPixel: number) => void,
+    private readonly scaled: (unitsPerPixel: number) => void,
   ) {
     new ResizeObserver(() => (this.fitted ? this.fit() : this.apply())).observe(root);
     byId("zoom-in").addEventListener("click", () => this.zoom(ZOOM));
@@ -63,7 +63,7 @@ export class View {
     this.apply();
   }
 
-  /** Converts px of the window to mm, y down. */
+  /** Converts px of the window to units, y down. */
   toDrawing([x, y]: readonly [number, number]): [number, number] {
     const box = this.root.getBoundingClientRect();
     return [
@@ -80,7 +80,7 @@ export class View {
     // For parts that keep their size in px, such as texts.
     this.root.style.setProperty("--px", String(this.scale));
     // Lets drawn positions be read back from a saved picture.
-    this.root.setAttribute("data-scale", String(1 / this.scale / this.report.lengthPerMm));
+    this.root.setAttribute("data-scale", String(1 / this.scale / this.report.lengthPerUnit));
     this.root.setAttribute("data-origin", `${-x / this.scale} ${-y / this.scale}`);
     this.root.classList.toggle("zoomed", !this.fitted);
     this.scaled(this.scale);

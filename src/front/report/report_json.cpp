@@ -1,7 +1,6 @@
 #include "front/columns/column_set.hpp"
 #include "front/pictures/jumps.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/drawing/picture.hpp"
 #include "higherpair/front/model.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -77,24 +76,8 @@ void write_driver(JsonWriter& json, const Model& model, const ReportData& data) 
   json.close('}');
 }
 
-void write_joints(JsonWriter& json, const Mechanism& mechanism) {
-  json.key("joints").open('[');
-  for (const Joint& joint : mechanism.joints) {
-    const auto& body = mechanism.bodies[joint.second.body];
-    const NamedPoint& named = body.points[joint.second.point];
-    const Vector2d point = kMillimetres * named.p_B;
-    json.open('{')
-        .key("name")
-        .string(joint.name)
-        .key("at")
-        .string(body.name + "." + named.name)
-        .key("body")
-        .integer(joint.second.body)
-        .key("point");
-    json.open('[').number(point.x(), kPlaceDigits).number(point.y(), kPlaceDigits).close(']');
-    json.close('}');
-  }
-  json.close(']').key("contacts").open('[');
+void write_contacts(JsonWriter& json, const Mechanism& mechanism) {
+  json.key("contacts").open('[');
   for (const Contact& contact : mechanism.contacts) json.string(contact.name);
   json.close(']');
 }
@@ -158,9 +141,8 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   json.key("source").string(source).key("residual").number(largest_residual(data), 3);
   json.key("good").boolean(data.good).key("size").integer(data.size);
   json.key("lengthUnit").string(name_of(units.length));
-  json.key("lengthPerMm").number(from_si(dimension::kLength, units).apply(1 / kMillimetres), kValueDigits);
   write_driver(json, model, data);
-  write_joints(json, mechanism);
+  write_contacts(json, mechanism);
   write_facts(json, mechanism, data);
   write_events(json, model, data);
   write_columns(json, data);

@@ -10,7 +10,8 @@ inline constexpr int kPlaceDigits = 8;
 
 // Parts of the JSON object that a report's page is made from: each writes members of it, with their keys.
 
-/// `scene`, `closed`, `count`, `places` and `moving`: shapes, and their positions in every row.
+/// `scene`, `lengthPerUnit`, `joints`, `closed`, `count`, `places` and `moving`: shapes, and their positions
+/// in every row, in a unit of length of which some hundred are across the picture.
 void write_scene(JsonWriter& json, const Model& model, const ReportData& data);
 
 /// `polygons`: those of velocities, accelerations and forces in every row.

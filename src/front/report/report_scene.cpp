@@ -13,10 +13,17 @@
 namespace higherpair {
 namespace {
 
-void write(JsonWriter& json, std::span<const double> numbers) {
+// Browsers round coordinates, sizes of letters and widths of lines in ways that suit pictures some hundred
+// units across. So the page has such a unit of length, whatever the size of the mechanism: this many per mm.
+double page_units(const Box& view) {
+  const double power = 2 - std::floor(std::log10(view.size().norm()));
+  return std::isfinite(power) ? std::pow(10, power) : 1;
+}
+
+void write(JsonWriter& json, std::span<const double> numbers, double factor) {
   json.open('[');
   for (const double number : numbers) {
-    json.number(number, kPlaceDigits);
+    json.number(factor * number, kPlaceDigits);
   }
   json.close(']');
 }
@@ -27,7 +34,8 @@ std::string_view name_of(Shape::Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, bool numbers) {
+// \param per_mm  of the unit of the numbers, which are left out if it is 0
+void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, double per_mm) {
   json.key(key).open('[');
   for (const Shape& shape : shapes) {
     json.open('{')
@@ -41,9 +49,9 @@ void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shap
     if (!shape.text.empty()) json.key("text").string(shape.text);
     if (!shape.colour.empty()) json.key("colour").string(shape.colour);
     if (shape.outline) json.key("outline").boolean(true);
-    if (numbers) {
+    if (per_mm > 0) {
       json.key("numbers");
-      write(json, shape.numbers);
+      write(json, shape.numbers, per_mm);
     }
     json.close('}');
   }
@@ -67,7 +75,8 @@ bool same_place(const RowScene& a, const RowScene& b, const Box& view) {
 }
 
 // One series for each number that a shape has in any row.
-void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size_t shape, double step) {
+void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size_t shape, double per_mm,
+                  double step) {
   const auto numbers_in = [&](const RowScene& row) -> std::span<const double> {
     return shape < row.moving.size() ? row.moving[shape] : std::span<const double>();
   };
@@ -78,36 +87,36 @@ void write_moving(JsonWriter& json, const std::vector<RowScene>& rows, std::size
     std::vector<double> series;
     for (const RowScene& row : rows) {
       const auto numbers = numbers_in(row);
-      series.push_back(i < numbers.size() ? numbers[i] : kNoValue);
+      series.push_back(i < numbers.size() ? per_mm * numbers[i] : kNoValue);
     }
     write_packed(json, series, step);
   }
   json.close(']');
 }
 
-void write_places(JsonWriter& json, const std::vector<RowScene>& rows, double step) {
+void write_places(JsonWriter& json, const std::vector<RowScene>& rows, double per_mm, double step) {
   json.open('[');
   for (std::size_t body = 0; body < rows.front().places.size(); ++body) {
-    const auto write = [&](double Scene::Place::*member, double rounding) {
+    const auto write = [&](double Scene::Place::*member, double factor, double rounding) {
       std::vector<double> series;
       for (const RowScene& row : rows) {
-        series.push_back(row.defined ? row.places[body].*member : kNoValue);
+        series.push_back(row.defined ? factor * row.places[body].*member : kNoValue);
       }
       write_packed(json, series, rounding);
     };
-    write(&Scene::Place::x, step);
-    write(&Scene::Place::y, step);
-    write(&Scene::Place::theta, kAngleStep);
+    write(&Scene::Place::x, per_mm, step);
+    write(&Scene::Place::y, per_mm, step);
+    write(&Scene::Place::theta, 1, kAngleStep);
   }
   json.close(']');
 }
 
-// Drawn size of one unit: mm of an arrow, rad of the arc of a torque.
-void write_scales(JsonWriter& json, const Scene& scene, const DrawSettings& units) {
+// Drawn size of one unit: length of an arrow, rad of the arc of a torque.
+void write_scales(JsonWriter& json, const Scene& scene, double per_mm, const DrawSettings& units) {
   const auto write = [&](Role role, double scale, const PictureUnit& unit) {
     if (!(scale > 0)) return;
     json.key(higherpair::name_of(role)).open('{').key("unit").string(unit.name);
-    json.key("length").number(scale * unit.si, kPlaceDigits).close('}');
+    json.key("length").number(per_mm * scale * unit.si, kPlaceDigits).close('}');
   };
   json.key("scales").open('{');
   write(Role::kVelocity, kMillimetres * scene.velocity_scale, units.velocity);
@@ -118,6 +127,19 @@ void write_scales(JsonWriter& json, const Scene& scene, const DrawSettings& unit
     json.key("turn").number(scene.torque_scale * units.torque.si, kPlaceDigits).close('}');
   }
   json.close('}');
+}
+
+void write_joints(JsonWriter& json, const Mechanism& mechanism, double per_mm) {
+  json.key("joints").open('[');
+  for (const Joint& joint : mechanism.joints) {
+    const auto& body = mechanism.bodies[joint.second.body];
+    const NamedPoint& named = body.points[joint.second.point];
+    json.open('{').key("name").string(joint.name).key("at").string(body.name + "." + named.name);
+    json.key("body").integer(joint.second.body).key("point");
+    write(json, std::array{named.p_B.x(), named.p_B.y()}, kMillimetres * per_mm);
+    json.close('}');
+  }
+  json.close(']');
 }
 
 }  // namespace
@@ -134,22 +156,27 @@ void write_scene(JsonWriter& json, const Model& model, const ReportData& data) {
     for (const Shape& shape : scene.moving) row.moving.push_back(shape.numbers);
   }
   const Scene& scene = maker.scene();
-  const double size = scene.view.size().norm();
+  const double per_mm = page_units(scene.view);
+  const double size = per_mm * scene.view.size().norm();
+  const double length = from_si(dimension::kLength, model.units()).apply(1 / kMillimetres);
+  json.key("lengthPerUnit").number(length / per_mm, kPlaceDigits + 2);
+  write_joints(json, mechanism, per_mm);
   json.key("scene").open('{').key("view");
-  write(json, std::vector{scene.view.low.x(), scene.view.low.y(), scene.view.high.x(), scene.view.high.y()});
-  json.key("unit").number(scene.unit, kPlaceDigits).key("bodies").open('[');
+  write(json, std::vector{scene.view.low.x(), scene.view.low.y(), scene.view.high.x(), scene.view.high.y()},
+        per_mm);
+  json.key("unit").number(per_mm * scene.unit, kPlaceDigits).key("bodies").open('[');
   for (const Body& body : mechanism.bodies) json.string(body.name);
   json.close(']');
-  write_shapes(json, "fixed", scene.fixed, true);
-  write_shapes(json, "moving", shapes, false);
-  write_scales(json, scene, draw_settings(model.units()));
+  write_shapes(json, "fixed", scene.fixed, per_mm);
+  write_shapes(json, "moving", shapes, 0);
+  write_scales(json, scene, per_mm, draw_settings(model.units()));
   json.close('}');
   json.key("closed").boolean(rows.size() > 2 && same_place(rows.front(), rows.back(), scene.view));
   json.key("count").integer(static_cast<long long>(rows.size()));
   json.key("places");
-  write_places(json, rows, kPlaceStep * size);
+  write_places(json, rows, per_mm, kPlaceStep * size);
   json.key("moving").open('[');
-  for (std::size_t i = 0; i < shapes.size(); ++i) write_moving(json, rows, i, kShapeStep * size);
+  for (std::size_t i = 0; i < shapes.size(); ++i) write_moving(json, rows, i, per_mm, kShapeStep * size);
   json.close(']');
 }
 
