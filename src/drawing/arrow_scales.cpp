@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kLongestArrow = 14;        // [units]
 constexpr double kLongestTurn = 1.5 * kPi;  // largest angle of the arc of a torque
+constexpr double kTipMargin = 1;            // beyond the tip of an arrow [units]
 
 // The scale by which the longest arrow of all rows has the length `longest`. Where a few rows are out of
 // proportion, as near a limit position, it is four times the median of the rows that has this length, and
@@ -28,7 +29,35 @@ double scale_for(std::vector<double> of_rows, double longest) {
   return longest / (typical > kOutOfProportion * largest ? std::min(largest, 4 * typical) : largest);
 }
 
+void extend(Box& box, const Vector2d& p, double margin) {
+  box.low = box.low.cwiseMin((p.array() - margin).matrix());
+  box.high = box.high.cwiseMax((p.array() + margin).matrix());
+}
+
+Box& room_of(Role role, Scene& scene) {
+  for (Scene::Room& room : scene.rooms) {
+    if (room.role == role) return room.box;
+  }
+  return scene.rooms.emplace_back(Scene::Room{role, scene.view}).box;
+}
+
 }  // namespace
+
+void add_arrow_rooms(Scene& scene) {
+  const double longest = kLongestArrow * scene.unit, margin = kTipMargin * scene.unit;
+  for (const Shape& shape : scene.moving) {
+    const std::vector<double>& n = shape.numbers;
+    if (n.empty()) continue;
+    if (shape.kind == Shape::Kind::kArrow) {
+      const Vector2d from(n[0], n[1]), arrow = Vector2d(n[2], n[3]) - from;
+      extend(room_of(shape.role, scene), from + arrow * std::min(1.0, longest / arrow.norm()), margin);
+    } else if (shape.role == Role::kForce) {  // the arc of a torque
+      for (std::size_t i = 0; i + 1 < n.size(); i += 2) {
+        extend(room_of(shape.role, scene), {n[i], n[i + 1]}, margin);
+      }
+    }
+  }
+}
 
 void set_arrow_scales(const Sketch& sketch, Scene& scene) {
   std::vector<double> velocities, accelerations;

@@ -239,6 +239,17 @@ DrawSettings usable(DrawSettings settings) {
   return settings;
 }
 
+// What the frame has room for: all that moves, and the arrows that are drawn, over the whole motion.
+Box view_of(const Scene& scene, const std::vector<Role>& layers) {
+  Box view = scene.view;
+  for (const auto& [role, box] : scene.rooms) {
+    if (!contains(layers, role)) continue;
+    view.low = view.low.cwiseMin(box.low);
+    view.high = view.high.cwiseMax(box.high);
+  }
+  return view;
+}
+
 }  // namespace
 
 std::vector<Role> default_layers() {
@@ -250,13 +261,13 @@ std::vector<Role> default_layers() {
 std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   assert(!scenes.empty());
   const DrawSettings settings = usable(given);
-  const Box& view = scenes.front().view;
+  const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
+  const Box view = view_of(scenes.front(), layers);
   const Vector2d size = view.size();
   const double scale = std::min(settings.width / size.x(), settings.most_height / size.y());
   DrawSettings fitted = settings;
   fitted.width = std::max(scale * size.x(), std::min(settings.width, kNarrowest));
   const double width = fitted.width, drawn = scale * size.y();
-  const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
   const std::size_t count = settings.strip ? scenes.size() : 1;
   const std::size_t columns = pictures_in_line(count, width, drawn);
   const double whole_width = width * static_cast<double>(columns);

@@ -263,6 +263,10 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   scene_.places.resize(mechanism.bodies.size());
   set_arrow_scales(sketch, scene_);
   set_force_scales(mechanism, reactions, scene_);
+  for (const MotionRow* row : sketch.rows) {
+    at(*row, forces_ ? &reactions[static_cast<std::size_t>(row - rows.data())] : nullptr);
+    add_arrow_rooms(scene_);
+  }
   const auto first = static_cast<std::size_t>(sketch.rows.front() - rows.data());
   at(rows[first], forces_ ? &reactions[first] : nullptr);
 }

@@ -63,6 +63,10 @@ struct LargestForces {
 void set_arrow_scales(const Sketch& sketch, Scene& scene);
 void set_force_scales(const Mechanism& mechanism, const std::vector<Reactions>& reactions, Scene& scene);
 
+/// Enlarges the rooms of the scene by the arrows that it has now; of those out of proportion by the part that
+/// has the length of others.
+void add_arrow_rooms(Scene& scene);
+
 /// Adds what springs that are attached to ground push against.
 void add_spring_walls(Sketch& sketch, const std::vector<std::optional<StraightSpring>>& springs);
 

@@ -7,8 +7,10 @@
 #include "higherpair/io/design_task.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -120,6 +122,40 @@ TEST_P(DrawnProfile, FitsIntoItsFrame) {
             << element.text << " at row " << k;
       }
       names.push_back(box);
+    }
+  }
+}
+
+// The x, y, x, y, … of the path of an element [px].
+std::vector<double> path_numbers(const Element& element) {
+  std::string text = element.attributes.at("d");
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return std::isalpha(c) != 0; }, ' ');
+  std::istringstream in(text);
+  return {std::istream_iterator<double>(in), {}};
+}
+
+// No arrow loses its head, unless it is out of all proportion; longer ones than the longest were not scaled.
+TEST_P(DrawnProfile, HasRoomForItsArrows) {
+  const Model model = shipped(GetParam());
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  DrawSettings settings;
+  settings.layers = {Role::kLink, Role::kVelocity, Role::kAcceleration};
+  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 37) {
+    const Scene& scene = maker.at(rows[k]);
+    if (!scene.defined) continue;
+    const Reading picture(draw_svg({&scene, 1}, settings));
+    const double longest = 14.001 * scene.unit * picture.scale;
+    const double width = picture.elements.front().number("width"),
+                 height = picture.elements.front().number("height");
+    for (const Element& element : picture.elements) {
+      if (element.role != "velocity" && element.role != "acceleration") continue;
+      const auto n = path_numbers(element);
+      ASSERT_EQ(n.size(), 4U);
+      if (std::hypot(n[2] - n[0], n[3] - n[1]) > longest) continue;
+      EXPECT_TRUE(n[2] > 0 && n[2] < width && n[3] > 0 && n[3] < height)
+          << element.role << " of " << element.name << " at row " << k;
     }
   }
 }

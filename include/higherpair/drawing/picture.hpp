@@ -93,10 +93,15 @@ struct Scene {
   struct Place {
     double x = 0, y = 0, theta = 0;  ///< of a body's frame [mm, rad]
   };
+  struct Room {
+    Role role = Role::kVelocity;
+    Box box;
+  };
   Box view;  ///< contains everything that moves, over the whole motion; links of equivalent linkages that
              ///< leave it are drawn broken off
-  double unit = 1;                ///< unit of length of symbols [mm]: a pin has the radius 1
-  double velocity_scale = 0;      ///< arrow length per velocity [mm/(mm/s)]; 0: nothing moves
+  std::vector<Room> rooms;    ///< for the arrows of these layers, over the whole motion, where they are drawn
+  double unit = 1;            ///< unit of length of symbols [mm]: a pin has the radius 1
+  double velocity_scale = 0;  ///< arrow length per velocity [mm/(mm/s)]; 0: nothing moves
   double acceleration_scale = 0;  ///< the same for an acceleration [mm/(mm/s²)]
   double force_scale = 0;         ///< the same for a force [mm/N]; 0: there are none
   double torque_scale = 0;        ///< angle of the arc per driving torque [rad/(N m)]; 0: there are none
