@@ -14,8 +14,11 @@
 namespace higherpair {
 namespace {
 
-constexpr double kArrowHead = 10;    // length of an arrow's head [px]
-constexpr double kShortestBar = 60;  // shortest scale bar [px]
+constexpr double kArrowHead = 10;                    // length of an arrow's head [px]
+constexpr double kShortestBar = 60;                  // shortest scale bar [px]
+constexpr double kNameAt = 28;                       // in the table of arrows: where names begin [px]
+constexpr double kLengthRoom = 58, kAngleRoom = 62;  // columns of the numbers [px]
+constexpr const char* kIndent = "   ";               // of an equation's further lines
 
 constexpr const char* kPolygonStyle = R"(
 .hp-polygon text { font-family: sans-serif; font-size: 12px; fill: #000; }
@@ -63,10 +66,42 @@ const char* role_of(Polygon::Kind kind) {
                                                 : "force";
 }
 
+// Where equations and tables begin [px].
+double text_left(double width) {
+  return kDrawnShare * width + kPolygonAround + 8;
+}
+
+// The parts between which a line may be broken: each begins with its sign.
+std::vector<std::string_view> terms_of(std::string_view equation) {
+  std::vector<std::string_view> terms;
+  while (!equation.empty()) {
+    const std::size_t next =
+        std::min({equation.find(" + ", 1), equation.find(" −", 1), equation.find(" = ", 1), equation.size()});
+    terms.push_back(equation.substr(0, next));
+    equation.remove_prefix(next);
+  }
+  return terms;
+}
+
+// The room beside the drawn part in which no name reaches into the numbers, and no term is cut off [px].
+double text_room(const Polygon& polygon) {
+  double room = 0;
+  for (const PolygonArrow& arrow : polygon.arrows) {
+    room = std::max(room, kNameAt + rich_width(arrow.name, kPolygonFont) + kLengthRoom + kAngleRoom);
+  }
+  for (const std::string& equation : polygon.equations) {
+    for (const std::string_view term : terms_of(equation)) {
+      room = std::max(room, rich_width(kIndent + std::string(term), kPolygonFont));
+    }
+  }
+  return room;
+}
+
 class PolygonWriter {
 public:
-  PolygonWriter(SvgWriter& svg, const PolygonLayout& layout)
-      : svg_(svg), layout_(layout), polygon_(*layout.polygon) {}
+  /// \param right  edge of the texts, the same for all polygons of the picture [px]
+  PolygonWriter(SvgWriter& svg, const PolygonLayout& layout, double right)
+      : svg_(svg), layout_(layout), polygon_(*layout.polygon), right_(right) {}
 
   /// Returns the bottom edge [px].
   double write() {
@@ -151,7 +186,7 @@ private:
 
   // Writes the equations and a list of the arrows; returns the bottom edge [px].
   double write_texts() {
-    const double left = kDrawnShare * layout_.width + kPolygonAround + 8;
+    const double left = text_left(layout_.width);
     double y = layout_.top + kPolygonLine - 4;
     const auto lines = [&](const std::vector<std::string>& texts) {
       for (const std::string& text : texts) {
@@ -160,16 +195,12 @@ private:
       }
     };
     for (const std::string& note : polygon_.notes) {
-      lines(wrapped(note, kPolygonFont, layout_.width - kPolygonMargin - left));
+      lines(wrapped(note, kPolygonFont, right_ - left));
     }
     if (layout_.flat) lines({"all on one line, drawn side by side"});
-    lines(wrapped_equations(layout_.width - kPolygonMargin - left));
+    lines(wrapped_equations(right_ - left));
     if (polygon_.arrows.empty()) return y;
-    svg_.element("line", {{"class", "rule"},
-                          {"x1", left},
-                          {"y1", y - 9},
-                          {"x2", layout_.width - kPolygonMargin},
-                          {"y2", y - 9}});
+    svg_.element("line", {{"class", "rule"}, {"x1", left}, {"y1", y - 9}, {"x2", right_}, {"y2", y - 9}});
     y += 6;
     for (const PolygonArrow& arrow : polygon_.arrows) {
       write_value(arrow, left, y);
@@ -183,16 +214,12 @@ private:
     std::vector<std::string> lines;
     for (const std::string& equation : polygon_.equations) {
       std::string line;
-      for (std::string_view rest = equation; !rest.empty();) {
-        const std::size_t next =
-            std::min({rest.find(" + ", 1), rest.find(" −", 1), rest.find(" = ", 1), rest.size()});
-        const std::string_view term = rest.substr(0, next);
+      for (const std::string_view term : terms_of(equation)) {
         if (!line.empty() && rich_width(line + std::string(term), kPolygonFont) > room) {
           lines.push_back(line);
-          line = "   ";
+          line = kIndent;
         }
         line += term;
-        rest.remove_prefix(next);
       }
       lines.push_back(line);
     }
@@ -211,11 +238,9 @@ private:
                           {"stroke", look.color},
                           {"stroke-width", look.width},
                           {"stroke-dasharray", look.dash}});
-    rich_text(svg_, left + 28, y, arrow.name, kPolygonFont);
-    svg_.text({{"x", layout_.width - kPolygonMargin - 62}, {"y", y}, {"text-anchor", "end"}},
-              significant(length));
-    svg_.text({{"x", layout_.width - kPolygonMargin}, {"y", y}, {"text-anchor", "end"}},
-              printed_number(degrees, 1) + "°");
+    rich_text(svg_, left + kNameAt, y, arrow.name, kPolygonFont);
+    svg_.text({{"x", right_ - kAngleRoom}, {"y", y}, {"text-anchor", "end"}}, significant(length));
+    svg_.text({{"x", right_}, {"y", y}, {"text-anchor", "end"}}, printed_number(degrees, 1) + "°");
   }
 
   // Formats a value with four digits.
@@ -227,29 +252,36 @@ private:
   SvgWriter& svg_;
   const PolygonLayout& layout_;
   const Polygon& polygon_;
+  double right_;
 };
 
-double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std::string& title,
+// \param drawn  width that the drawn parts take their share of \param width  of the picture [px]
+double write_all(SvgWriter& svg, const std::vector<Polygon>& polygons, const std::string& title, double drawn,
                  double width) {
+  const double right = width - kPolygonMargin;
   double y = kPolygonMargin;
-  for (const std::string& line : wrapped(title, kBoldWidth * 14, width - 2 * kPolygonMargin)) {
+  for (const std::string& line : wrapped(title, kBoldWidth * 14, right - kPolygonMargin)) {
     y += kPolygonLine;
     svg.text({{"class", "title"}, {"x", kPolygonMargin}, {"y", y - 4}}, line);
   }
   y += 8;
-  for (const Polygon& polygon : polygons) y = PolygonWriter(svg, lay_out(polygon, width, y)).write();
+  for (const Polygon& polygon : polygons) y = PolygonWriter(svg, lay_out(polygon, drawn, y), right).write();
   return y;
 }
 
 }  // namespace
 
 std::string polygons_svg(const std::vector<Polygon>& polygons, const std::string& title, double asked) {
-  const double width = picture_width(asked);
+  const double drawn = picture_width(asked);
+  double width = drawn;  // more of it where names are long
+  for (const Polygon& polygon : polygons) {
+    width = std::max(width, text_left(drawn) + text_room(polygon) + kPolygonMargin);
+  }
   SvgWriter rehearsal({width, 1, "", ""});  // only to find the height
-  const double height = write_all(rehearsal, polygons, title, width);
+  const double height = write_all(rehearsal, polygons, title, drawn, width);
   SvgWriter svg({width, height, title, kPolygonStyle}, {{"class", "hp-polygon"}});
   svg.element("rect", {{"width", width}, {"height", height}, {"fill", "#fff"}});
-  write_all(svg, polygons, title, width);
+  write_all(svg, polygons, title, drawn, width);
   return std::move(svg).finish();
 }
 

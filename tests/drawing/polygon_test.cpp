@@ -323,6 +323,28 @@ TEST(Polygon, OfEveryShippedProfileIsReadableXml) {
   }
 }
 
+// Names in the table end before the numbers beside them; the picture is wider where they need that.
+TEST(Polygon, HasRoomForItsNames) {
+  Polygon polygon;
+  const std::string name = "a_{finger_with_roller.C1/finger_with_roller.C2}";
+  polygon.arrows.push_back({Kind::kAbsolute, "a_{A}", "a.A", Vector2d(0, 0), Vector2d(0.3, -0.7)});
+  EXPECT_EQ(read_back(polygons_svg({polygon}, "short")).front().number("width"), 860);
+  polygon.arrows.push_back({Kind::kRelative, name, "a.B", Vector2d(0, 0), Vector2d(0.3, -0.7)});
+  const std::string term = "a_{" + std::string(80, 'n') + "}";
+  polygon.equations.push_back(term + " = " + term);
+  const auto drawn = read_back(polygons_svg({polygon}, "long"));
+  const double width = drawn.front().number("width");
+  double names = 0, numbers = width;
+  for (const Element& element : drawn) {
+    if (element.tag != "text") continue;
+    const bool number = element.attributes.contains("text-anchor");
+    double& edge = number ? numbers : names;
+    edge = number ? std::min(edge, element.number("x")) : std::max(edge, element.number("x"));
+  }
+  EXPECT_LT(names + 10 * 0.5 * static_cast<double>(name.size()), numbers - 50);
+  EXPECT_GT(width, names - 28 + 10 * 0.6 * 80);
+}
+
 TEST(Polygon, ChangesItsUnit) {
   Polygon polygon;
   polygon.arrows.push_back({Kind::kAbsolute, "v_{A}", "a.A", Vector2d(0, 0), Vector2d(0.3, -0.7)});
