@@ -1,6 +1,7 @@
 #include "plot_layout.hpp"
 
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/utf8.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -117,6 +118,17 @@ double widest_label(const std::vector<PlotPanel>& panels) {
   return widest;
 }
 
+// The text, or as much of it as has room.
+std::string shortened(const std::string& text, double room) {
+  if (text_width(text, kPlotFont) <= room) return text;
+  std::string shown = text;
+  while (!shown.empty() && text_width(shown + "…", kPlotFont) > room) {
+    while (!shown.empty() && !begins_character(shown.back())) shown.pop_back();
+    if (!shown.empty()) shown.pop_back();
+  }
+  return shown + "…";
+}
+
 // Lays out the flags; returns the number of lanes.
 int lay_out_flags(PlotLayout& layout) {
   const PlotData& data = *layout.data;
@@ -124,8 +136,10 @@ int lay_out_flags(PlotLayout& layout) {
   const auto add = [&](double x, const std::string& label, const std::string& name, const PlotMark* mark) {
     PlotFlag& flag = flags.emplace_back();
     flag.place.x = layout.x.px(x);
-    flag.place.width = text_width(label, kPlotFont) + 4;
-    flag.label = label;
+    // It has room on one side of its line or on the other.
+    const double room = std::max(flag.place.x - layout.x.begin, layout.x.end - flag.place.x);
+    flag.label = shortened(label, room - 4);
+    flag.place.width = text_width(flag.label, kPlotFont) + 4;
     flag.name = name;
     flag.mark = mark;
   };

@@ -507,6 +507,28 @@ TEST(Plot, OfEveryShippedProfileHasNoLabelOnAnother) {
   }
 }
 
+// Neither beyond the edge on the right nor, where there is no room on the left either, on that side.
+TEST(Plot, ShortensLabelsThatHaveNoRoom) {
+  PlotData data;
+  data.x = {"driver", "deg"};
+  data.series.push_back({"angle", "deg", {0, 100}, {0, 1}});
+  const std::string label = "stroke end: " + std::string(200, 'g');
+  for (const double x : {10., 50., 95.}) data.marks.push_back({x, label, "g", label});
+  const auto drawn = read_back(plots_svg({data}));
+  const double width = drawn.front().number("width");
+  int labels = 0;
+  for (const Element& element : drawn) {
+    if (element.tag != "text" || element.text.find("stroke end") == std::string::npos) continue;
+    const double x = element.number("x"), length = 6 * static_cast<double>(element.text.size());
+    const bool left = element.attributes.at("text-anchor") == "end";
+    EXPECT_GE(left ? x - length : x, 0);
+    EXPECT_LE(left ? x : x + length, width);
+    EXPECT_THAT(element.text, HasSubstr("…"));
+    ++labels;
+  }
+  EXPECT_EQ(labels, 3);
+}
+
 TEST(MapPlot, HasTheBranchesAndFoldsOfTheMap) {
   const MapReport map = map_of(shipped("lock_up")).value();
   const auto plots = plots_of(map);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace higherpair {
 namespace {
@@ -81,7 +81,15 @@ double edge_at(std::size_t row, const Motion& motion, std::span<const double> x)
 // Events of one kind at one place are one mark.
 struct Happening {
   const Event* first;
-  std::string items;
+  std::vector<std::string> items;
+
+  [[nodiscard]] std::string all_items() const { return fmt::format("{}", fmt::join(items, ", ")); }
+  // For a label; the sentence has all of them.
+  [[nodiscard]] std::string few_items() const {
+    constexpr std::size_t kFew = 3;
+    if (items.size() <= kFew) return all_items();
+    return fmt::format("{}, {} and {} more", items[0], items[1], items.size() - 2);
+  }
 };
 
 // Events come in the order of the path.
@@ -95,9 +103,10 @@ std::vector<Happening> happenings(const std::vector<Event>& events) {
     const auto same = std::find_if(all.rbegin(), elsewhere,
                                    [&](const Happening& other) { return other.first->type == event.type; });
     if (same == elsewhere) {
-      all.push_back({&event, event.item});
+      all.push_back({&event, {}});
+      if (!event.item.empty()) all.back().items.push_back(event.item);
     } else if (!event.item.empty() && !same->items.empty()) {
-      same->items += ", " + event.item;
+      same->items.push_back(event.item);
     }
   }
   return all;
@@ -141,17 +150,18 @@ void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driv
   for (const Happening& happening : happenings(motion.events())) {
     const Event& event = *happening.first;
     const std::string kind = spaced(name_of(event.type));
-    const std::string label = kind + (name_items && !happening.items.empty() ? ": " + happening.items : "");
+    const std::string label =
+        kind + (name_items && !happening.items.empty() ? ": " + happening.few_items() : "");
     const std::string detail =
         fmt::format("{} at {} = {:.6g} {}{}{}: {}", kind, driver.name, event.driver, driver.unit,
-                    happening.items.empty() ? "" : ", ", happening.items, event.cause);
+                    happening.items.empty() ? "" : ", ", happening.all_items(), event.cause);
     const Between place = place_of(event);
     const double at = event.time && data.x.name == "time" ? *event.time
                       : data.x.name == driver.name        ? event.driver
                                                           : place.of(x.values);
     if (std::isnan(at)) continue;
     if (x.monotone) {
-      data.marks.push_back({at, label, happening.items, detail});
+      data.marks.push_back({at, label, happening.all_items(), detail});
       continue;
     }
     bool labelled = false;
@@ -160,7 +170,7 @@ void add_events(const Motion& motion, const XColumn& x, const ColumnValues& driv
       const double x_shown = shown.before == shown.after ? shown.of(x.values) : at;
       const double y = shown.of(series.y);
       if (std::isnan(x_shown) || std::isnan(y)) continue;
-      data.points.push_back({x_shown, y, series.unit, labelled ? "" : label, happening.items, detail});
+      data.points.push_back({x_shown, y, series.unit, labelled ? "" : label, happening.all_items(), detail});
       labelled = true;
     }
   }
