@@ -10,9 +10,38 @@ namespace {
 constexpr double kSmaller = 0.84;  // relative size of subscripts and superscripts
 constexpr double kLowered = 0.28;  // relative to the size
 constexpr double kRaised = -0.40;
+// A prime of the size of a subscript is a dot on the screen: it is larger, and so far down that it is at the
+// top of its letter.
+constexpr std::string_view kPrime = "′";
+constexpr double kPrimeSize = 1.35, kPrimeLowered = 0.14;
+constexpr double kPrimeApart = 0.12;  // from its letter, which the white around it would cover
 
 double shift_of(int level, double size) {
   return (level < 0 ? kLowered : level > 0 ? kRaised : 0.0) * size;
+}
+
+// A run of letters of one size.
+struct Part {
+  std::string text;
+  double down = 0;  // from the baseline of the text
+  double size = 0;
+  double apart = 0;  // from the part before
+};
+
+std::vector<Part> parts_of(std::string_view markup, double size) {
+  std::vector<Part> parts;
+  for (const TextPiece& piece : pieces_of(markup)) {
+    const double down = shift_of(piece.level, size);
+    for (std::string_view rest = piece.text; !rest.empty();) {
+      const bool prime = rest.starts_with(kPrime);
+      const std::size_t end = prime ? kPrime.size() : std::min(rest.find(kPrime), rest.size());
+      const std::string text(rest.substr(0, end));
+      parts.push_back(prime ? Part{text, down + kPrimeLowered * size, kPrimeSize * size, kPrimeApart * size}
+                            : Part{text, down, piece.level == 0 ? size : kSmaller * size, 0});
+      rest.remove_prefix(end);
+    }
+  }
+  return parts;
 }
 
 }  // namespace
@@ -36,8 +65,8 @@ std::vector<TextPiece> pieces_of(std::string_view markup) {
 
 double rich_width(std::string_view markup, double size) {
   double width = 0;
-  for (const TextPiece& piece : pieces_of(markup)) {
-    width += text_width(piece.text, piece.level == 0 ? size : kSmaller * size);
+  for (const Part& part : parts_of(markup, size)) {
+    width += text_width(part.text, part.text == kPrime ? size : part.size);
   }
   return width;
 }
@@ -46,10 +75,9 @@ void rich_text(SvgWriter& svg, double x, double y, std::string_view markup, doub
                std::string_view kind) {
   std::vector<SvgWriter::Run> runs;
   double shift = 0;
-  for (const TextPiece& piece : pieces_of(markup)) {
-    const double wanted = shift_of(piece.level, size);
-    runs.push_back({piece.text, wanted - shift, piece.level == 0 ? size : kSmaller * size});
-    shift = wanted;
+  for (const Part& part : parts_of(markup, size)) {
+    runs.push_back({part.text, part.down - shift, part.size, part.apart});
+    shift = part.down;
   }
   svg.text({{"class", kind}, {"x", x}, {"y", y}}, runs);
 }

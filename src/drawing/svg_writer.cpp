@@ -147,6 +147,7 @@ void SvgWriter::text(Attributes attributes, const std::vector<Run>& runs) {
   out_ += " xml:space=\"preserve\">";
   for (const Run& run : runs) {
     begin_tag("tspan", {{"dy", run.down}, {"font-size", run.size}});
+    if (run.apart > 0) out_ += fmt::format(" dx=\"{}\"", svg_number(run.apart));
     ((out_ += '>') += xml_escaped(run.text)) += "</tspan>";
   }
   out_ += "</text>\n";

@@ -89,6 +89,7 @@ public:
     std::string text;
     double down = 0;
     double size = 12;
+    double apart = 0;  ///< from the run before
   };
   void text(Attributes attributes, const std::vector<Run>& runs);
 

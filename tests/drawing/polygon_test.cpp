@@ -345,6 +345,19 @@ TEST(Polygon, HasRoomForItsNames) {
   EXPECT_GT(width, names - 28 + 10 * 0.6 * 80);
 }
 
+// In a subscript a prime of the letters' size would be a dot.
+TEST(Polygon, HasPrimesThatCanBeRead) {
+  const Polygons found = polygons_at(shipped("quick_return"), 40);
+  int primes = 0;
+  for (const Element& element : read_back(polygons_svg(found.polygons, "primes"))) {
+    if (element.tag != "tspan" || element.text.find("′") == std::string::npos) continue;
+    EXPECT_EQ(element.text, "′");
+    EXPECT_GE(element.number("font-size"), 14);
+    ++primes;
+  }
+  EXPECT_GT(primes, 4);
+}
+
 TEST(Polygon, ChangesItsUnit) {
   Polygon polygon;
   polygon.arrows.push_back({Kind::kAbsolute, "v_{A}", "a.A", Vector2d(0, 0), Vector2d(0.3, -0.7)});
