@@ -11,7 +11,9 @@ import { Checks, parseCsv } from "./checks.mjs";
 import { checkControls, checkDrag, checkSlider } from "./controls.mjs";
 import { checkBrokenLinks, checkDrawing, checkHollow } from "./drawing.mjs";
 import { checkFigures } from "./figures.mjs";
-import { checkCards, checkFrames, checkLongRun, checkLooks, checkSaving, checkSizes, checkTitle } from "./special.mjs";
+import {
+  checkCards, checkFrames, checkLongRun, checkLooks, checkSaving, checkSizes, checkTitle, checkWords,
+} from "./special.mjs";
 
 const SKIPPED = 77; // exit code for ctest
 const LARGEST_PAGE = 2 * 1024 * 1024;
@@ -166,7 +168,10 @@ try {
   const special = new Checks("special");
   all.push(special);
   const tools = { report, profiles, output: reports, open: (file) => open(context, file, special) };
-  for (const check of [checkTitle, checkCards, checkLooks, checkSizes, checkLongRun, checkSaving, checkFrames]) await check(tools, special);
+  const single = [
+    checkTitle, checkCards, checkWords, checkLooks, checkSizes, checkLongRun, checkSaving, checkFrames,
+  ];
+  for (const check of single) await check(tools, special);
 } finally {
   await context.close();
 }

@@ -28,6 +28,22 @@ export async function checkCards({ report, profiles, open }, checks) {
   await page.close();
 }
 
+/** What turns right round does not swing, what rolls does not slide, and a driver that stands still tells no place. */
+export async function checkWords({ report, profiles, open }, checks) {
+  const cards = async (name) => {
+    const page = await open(await report(join(profiles, `${name}.toml`), `words of ${name}`));
+    const texts = await page.locator(".card").allTextContents();
+    await page.close();
+    return texts.join(" ");
+  };
+  const belt = await cards("belt_drive");
+  checks.true(belt.includes("Turns") && !belt.includes("Swing"), `a pulley that turns: ${belt}`);
+  const rolling = await cards("rolling_ellipses");
+  checks.true(!rolling.includes("sliding"), `a contact that rolls: ${rolling}`);
+  const arch = await cards("design_arch_path");
+  checks.true(arch.includes("row 1"), `places of a driver that stands still: ${arch}`);
+}
+
 /** A colour of the profile fills the body, whose lines stay as they are. */
 export async function checkLooks({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "ellipse_cam_roller.toml"), "looks", "--set", 'drawing.cam.colour="#f6d8a8"'));

@@ -19,10 +19,13 @@ export function addFacts(report: Report, driverUnit: string, chosen: (row: numbe
 function lines(fact: Fact, driverUnit: string, chosen: (row: number, column: string) => void): HTMLElement[] {
   const value = element("strong", {}, quantity(fact.value, fact.unit, 0, DIGITS));
   const where = element("span", { class: "where" }, fact.at.length === 0 ? "everywhere" : fact.at.length > 1 ? "" : "at ");
+  // A driver that stands still tells no place.
+  const still = fact.at.length > 1 && fact.at.every(({ driver }) => driver === fact.at[0]?.driver);
   fact.at.forEach(({ value: here, driver, row }, i) => {
-    const title = `${quantity(here, fact.unit)} at driver = ${quantity(driver, driverUnit)}: show it`;
+    const place = still ? `row ${row + 1}` : quantity(driver, driverUnit);
+    const title = `${quantity(here, fact.unit)} at ${still ? place : `driver = ${place}`}: show it`;
     if (i > 0) where.append(" → ");
-    where.append(button(quantity(driver, driverUnit), { class: "where", title }, () => chosen(row, fact.column)));
+    where.append(button(place, { class: "where", title }, () => chosen(row, fact.column)));
   });
   return [element("dt", {}, fact.name), element("dd", {}, value), element("dd", {}, where)];
 }

@@ -46,7 +46,8 @@ struct Fact {
   std::vector<ColumnExtremes::Value> at;  ///< where the value occurs; empty: everywhere
 };
 
-[[nodiscard]] std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data);
+/// \param turn  a full turn in the unit of angles
+[[nodiscard]] std::vector<Fact> facts_of(const Mechanism& mechanism, double turn, const ReportData& data);
 
 /// The columns that are plotted at first, one list for each plot.
 [[nodiscard]] std::vector<std::vector<std::string>> first_plots(const Mechanism& mechanism,

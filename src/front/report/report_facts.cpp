@@ -88,6 +88,12 @@ bool is_driven_alone(const Mechanism& mechanism) {
   return mechanism.joints.size() == mechanism.drivers.size() && mechanism.contacts.empty();
 }
 
+// Whether an angle goes through a full turn: what turns right round does not swing.
+bool turns_round(const ReportData& data, const std::string& name, double turn) {
+  const auto found = find(data, name);
+  return found && found->range() >= turn * (1 - kColumnNoise);
+}
+
 // The columns of these names that exist and change.
 std::vector<std::string> changing(const ReportData& data, const std::vector<std::string>& names) {
   std::vector<std::string> found;
@@ -108,19 +114,22 @@ void add_last_body(const Mechanism& mechanism, const ReportData& data, FactList&
 
 }  // namespace
 
-std::vector<Fact> facts_of(const Mechanism& mechanism, const ReportData& data) {
+std::vector<Fact> facts_of(const Mechanism& mechanism, double turn, const ReportData& data) {
   std::vector<Fact> facts;
   FactList list(data, facts);
   for (const Joint* joint : outputs_of(mechanism)) {
     const std::string& name = joint->name;
-    list.range(name, name + ".position", has_angle(joint->type) ? "Swing" : "Stroke");
+    list.range(name, name + ".position",
+               !has_angle(joint->type)                       ? "Stroke"
+               : turns_round(data, name + ".position", turn) ? "Turns"
+                                                             : "Swing");
     list.fastest(name, name + ".velocity", "Max. speed");
     list.largest(name, name + ".acceleration", "Max. acceleration");
   }
   for (const Contact& contact : mechanism.contacts) {
     list.largest(contact.name, contact.name + ".pressure", "Max. pressure angle");
     list.smallest(contact.name, contact.name + ".transmission", "Min. transmission");
-    list.fastest(contact.name, contact.name + ".sliding", "Max. sliding");
+    if (!contact.rolling) list.fastest(contact.name, contact.name + ".sliding", "Max. sliding");
     list.smallest(contact.name, contact.name + ".force", "Min. force");
   }
   for (const Driver& driver : mechanism.drivers) {

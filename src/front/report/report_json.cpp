@@ -82,9 +82,10 @@ void write_contacts(JsonWriter& json, const Mechanism& mechanism) {
   json.close(']');
 }
 
-void write_facts(JsonWriter& json, const Mechanism& mechanism, const ReportData& data) {
+void write_facts(JsonWriter& json, const Model& model, const ReportData& data) {
+  const Mechanism& mechanism = model.mechanism();
   json.key("facts").open('[');
-  for (const Fact& fact : facts_of(mechanism, data)) {
+  for (const Fact& fact : facts_of(mechanism, full_turn(model.units()), data)) {
     json.open('{').key("of").string(fact.of).key("name").string(fact.name);
     json.key("value").number(fact.value, kValueDigits).key("unit").string(fact.unit);
     json.key("column").string(fact.column).key("at").open('[');
@@ -143,7 +144,7 @@ std::string json_of(const Model& model, const ReportData& data, const std::strin
   json.key("lengthUnit").string(name_of(units.length));
   write_driver(json, model, data);
   write_contacts(json, mechanism);
-  write_facts(json, mechanism, data);
+  write_facts(json, model, data);
   write_events(json, model, data);
   write_columns(json, data);
   write_scene(json, model, data);
