@@ -44,6 +44,25 @@ export async function checkWords({ report, profiles, open }, checks) {
   checks.true(arch.includes("row 1"), `places of a driver that stands still: ${arch}`);
 }
 
+/** On paper nothing scrolls, and nothing is there that can only be clicked. */
+export async function checkPrint({ report, profiles, open }, checks) {
+  const page = await open(await report(join(profiles, "oval_in_ring.toml"), "print"));
+  await page.emulateMedia({ media: "print" });
+  const cut = await page.evaluate(() =>
+    [...document.querySelectorAll(".scroll, .events")]
+      .filter((box) => box.clientHeight > 0 && box.scrollHeight > box.clientHeight + 1)
+      .map((box) => box.ariaLabel),
+  );
+  checks.equal(cut.join(), "", "boxes that are cut off on paper");
+  const seen = await page.evaluate(() =>
+    [...document.querySelectorAll("button:not(.where), input, select")]
+      .filter((control) => control.checkVisibility())
+      .map((control) => control.id || control.className),
+  );
+  checks.equal([...new Set(seen)].join(), "", "controls on paper");
+  await page.close();
+}
+
 /** A colour of the profile fills the body, whose lines stay as they are. */
 export async function checkLooks({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "ellipse_cam_roller.toml"), "looks", "--set", 'drawing.cam.colour="#f6d8a8"'));
