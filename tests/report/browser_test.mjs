@@ -12,7 +12,7 @@ import { checkControls, checkDrag, checkSlider } from "./controls.mjs";
 import { checkBrokenLinks, checkDrawing, checkHollow } from "./drawing.mjs";
 import { checkFigures } from "./figures.mjs";
 import {
-  checkCards, checkFrames, checkLongRun, checkLooks, checkPrint, checkSaving, checkSizes, checkTitle, checkWords,
+  checkAxes, checkCards, checkFrames, checkLongRun, checkLooks, checkPrint, checkSaving, checkSizes, checkTitle, checkWords,
 } from "./special.mjs";
 
 const SKIPPED = 77; // exit code for ctest
@@ -169,7 +169,7 @@ try {
   all.push(special);
   const tools = { report, profiles, output: reports, open: (file) => open(context, file, special) };
   const single = [
-    checkTitle, checkCards, checkWords, checkLooks, checkPrint, checkSizes, checkLongRun, checkSaving, checkFrames,
+    checkTitle, checkCards, checkWords, checkLooks, checkPrint, checkAxes, checkSizes, checkLongRun, checkSaving, checkFrames,
   ];
   for (const check of single) await check(tools, special);
 } finally {

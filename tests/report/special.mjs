@@ -63,6 +63,31 @@ export async function checkPrint({ report, profiles, open }, checks) {
   await page.close();
 }
 
+/** Of two axes of y each has the colour of its line. */
+export async function checkAxes({ report, profiles, open }, checks) {
+  const page = await open(await report(join(profiles, "sixbar_slider.toml"), "axes"));
+  const coloured = await page.evaluate(async () => {
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const plot = [...document.querySelectorAll(".plot")].find((one) => one.querySelectorAll(".chip").length === 2);
+    const canvas = plot.querySelector("canvas");
+    const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height })
+      .getContext("2d", { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    const [box, over] = [canvas.getBoundingClientRect(), plot.querySelector(".u-over").getBoundingClientRect()];
+    const beside = (left, right) => {
+      const { data } = copy.getImageData(left * devicePixelRatio, 0, (right - left) * devicePixelRatio, canvas.height);
+      return data.some((_, i) => {
+        if (i % 4 !== 0 || data[i + 3] < 128) return false;
+        const [r, g, b] = data.slice(i, i + 3);
+        return Math.max(r, g, b) - Math.min(r, g, b) > 80;
+      });
+    };
+    return [beside(0, over.left - box.left - 4), beside(over.right - box.left + 4, box.width)];
+  });
+  checks.equal(coloured.join(), "true,true", "coloured figures at both axes");
+  await page.close();
+}
+
 /** A colour of the profile fills the body, whose lines stay as they are. */
 export async function checkLooks({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "ellipse_cam_roller.toml"), "looks", "--set", 'drawing.cam.colour="#f6d8a8"'));

@@ -1,7 +1,7 @@
 // One plot: columns over an axis, with events and rows that are not ok, and a cursor that moves the mechanism.
 import uPlot from "uplot";
 import { colour, element } from "./dom";
-import { quantity, tickLabels } from "./format";
+import { quantity, tickLabels, unit } from "./format";
 import type { Column, Rows } from "./model";
 
 /** Colours that colour-blind people can distinguish, and dashes for black and white print. */
@@ -11,6 +11,14 @@ const HEIGHT = 170; // px
 const FONT = "12px system-ui, sans-serif";
 const LEAST_LABEL_ROOM = 62; // px: the same for most plots, so that they are in line
 const LABEL_GAP = 9; // px
+const UNIT_ROOM = 15; // px: for the unit beside an axis, within the room for labels
+/** Steps of ticks; of degrees they divide a turn where there is room. */
+const DECADES = Array.from({ length: 40 }, (_, i) => 10 ** (i - 20));
+const DEGREES = [
+  ...DECADES.filter((power) => power < 10).flatMap((power) => [power, 2 * power, 5 * power]),
+  10, 15, 30, 45, 90, 180,
+  ...DECADES.filter((power) => power >= 1).flatMap((power) => [360 * power, 720 * power, 1800 * power]),
+];
 
 /** The axis common to all plots of a page. */
 export interface Axis {
@@ -142,13 +150,15 @@ export class Plot {
       cursor: { show: false },
       scales,
       axes: [
-        { ...axis, size: 28, space: 60, values },
+        { ...axis, size: 28, space: 60, values, ...stepsOf(this.axis.unit) },
         ...units.slice(0, 2).map((name, i) => ({
           ...axis,
           scale: `y${name}`,
           side: i === 0 ? 3 : 1,
-          size: labelRoom,
+          size: (chart: uPlot, labels: readonly string[] | null) => labelRoom(chart, labels, LEAST_LABEL_ROOM),
           ...(i === 0 ? {} : { grid: { show: false } }),
+          ...(units.length > 1 ? this.key(name) : {}),
+          ...stepsOf(name),
           values,
         })),
       ],
@@ -165,6 +175,18 @@ export class Plot {
         })),
       ],
       hooks: { drawClear: [(chart) => this.drawBad(chart)], draw: [(chart) => this.drawMarks(chart), () => this.moveTo(this.row)] },
+    };
+  }
+
+  // Of two axes each has its unit beside it, and the colour of its first line.
+  private key(unitText: string): Partial<uPlot.Axis> {
+    const first = this.shown.findIndex((k) => this.context.columns[k]?.unit === unitText);
+    return {
+      label: unit(unitText),
+      labelFont: FONT,
+      labelSize: UNIT_ROOM,
+      stroke: colour(SERIES[first % SERIES.length] ?? SERIES[0]),
+      size: (chart, labels) => labelRoom(chart, labels, LEAST_LABEL_ROOM - UNIT_ROOM),
     };
   }
 
@@ -246,14 +268,18 @@ const lines: uPlot.Series.PathBuilder = (chart, index, first, last) => {
   return { stroke };
 };
 
+function stepsOf(unitText: string): { incrs?: number[] } {
+  return unitText === "deg" ? { incrs: DEGREES } : {};
+}
+
 // Room for the longest label beside a plot, in px.
-function labelRoom(chart: uPlot, labels: readonly string[] | null): number {
+function labelRoom(chart: uPlot, labels: readonly string[] | null, least: number): number {
   const { ctx } = chart;
   ctx.save();
   ctx.font = FONT;
   const widths = (labels ?? []).map((label) => ctx.measureText(label).width);
   ctx.restore();
-  return Math.max(LEAST_LABEL_ROOM, Math.ceil(Math.max(0, ...widths)) + LABEL_GAP);
+  return Math.max(least, Math.ceil(Math.max(0, ...widths)) + LABEL_GAP);
 }
 
 // A constant column gets some room around it instead of a magnified rounding error.
