@@ -159,6 +159,11 @@ private:
     const std::vector<double> px = on_screen(scene, shape, screen_);
     const std::string role(name_of(shape.role));
     const std::string style = role + (shape.closed && !shape.outline ? " filled" : "");
+    const bool told = shape.kind != Kind::kText && !shape.text.empty();
+    if (told) {
+      svg_.open("g", {});
+      svg_.element("title", {}, shape.text);
+    }
     switch (shape.kind) {
       case Kind::kText:
         labels_.push_back(
@@ -190,6 +195,7 @@ private:
         draw_arrow(svg_, px, role, role, shape.name);
         break;
     }
+    if (told) svg_.close();
     if (!ghost) add_ink(shape.kind, px);
   }
 

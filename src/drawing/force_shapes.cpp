@@ -59,8 +59,10 @@ LargestForces largest_forces(const Mechanism& mechanism, const Reactions& reacti
 
 // Arrows of the forces on the second body of each joint or contact, beginning at the point where they act.
 void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
-  const auto add_arrow = [&](const std::string& name, const Vector2d& p_W, const Vector2d& force) {
+  const auto add_arrow = [&](const std::string& name, int first, int second, const Vector2d& p_W,
+                             const Vector2d& force) {
     Shape& arrow = next(Role::kForce, name, Kind::kArrow);
+    arrow.text = mechanism_->bodies[first].name + " on " + mechanism_->bodies[second].name;
     const Vector2d from = kMillimetres * p_W, to = from + scene_.force_scale * force;
     if (force.norm() > 0) arrow.numbers.assign({from.x(), from.y(), to.x(), to.y()});
   };
@@ -74,12 +76,14 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
     const Joint& joint = mechanism_->joints[i];
     const JointReaction& reaction = reactions.joints[i];
     if (couples_turning(joint.type) && !joint.teeth) continue;  // transmits moments only
-    add_arrow(joint.name, place(joint), {reaction.fx.value_or(0), reaction.fy.value_or(0)});
+    add_arrow(joint.name, joint.first.body, joint.second.body, place(joint),
+              {reaction.fx.value_or(0), reaction.fy.value_or(0)});
   }
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
     const CommonNormal& at = row.contacts[i].at;
     const ContactReaction& reaction = reactions.contacts[i];
-    add_arrow(mechanism_->contacts[i].name, at.p_W(),
+    const Contact& contact = mechanism_->contacts[i];
+    add_arrow(contact.name, contact.first.body, contact.second.body, at.p_W(),
               reaction.force.value_or(0) * at.n_W + reaction.friction.value_or(0) * perp(at.n_W));
   }
   for (std::size_t i = 0; i < mechanism_->drivers.size(); ++i) {

@@ -166,6 +166,7 @@ void SceneMaker::add_motion(const MotionRow& row, int index) {
   const Body& of = mechanism_->bodies[index];
   const bool rates = row.all_rates || row.has_rates[index];
   Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);
+  center.text = "instant centre of " + of.name;
   if (rates && body.omega != 0) {
     const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
     const Vector2d middle = (scene_.view.low + scene_.view.high) / 2;

@@ -559,6 +559,21 @@ TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   }
 }
 
+// A dot has no name, and an arrow does not show which of two bodies it acts on.
+TEST(Drawing, TellsWhoseItsCentresAndForcesAre) {
+  SceneSettings wanted;
+  wanted.forces = true;
+  const auto scenes = scenes_of(shipped("watt_sixbar_forces"), wanted).value();
+  DrawSettings settings;
+  settings.layers = {Role::kLink, Role::kCenter, Role::kForce};
+  std::set<std::string> told;
+  for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) {
+    if (element.tag == "title") told.insert(element.text);
+  }
+  EXPECT_TRUE(told.contains("instant centre of triangle"));
+  EXPECT_TRUE(told.contains("crank on coupler") || told.contains("coupler on crank"));
+}
+
 TEST(Drawing, IsAsWideAsItsHeightAllows) {
   const auto scenes = scenes_of(shipped("checked_cam")).value();
   const auto size = [&](const DrawSettings& settings) {

@@ -20,7 +20,7 @@ export interface Shape {
   /** Index of the body in whose frame the numbers are; absent: ground. */
   readonly body?: number;
   readonly closed?: boolean;
-  /** For a moving text: the name of the length given by its fifth number [units]. */
+  /** For a moving text: the name of the length given by its fifth number [units]; for other shapes what a pointer on them is told. */
   readonly text?: string;
   readonly colour?: string;
   /** Not filled although it is closed. */

@@ -47,6 +47,12 @@ export function arrowHead([x0, y0]: Vector, [x1, y1]: Vector, head: number): [st
   return [`M${corners.map(([x = 0, y = 0]) => `${digits(x)} ${digits(y)}`).join("L")}Z`, [bx, by]];
 }
 
+function titleOf(text: string): SVGElement {
+  const title = svg("title");
+  title.textContent = text;
+  return title;
+}
+
 /** Makes an element for a shape, without coordinates yet. */
 export function shapeElement(shape: Shape): SVGElement {
   const tag = shape.kind === "circle" ? "circle" : shape.kind === "text" ? "text" : "path";
@@ -60,6 +66,7 @@ export function shapeElement(shape: Shape): SVGElement {
     made.classList.toggle("coloured", filled);
   }
   if (shape.kind === "text") made.textContent = shape.text ?? shape.name;
+  else if (shape.text !== undefined) made.append(titleOf(shape.text));
   return made;
 }
 

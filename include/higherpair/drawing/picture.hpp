@@ -74,7 +74,7 @@ struct Shape {
   std::string name;             ///< of the body, joint, contact or point: "cam", "touch", "coupler.P"
   int body = 0;                 ///< the body in whose frame the numbers are; 0: ground
   bool closed = false;          ///< of a path
-  std::string text;             ///< of kText
+  std::string text;             ///< of kText; else what a pointer on the shape is told, if anything
   std::vector<double> numbers;  ///< [mm]; empty where it is not defined in this row
   std::string colour;           ///< of its fill or line, "#rrggbb"; empty: that of its role
   bool outline = false;         ///< not filled although closed
