@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFont = 14;  // [px]
 constexpr double kTargetRadius = 3.5;
+constexpr double kCaptionRoom = 24;    // below a picture of a strip [px]
 constexpr double kInkEvery = 5;        // distance of the points that labels keep clear of [px]
 constexpr double kNarrowest = 240;     // least width of a picture, including room on both sides [px]
 constexpr double kWidestStrip = 4000;  // of pictures side by side; more of them are in several lines [px]
@@ -256,6 +257,12 @@ Box view_of(const Scene& scene, const std::vector<Role>& layers) {
   return view;
 }
 
+double caption_room(std::span<const Scene> scenes, bool strip) {
+  const bool any = std::any_of(scenes.begin(), scenes.end(),
+                               [](const Scene& scene) { return scene.defined && !scene.caption.empty(); });
+  return strip && any ? kCaptionRoom : 0;
+}
+
 }  // namespace
 
 std::vector<Role> default_layers() {
@@ -278,7 +285,8 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   const std::size_t columns = pictures_in_line(count, width, drawn);
   const double whole_width = width * static_cast<double>(columns);
   const std::size_t lines = (count + columns - 1) / columns;
-  const double whole_height = drawn * static_cast<double>(lines);
+  const double line_height = drawn + caption_room(scenes, settings.strip);
+  const double whole_height = line_height * static_cast<double>(lines);
   const DrawFoot foot(scenes.front(), fitted, layers, scale, whole_width);
   const Screen screen{scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
   SvgWriter svg({whole_width, whole_height + foot.height(), settings.title, kStyle},
@@ -290,12 +298,11 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
       continue;
     }
     const std::size_t place = settings.strip ? i : 0;
-    const std::size_t line = place / columns;
-    svg.open("svg", {{"class", ghost ? "ghost" : "scene"},
-                     {"x", width * static_cast<double>(place % columns)},
-                     {"y", drawn * static_cast<double>(line)},
-                     {"width", width},
-                     {"height", drawn}});
+    const double left = width * static_cast<double>(place % columns);
+    const double top = line_height * static_cast<double>(place / columns);
+    svg.open(
+        "svg",
+        {{"class", ghost ? "ghost" : "scene"}, {"x", left}, {"y", top}, {"width", width}, {"height", drawn}});
     Picture picture(svg, screen, layers, settings.length);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
@@ -303,6 +310,13 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
       picture.draw_labels({width, drawn});
     }
     svg.close();
+    if (settings.strip && !scenes[i].caption.empty()) {
+      svg.text({{"class", "caption"},
+                {"data-role", "caption"},
+                {"x", left + width / 2},
+                {"y", top + drawn + kCaptionRoom / 2}},
+               scenes[i].caption);
+    }
   }
   foot.draw(svg, whole_height);
   return std::move(svg).finish();

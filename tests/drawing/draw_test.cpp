@@ -559,6 +559,29 @@ TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   }
 }
 
+// Each above its position of the driver, and no picture on the caption of another.
+TEST(Drawing, OfAStripHasThePositionsOfTheDriver) {
+  SceneSettings wanted;
+  wanted.every = 10;
+  const auto scenes = scenes_of(shipped("four_bar"), wanted).value();
+  DrawSettings settings;
+  settings.strip = true;
+  std::vector<std::string> captions;
+  double end = 0;  // of the picture before
+  for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) {
+    if (element.attributes.contains("class") && element.attributes.at("class") == "scene") {
+      end = element.number("y") + element.number("height");
+    } else if (element.role == "caption") {
+      EXPECT_GT(element.number("y"), end);
+      EXPECT_LT(element.number("y"), end + 24);
+      captions.push_back(element.text);
+    }
+  }
+  ASSERT_EQ(captions.size(), scenes.scenes.size());
+  ASSERT_GT(captions.size(), 1U);
+  EXPECT_EQ(captions[1], "driver = 10 deg");
+}
+
 // A dot has no name, and an arrow does not show which of two bodies it acts on.
 TEST(Drawing, TellsWhoseItsCentresAndForcesAre) {
   SceneSettings wanted;

@@ -109,6 +109,7 @@ struct Scene {
   std::vector<Shape> moving;      ///< drawn after them
   bool defined = true;            ///< false: the row has no position
   std::vector<Place> places;      ///< one for each of Mechanism::bodies
+  std::string caption;            ///< written below it in a strip: "driver = 45 deg"
 };
 
 /// A unit used in a picture: its name as in tables, and its value in SI units.

@@ -5,6 +5,7 @@
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "reach.hpp"
@@ -128,12 +129,15 @@ Result<Scenes> scenes_every(const Model& model, RunSettings settings, double ste
   if (!rows) {
     return tl::unexpected(rows.error());
   }
+  const std::string unit = unit_text(driver_dimension(model.mechanism()), model.units());
   Scenes scenes;
   scenes.passed = rows->faults;
   for (std::size_t i = 0; i < rows->rows.size(); ++i) {
     const Reactions* reactions = settings.forces ? &rows->reactions[i] : nullptr;
     if (has_place(rows->rows[i])) {
       scenes.scenes.push_back(maker.at(rows->rows[i], reactions));
+      const double driver = std::abs(rows->drivers[i]) < kLastScene * step ? 0 : rows->drivers[i];
+      scenes.scenes.back().caption = fmt::format("driver = {:.6g} {}", driver, unit);
     } else {
       scenes.left_out.push_back(rows->drivers[i]);
     }
