@@ -29,8 +29,9 @@ struct RollingResult {
                                           const Vector2d& n_W);
 
 /// Moves to the driver position u: gap = 0, common tangent, equal arcs, by least squares (of full rank also
-/// where tangency alone is singular), in inner steps. ω2 from equal velocities at the contact point (the
-/// instant centre), α2 from a2 - a1 = n (ω2 u2 - ω1 u1).
+/// where tangency alone is singular), in inner steps that agree with what the rates predict. Where none does,
+/// the result has not converged, and the track is as far as it could be followed. ω2 from equal velocities at
+/// the contact point (the instant centre), α2 from a2 - a1 = n (ω2 u2 - ω1 u1).
 [[nodiscard]] RollingResult roll_to(RollingTrack& track, double u);
 
 }  // namespace higherpair
