@@ -126,8 +126,7 @@ std::string elements_text(const MobilityCount& count) {
   add(count.rolling, "rolling contact", 1);
   add(count.gears, "gear pair", 2);
   add(count.belts, "belt", 2);
-  return fmt::format("n = {} with ground, j = {}{}, sum f = {}",
-                     number_of(count.bodies, "body", "bodies"),
+  return fmt::format("n = {} with ground, j = {}{}, sum f = {}", number_of(count.bodies, "body", "bodies"),
                      number_of(count.joints(), "joint or contact", "joints and contacts"),
                      kinds.empty() ? "" : " (" + joined_words(kinds) + ")", count.freedoms());
 }
