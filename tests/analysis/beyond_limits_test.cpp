@@ -116,6 +116,37 @@ start = 200
 end = -880
 )";
 
+// An oval in a ring with little play: beyond the gap it is free of overlap from 105.85 degrees on. Its
+// contact can be followed back further, with an overlap elsewhere, but cannot be placed there.
+TEST(BeyondLimits, BodiesThatOverlapElsewhereAreTakenUpWhereTheyComeApart) {
+  const std::vector<std::string> near_conforming = {"bodies.cam.curves.oval.semi_axes=[31,12]",
+                                                    "bodies.ring.curves.hole.radius=32"};
+  const auto with = [&](std::vector<std::string> settings) {
+    settings.insert(settings.end(), near_conforming.begin(), near_conforming.end());
+    return testing::analyze(testing::shipped("oval_in_ring", settings));
+  };
+  const RunTable backwards =
+      with({"driver.start=108", "driver.end=104", "bodies.ring.pose.angle=5.95", "driver.samples=2"});
+  ASSERT_EQ(backwards.events().size(), 1U);
+  EXPECT_EQ(backwards.events()[0].type, EventType::kOverlap);
+  const double apart = backwards.events()[0].driver;
+  for (const int rows : {2, 7, 13, 61, 361, 1801}) {
+    SCOPED_TRACE(rows);
+    const RunTable motion = with({fmt::format("driver.samples={}", rows)});
+    std::vector<double> limits;
+    for (const RunEvent& event : motion.events()) {
+      if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
+    }
+    ASSERT_EQ(limits.size(), 3U);
+    EXPECT_NEAR(limits[1], apart, 1e-12);
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double u = motion.radians(k, "driver");
+      const bool apart_again = u > limits[1] && u < limits[2];
+      EXPECT_EQ(motion.status(k) == RowStatus::kNotAssemblable, u > limits[0] && !apart_again) << u;
+    }
+  }
+}
+
 TEST(BeyondLimits, StretchesOfSeveralDriversAreThoseOfTheirLine) {
   const std::vector<double> limits = testing::CoupledCranks{200 * kPi / 180, 91.115}.limits(0);
   ASSERT_EQ(limits.size(), 6U);

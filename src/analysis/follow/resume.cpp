@@ -129,13 +129,14 @@ bool is_beside_limit(const State& state) {
   });
 }
 
-// The branch at a position of the drivers, placed in run.work.trial, followed back towards `from`: to where
-// this stretch of it begins. None if it is next to a limit, unless it is a row.
-std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const std::vector<double>& from,
-                                 bool is_row) {
-  if (!is_row && is_beside_limit(run.work.trial)) {
-    return std::nullopt;
-  }
+std::vector<double> drivers_of(const RunEvent& event) {
+  std::vector<double> drivers{event.driver};
+  drivers.insert(drivers.end(), event.further_drivers.begin(), event.further_drivers.end());
+  return drivers;
+}
+
+// The branch at a position of the drivers, placed in run.work.trial, followed back as far as `to`.
+Run followed_to(Run& run, const std::vector<double>& at, const std::vector<double>& to) {
   std::vector<RunEvent> events = std::exchange(run.events, {});  // not to copy as many as there may be
   Run back = run;
   run.events = std::move(events);
@@ -143,7 +144,32 @@ std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const 
   back.at.on_branch = true;
   back.at.beside.reset();
   back.at.drivers = at;
-  (void)follow_part(back, part_of_path(run, at, from));
+  renew_overlaps(back);
+  (void)follow_part(back, part_of_path(run, at, to));
+  return back;
+}
+
+// The same, to where this stretch of it begins: at a limit, or where the bodies come apart that overlap
+// before.
+Run followed_back(Run& run, const std::vector<double>& at, const std::vector<double>& from) {
+  Run back = followed_to(run, at, from);
+  const auto overlap = std::find_if(back.events.begin(), back.events.end(),
+                                    [](const RunEvent& event) { return event.type == EventType::kOverlap; });
+  if (overlap == back.events.end()) {
+    return back;
+  }
+  RunEvent event = *overlap;
+  event.type = EventType::kLimitPosition;
+  event.cause = "before this position of the driver the two bodies overlap elsewhere on their boundaries";
+  const std::vector<double> apart = drivers_of(event);
+  back = followed_to(run, at, apart);
+  if (back.at.on_branch) {
+    back.at.on_branch = false;
+    back.at.lost.from = apart;
+    back.at.lost.at = apart;
+    back.at.lost.event = event;
+    back.events.push_back(std::move(event));
+  }
   return back;
 }
 
@@ -151,12 +177,6 @@ std::optional<Run> followed_back(Run& run, const std::vector<double>& at, const 
 // the way back. That can happen where a contact is found again from a list of all, or with coupled bodies.
 bool is_another_branch(const Run& back) {
   return back.at.on_branch && (back.plan().couples || has_listed_contact(back)) && !has_contact_far_out(back);
-}
-
-// The same, if the branch can be placed there.
-std::optional<Run> found_again(Run& run, const std::vector<double>& at, const std::vector<double>& from,
-                               bool is_row) {
-  return place_anew(run, at).complete ? followed_back(run, at, from, is_row) : std::nullopt;
 }
 
 enum class Taken {
@@ -253,6 +273,7 @@ private:
   Taken take_up_row();
   bool come_to_beginning(double x);
   Taken take_up_across(double pole, double begin, int poles);
+  Taken follow_stretch(const Run& back, double begin, const State& found, double x);
   void go_on_from(const Run& back, const State& state, double from);
   bool follow_from(double from, double first_step);
 
@@ -294,20 +315,23 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
 // stretch; run.at.state then remains within.
 bool StretchSearch::come_to_beginning(double x) {
   const double within = x + line_.sense() * kInsideLimit * line_.scale();
-  auto inside = found_again(run_, line_.at(within), drivers_at(x), false);
-  if (!inside || !inside->at.on_branch || (!couples_ && (!inside->at.beside || is_another_branch(*inside)))) {
+  if (!place_anew(run_, line_.at(within)).complete || is_beside_limit(run_.work.trial)) {
+    return false;
+  }
+  Run inside = followed_back(run_, line_.at(within), drivers_at(x));
+  if (!inside.at.on_branch || (!couples_ && (!inside.at.beside || is_another_branch(inside)))) {
     return false;
   }
   if (begins_ahead_) {
-    inside->events = events_at_beginning_;
+    inside.events = events_at_beginning_;
   }
   const State lost = run_.at.state;
-  const State& begin = inside->at.shown();
-  go_on_from(*inside, begin, x);
-  run_.at.drivers = inside->at.drivers;
+  const State& begin = inside.at.shown();
+  go_on_from(inside, begin, x);
+  run_.at.drivers = inside.at.drivers;
   take_short_way(run_, lost, begin);
-  if (inside->at.beside) {
-    run_.at.beside = std::exchange(run_.at.state, inside->at.state);
+  if (inside.at.beside) {
+    run_.at.beside = std::exchange(run_.at.state, inside.at.state);
     take_short_way(run_, lost, begin);
   }
   return true;
@@ -339,48 +363,54 @@ Taken StretchSearch::take_up(double x, int poles) {
   if (!place_anew(run_, drivers_at(x)).complete) {
     return Taken::kNot;
   }
-  const bool is_row = x == to_;
-  if (is_row && is_beside_limit(run_.work.trial)) {
+  if (is_beside_limit(run_.work.trial)) {
+    if (x != to_) {
+      return Taken::kNot;
+    }
     if (come_to_beginning(x)) {
       return Taken::kArrived;
     }
     (void)place_anew(run_, drivers_at(x));
   }
-  auto back = followed_back(run_, drivers_at(x), drivers_at(searched_to_), is_row);
-  if (back && is_another_branch(*back)) {
-    back.reset();
+  const Run back = followed_back(run_, drivers_at(x), drivers_at(searched_to_));
+  if (is_another_branch(back)) {
+    return Taken::kNot;
   }
-  const double begin = back && !back->at.on_branch ? x_of(back->at.lost.from) : searched_to_;
   const State found = run_.work.trial;
-  if (back && !back->at.on_branch && poles > 0) {
-    const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
+  const double begin = x_of(back.at.on_branch ? back.at.drivers : back.at.lost.from);
+  if (!back.at.on_branch && poles > 0) {
+    const Taken taken = take_up_across(x_of(back.at.lost.at), begin, poles - 1);
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
   }
-  if (!back || is_before(to_, begin)) {
-    if (back) {
-      begins_ahead_ = begin;
-      events_at_beginning_ = back->events;
-    }
-    return back ? Taken::kNotYet : Taken::kNot;
+  if (is_before(to_, begin)) {
+    begins_ahead_ = begin;
+    events_at_beginning_ = back.events;
+    return Taken::kNotYet;
   }
+  return follow_stretch(back, begin, found, x);
+}
+
+// Follows a stretch from its beginning to the row; if that fails at once, as next to a pole, from x, where
+// the stretch was found.
+Taken StretchSearch::follow_stretch(const Run& back, double begin, const State& found, double x) {
   const RunPosition before = run_.at;
   const std::size_t events = run_.events.size();
-  go_on_from(*back, back->at.state, begin);
-  const double to_limit = back->at.on_branch ? kInf
-                                             : std::max(std::abs(x_of(back->at.lost.at) - begin),
-                                                        kShortestFirstStep * line_.scale());
+  go_on_from(back, back.at.state, begin);
+  const double to_limit = back.at.on_branch ? kInf
+                                            : std::max(std::abs(x_of(back.at.lost.at) - begin),
+                                                       kShortestFirstStep * line_.scale());
   if (follow_from(begin, to_limit)) {
     return Taken::kArrived;
   }
-  if (!is_before(x_of(run_.at.lost.at), x)) {
+  const double lost = x_of(run_.at.lost.at);
+  if (!is_before(lost, x) || std::abs(lost - begin) > kAtBeginning * line_.scale()) {
     return Taken::kLost;
   }
-  // It cannot be followed from its very begin: continue from x, where it was found, to the row.
   run_.at = before;
   run_.events.resize(events);
-  go_on_from(*back, found, x);
+  go_on_from(back, found, x);
   return follow_from(x, kInf) ? Taken::kArrived : Taken::kLost;
 }
 
