@@ -305,6 +305,22 @@ TEST(EventsByRows, ADiscOfTwoArcsIsFollowedOverBothJoints) {
   }
 }
 
+// A smoothed table ripples beside its flanks, less and less down to the last digit.
+TEST(EventsByRows, TheRippleOfATableHasNoStrokes) {
+  const Profile profile = shipped("camshaft_lift_table");
+  std::vector<double> first;
+  for (const std::int64_t rows : {2, 7, 61, 361}) {
+    const RunTable motion = run_with(profile, rows);
+    std::vector<double> ends;
+    for (const RunEvent& event : motion.events()) ends.push_back(kTurn * event.driver);
+    if (first.empty()) first = ends;
+    ASSERT_EQ(ends.size(), first.size()) << rows;
+    for (std::size_t i = 0; i < ends.size(); ++i) EXPECT_NEAR(ends[i], first[i], 1e-8) << rows;
+  }
+  ASSERT_EQ(first.size(), 12U);
+  EXPECT_NEAR(first[5], 180, 1e-9);
+}
+
 }  // namespace
 Profile of_boundaries(const std::string& name) {
   auto profile = read_profile_file(HIGHERPAIR_TEST_DATA "/boundaries/" + name + ".toml");

@@ -25,6 +25,10 @@ double slowest_within(double v0, double a0, double v1, double a1, double h) {
   return speed(t) <= kMayReverse * std::min(std::abs(v0), std::abs(v1)) ? t * h : 0;
 }
 
+double unit_of(const Run& run, const OutputJoint& output) {
+  return has_angle(run.mechanism().joints[output.joint].type) ? 1 : run.plan().size;
+}
+
 class StrokeEnds {
 public:
   StrokeEnds(Run& run, const Path& path, double s, double h) : run_(run), path_(path), s_(s), h_(h) {}
@@ -32,17 +36,15 @@ public:
   void note(OutputJoint& output) {
     const JointMotion before = motion_in(output, run_.at.state);
     const JointMotion after = motion_in(output, run_.work.trial);
-    const double v0 = before.velocity, v1 = after.velocity;
-    const double middle = slowest_within(v0, before.acceleration, v1, after.acceleration, h_);
-    if (middle != 0) {
-      const double between = velocity_at(output, middle);
-      if (between * v0 < 0) {
-        note_between(output, 0, v0, middle, between);
-        note_between(output, middle, between, h_, v1);
-        return;
-      }
+    const double middle =
+        slowest_within(before.velocity, before.acceleration, after.velocity, after.acceleration, h_);
+    const auto between = middle != 0 ? motion_at(output, middle) : std::nullopt;
+    if (between && between->velocity * before.velocity < 0) {
+      note_between(output, 0, before, middle, *between);
+      note_between(output, middle, *between, h_, after);
+    } else {
+      note_between(output, 0, before, h_, after);
     }
-    note_between(output, 0, v0, h_, v1);
   }
 
 private:
@@ -66,42 +68,42 @@ private:
 
   // Below this speed the sense of an output is a matter of rounding.
   [[nodiscard]] double slowest(const OutputJoint& output, double fast) const {
-    const double unit = has_angle(joint_of(output).type) ? 1 : run_.plan().size;
-    return kSlowestOutput * std::max(fast, unit * fastest_body(run_, run_.work.trial));
+    return kSlowestOutput * std::max(fast, unit_of(run_, output) * fastest_body(run_, run_.work.trial));
   }
 
   // Notes a reversal between x0 and x1 within the step.
-  void note_between(OutputJoint& output, double x0, double before, double x1, double after) {
+  void note_between(OutputJoint& output, double x0, const JointMotion& first, double x1,
+                    const JointMotion& last) {
+    const double before = first.velocity, after = last.velocity;
     // Only recent speeds count: those reached earlier, next to a pole, do not tell what is slow here.
     const double fastest = std::max(std::abs(before), std::abs(after));
     const double fast = std::max(fastest, std::exchange(output.fastest, fastest));
-    if (output.sense * before < 0 && std::abs(before) > slowest(output, fast)) {
-      output.sense = -output.sense;  // by a jump to another contact, whose own event reports it
+    const double slow = slowest(output, fast);
+    // At the beginning of the motion, or after a jump to another contact, whose own event reports it.
+    if (output.sense * before <= 0 && std::abs(before) > slow) {
+      output.sense = before > 0 ? 1 : -1;
+      output.from = first.position;
     }
     const int sense = after > 0 ? 1 : -1;
-    const double slow = slowest(output, fast);
-    if (output.sense == 0 && std::abs(before) > slow) {
-      output.sense = before > 0 ? 1 : -1;
-    }
     if (sense == output.sense || std::abs(after) <= slow) {
       return;
     }
-    const bool reverses = output.sense != 0;
-    output.sense = sense;
-    if (!reverses) {
-      return;
-    }
+    const bool has_moved = std::exchange(output.sense, sense) != 0;
     const auto velocity = [&](double x) { return velocity_at(output, x0 + x); };
     const auto x =
         std::abs(before) <= slow ? std::optional(0.0) : root_between(velocity, before, x1 - x0, after);
-    if (x) {
-      RunEvent event =
-          event_at(EventType::kStrokeEnd, path_, s_ + x0 + *x, "the motion of this joint reverses");
-      event.joint = output.joint;
-      const auto motion = motion_at(output, x0 + *x);
-      event.value = motion ? std::optional(motion->position) : std::nullopt;
-      run_.events.push_back(std::move(event));
+    const auto motion = x ? motion_at(output, x0 + *x) : std::nullopt;
+    const double to = motion ? motion->position : first.position;
+    const bool ends_stroke = x && has_moved && is_stroke(run_, output, to);
+    output.from = to;
+    if (!ends_stroke) {
+      return;
     }
+    RunEvent event =
+        event_at(EventType::kStrokeEnd, path_, s_ + x0 + *x, "the motion of this joint reverses");
+    event.joint = output.joint;
+    event.value = motion ? std::optional(to) : std::nullopt;
+    run_.events.push_back(std::move(event));
   }
 
   Run& run_;
@@ -146,6 +148,10 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
 }
 
 }  // namespace
+
+bool is_stroke(const Run& run, const OutputJoint& output, double position) {
+  return !(std::abs(position - output.from) < kShortestStroke * unit_of(run, output));
+}
 
 std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {
   std::vector<OutputJoint> outputs;

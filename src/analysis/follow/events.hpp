@@ -18,4 +18,7 @@ void note_crossings(Run& run, const Path& path, double s, double end);
 /// The joints to ground whose reversal ends a stroke: all that are not driven.
 [[nodiscard]] std::vector<OutputJoint> output_joints(const Mechanism& mechanism);
 
+/// Whether an output that comes to `position` has moved far enough in this sense for a stroke.
+[[nodiscard]] bool is_stroke(const Run& run, const OutputJoint& output, double position);
+
 }  // namespace higherpair

@@ -1,6 +1,8 @@
 #include "higherpair/analysis/go_on_alike.hpp"
 
 #include "analysis/tolerances.hpp"
+#include "events.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "step.hpp"
 #include "straight_path.hpp"
 
@@ -70,8 +72,12 @@ bool is_lost_alike(const Run& a, const Run& b) {
 }
 
 bool has_alike_past(const Run& a, const Run& b) {
-  const auto same_sense = [](const OutputJoint& one, const OutputJoint& other) {
-    return one.sense == other.sense;
+  const auto in_stroke = [](const Run& run, const OutputJoint& output) {
+    const Joint& joint = run.mechanism().joints[output.joint];
+    return is_stroke(run, output, joint_motion(run.mechanism(), joint, run.at.state.bodies).position);
+  };
+  const auto same_stroke = [&](const OutputJoint& one, const OutputJoint& other) {
+    return one.sense == other.sense && in_stroke(a, one) == in_stroke(b, other);
   };
   const auto same_watch = [](const OverlapWatch& one, const OverlapWatch& other) {
     return one.overlaps == other.overlaps && one.interrupted == other.interrupted;
@@ -79,7 +85,7 @@ bool has_alike_past(const Run& a, const Run& b) {
   const auto same_event = [&](const RunEvent& one, const RunEvent& other) {
     return is_same_item(one, other) && is_at_same_drivers(a, one, other, kSameRunPosition);
   };
-  return all_alike(a.at.outputs, b.at.outputs, same_sense) &&
+  return all_alike(a.at.outputs, b.at.outputs, same_stroke) &&
          all_alike(a.at.watches, b.at.watches, same_watch) &&
          all_alike(a.at.reported, b.at.reported, same_event) &&
          have_same_item(a.at.limit_here, b.at.limit_here);
