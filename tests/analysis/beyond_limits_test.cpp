@@ -147,6 +147,31 @@ TEST(BeyondLimits, BodiesThatOverlapElsewhereAreTakenUpWhereTheyComeApart) {
   }
 }
 
+// An arm too short to follow the cam all round. Whether its roller slips or rolls, the arm moves alike; a
+// small roller that rolls turns some hundred times.
+TEST(BeyondLimits, ASmallRollerThatRollsIsFoundAgain) {
+  for (const double radius : {3.0, 2.0, 0.7, 0.2}) {
+    for (const int rows : {7, 61}) {
+      SCOPED_TRACE(fmt::format("radius {}, {} rows", radius, rows));
+      const auto limits_if = [&](bool rolling) {
+        const RunTable motion = testing::analyze(testing::shipped(
+            "roller_body", {fmt::format("contacts.touch.rolling={}", rolling), "bodies.arm.points.P=[-55,0]",
+                            "bodies.roller.pose={x=34.95,y=31.55}",
+                            fmt::format("bodies.roller.curves.rim.radius={}", radius), "driver.end=720",
+                            fmt::format("driver.samples={}", rows)}));
+        std::vector<double> limits;
+        for (const RunEvent& event : motion.events()) {
+          if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
+        }
+        return limits;
+      };
+      const std::vector<double> rolling = limits_if(true);
+      EXPECT_EQ(rolling.size(), 4U);
+      EXPECT_THAT(rolling, ::testing::Pointwise(::testing::DoubleNear(1e-12), limits_if(false)));
+    }
+  }
+}
+
 TEST(BeyondLimits, StretchesOfSeveralDriversAreThoseOfTheirLine) {
   const std::vector<double> limits = testing::CoupledCranks{200 * kPi / 180, 91.115}.limits(0);
   ASSERT_EQ(limits.size(), 6U);

@@ -3,6 +3,7 @@
 #include "coupled_bodies.hpp"
 #include "coupled_system.hpp"
 #include "group_kinds.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "numeric/least_squares.hpp"
 #include "numeric/lu_solver.hpp"
 #include "numeric/singular_values.hpp"
@@ -133,11 +134,13 @@ public:
     return true;
   }
   /// How far bodies have been moved: angles [rad], and positions of joints and contacts relative to the size.
+  /// The angle of a body that only rolling turns follows from its contact; that of a small roller is large.
   [[nodiscard]] double farthest() const {
     double farthest = 0;
     for (const int index : group_.bodies) {
       const auto i = static_cast<std::size_t>(index);
-      farthest = std::max(farthest, std::abs(to_.bodies[i].theta - from_.bodies[i].theta));
+      const bool only_rolls = contains(model_.plan.phase_bodies, index);
+      farthest = std::max(farthest, only_rolls ? 0 : std::abs(to_.bodies[i].theta - from_.bodies[i].theta));
     }
     const std::vector<Vector2d> before = places_of(model_, group_, from_);
     const std::vector<Vector2d> after = places_of(model_, group_, to_);
