@@ -151,7 +151,6 @@ std::optional<int> set_out(Run& run) {
   run.at.targets = drivers;
   run.work.drivers = drivers;
   run.work.row_before = drivers;
-  run.work.overlaps.resize(run.at.watches.size());
   set_path(run.work.path, drivers, drivers);
   if (const auto contact = leave_singular_start(run)) {
     return contact;

@@ -290,8 +290,6 @@ inline constexpr double kAtCorner = 1e-6;   // relative to the driver's scale
 inline constexpr double kJointAtEnd = 1e-12;
 /// A contact this near to the end of a span is at it, as a fraction of the boundary's size; on corners [rad].
 inline constexpr double kAtSpanEnd = 1e-6;
-/// How far beyond a second contact a step ends, as a fraction of the drivers' unit.
-inline constexpr double kBehindSecondContact = 1e-6;
 /// Largest distance that a contact is expected to run along a boundary in a step, relative to what its speeds
 /// at both ends suggest.
 inline constexpr double kFartherAlong = 2;

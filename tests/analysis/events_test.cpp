@@ -6,6 +6,7 @@
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "io/profile_testing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -498,6 +499,91 @@ TEST(StrokeEnds, InTheFirstStepAreSaid) {
   }
   ASSERT_FALSE(ends.empty());
   for (const double end : ends) EXPECT_NEAR(end, 0.273973480999 * kPi / 180, 1e-13);
+}
+
+// A ring turns about a pivot, with an ellipse in it that slides; lengths in mm, angles in degrees.
+constexpr const char* kEllipseInRing = R"(
+  [bodies.ground]
+  points.D = [{0}, {1}]
+  [bodies.body]
+  points.D = [{0}, {1}]
+  curves.c = {{ type = "ellipse", center = [0, 0], semi_axes = [{2}, {3}] }}
+  [bodies.ring]
+  points.D = [{0}, {1}]
+  curves.c = {{ type = {4}, side = "outside" }}
+  [joints.drive]
+  type = "revolute"
+  between = ["ground.D", "ring.D"]
+  [joints.follow]
+  type = "prismatic"
+  between = ["ground.D", "body.D"]
+  direction = {5}
+  [contacts.touch]
+  between = ["body.c", "ring.c"]
+  [driver]
+  joint = "drive"
+  end = 360
+)";
+
+// Largest distances of the points of an ellipse at the origin, moved by `shift`, from `center`.
+std::vector<double> farthest_points(double a, double b, const Vector2d& shift, const Vector2d& center) {
+  constexpr int kCount = 100'000;
+  const auto distance = [&](int i) {
+    const double t = 2 * kPi * i / kCount;
+    return (shift + Vector2d(a * std::cos(t), b * std::sin(t)) - center).norm();
+  };
+  std::vector<double> found;
+  for (int i = 0; i < kCount; ++i) {
+    if (distance(i) > distance(i - 1) && distance(i) >= distance(i + 1)) {
+      found.push_back(distance(i));
+    }
+  }
+  return found;
+}
+
+TEST(Overlaps, ThatBeginAndEndWithinAStepAreFound) {
+  const double a = 41.0823150107552e-3, b = 30.540534291381633e-3, R = 43.061703226904015e-3;
+  const Vector2d pivot(12.632389987521405e-3, -0.5908502260372338e-3);
+  const double direction = 154.87317379314229;
+  const Profile profile = testing::read(
+      fmt::format(kEllipseInRing, 1e3 * pivot.x(), 1e3 * pivot.y(), 1e3 * a, 1e3 * b,
+                  fmt::format(R"("circle", center = [0, 0], radius = {})", 1e3 * R), direction));
+  for (const int steps : {1, 6, 13, 60, 360, 1440}) {
+    const auto overlaps = events_of(profile.mechanism, EventType::kOverlap, steps);
+    ASSERT_EQ(overlaps.size(), 2U) << steps;
+    EXPECT_NEAR(overlaps[0].driver, 66.5089944419158 * kPi / 180, 1e-12) << steps;
+    auto run = start_run(profile.mechanism, {0}).value();
+    const auto two_farthest = [&](double driver) {
+      move_to(run, {{driver, 1, 0}});
+      const Vector2d center = pivot + Rotation<double>::from_angle(driver) * Vector2d(-pivot);
+      return farthest_points(a, b, run.row.bodies[1].X_WB.p_WB, center);
+    };
+    for (const double distance : two_farthest(overlaps[0].driver)) {
+      EXPECT_NEAR(distance, R, 1e-10) << steps;
+    }
+    const auto within = two_farthest(overlaps[0].driver + 1e-3);
+    EXPECT_GT(*std::max_element(within.begin(), within.end()), R + 1e-8) << steps;
+    EXPECT_EQ(run.row.status, RowStatus::kOverlap) << steps;
+  }
+}
+
+// Where the slide comes to be parallel to the axis of a parabola, the contact runs off to infinity. The
+// rounding of its position there is no second contact.
+TEST(SecondContacts, AreNoneWhereAContactRunsOffToInfinity) {
+  const double direction = 162.38987107912487;
+  const Profile profile = testing::read(fmt::format(
+      kEllipseInRing, 0.17987, 0.0020657, 53.59155, 48.956923,
+      R"("parabola", vertex = [1.0540776, -61.0100237], focal_length = 16.5477264, rotation = 90)",
+      direction));
+  for (const int steps : {1, 7, 60, 360}) {
+    const auto seconds = events_of(profile.mechanism, EventType::kSecondContact, steps);
+    ASSERT_EQ(seconds.size(), 1U) << steps;
+    EXPECT_NEAR(seconds.front().driver, 258.0917 * kPi / 180, 1e-5) << steps;  // on the way back
+    EXPECT_TRUE(events_of(profile.mechanism, EventType::kOverlap, steps).empty()) << steps;
+    const auto limits = events_of(profile.mechanism, EventType::kLimitPosition, steps);
+    ASSERT_FALSE(limits.empty());
+    EXPECT_NEAR(limits.front().driver, (direction - 90) * kPi / 180, 1e-9) << steps;
+  }
 }
 
 // Where a second contact appears, and with which rates, does not depend on the rows, even if a row falls on

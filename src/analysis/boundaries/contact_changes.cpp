@@ -57,33 +57,16 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   return {JointOutcome::kDiverted};
 }
 
-// Moves on to run.work.trial, whose overlaps have been found. \returns whether the motion has gone over to a
-// second contact
-bool go_on(OnPath& at, double x, bool overlaps_change) {
-  note_events(at.run, at.path, at.s, x);
-  const bool gone_over = overlaps_change && watch_overlaps(at.run, at.path, at.s, x);
-  std::swap(at.run.at.state, at.run.work.trial);
-  at.s += x;
-  return gone_over;
-}
-
 }  // namespace
 
 OnPath::OnPath(Run& run_on_it, const Path& its_path)
     : run(run_on_it), path(its_path), scale(unit_of(run, path)), open(has_open_contact(run.at.state)) {}
 
 void advance(OnPath& at, double x) {
-  (void)go_on(at, x, find_overlaps(at.run));
-}
-
-StepTaken take_step(OnPath& at, double h) {
-  const bool overlaps_change = find_overlaps(at.run);
-  const double beyond = std::copysign(kBehindSecondContact * at.scale, h);
-  const auto x = overlaps_change ? second_contact_within(at.run, at.path, at.s, h) : std::nullopt;
-  if (x && std::abs(h - *x) > 2 * std::abs(beyond)) {
-    return {*x + beyond};
-  }
-  return {std::nullopt, go_on(at, h, overlaps_change)};
+  note_events(at.run, at.path, at.s, x);
+  std::swap(at.run.at.state, at.run.work.trial);
+  at.s += x;
+  end_overlaps(at.run);
 }
 
 bool close_open_contact(OnPath& at, double h) {

@@ -35,16 +35,6 @@ struct OnPath {
 /// Moves run.at.state on to run.work.trial, `x` beyond it, and records the events on the way.
 void advance(OnPath& at, double x);
 
-struct StepTaken {
-  std::optional<double> rather;  ///< a step to try instead; no step has been taken
-  bool gone_over = false;        ///< whether the motion has gone over to a second contact
-};
-
-/// The same with a step of `h`, unless a driver and follower go over to a second contact well within it. They
-/// do so at the end of a shorter step, just beyond that place, because what happens later in the step depends
-/// on which contact holds.
-[[nodiscard]] StepTaken take_step(OnPath& at, double h);
-
 /// Moves to where an open contact closes in a step of `h` to run.work.trial, unless another contact reaches a
 /// joint of spans before that. Otherwise returns false and leaves run.work.trial unchanged.
 [[nodiscard]] bool close_open_contact(OnPath& at, double h);
@@ -52,8 +42,8 @@ struct StepTaken {
 /// Where the motion of group g cannot go on, goes on without a contact that may part; false if there is none.
 [[nodiscard]] bool part_contact(OnPath& at, std::size_t g);
 
-/// Moves to where touching boundaries meet elsewhere in a step of `h` to run.work.trial; false where they do
-/// not.
+/// Moves to where touching bodies meet elsewhere in a step of `h` to run.work.trial, and goes on with the
+/// contact there if that is possible; false where they do not meet.
 [[nodiscard]] bool meet_elsewhere(OnPath& at, double h);
 
 /// Where the contact of group g ends, goes on with another place at which the same bodies touch; false if

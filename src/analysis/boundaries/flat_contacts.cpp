@@ -65,10 +65,11 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   RunEvent& event = report_contact(
       run, EventType::kSecondContact, path, s, passage.contact,
       "two flat parts lie on each other and the motion goes on with the contact at the other end");
-  if (const auto g = touching_group(run, static_cast<int>(passage.contact))) {
+  if (const auto g = group_of_placing(run, static_cast<int>(passage.contact))) {
     const TouchingBody& touching = touching_of(run, *g);
     add_rate_jump(run, path, touching.follower,
-                  {follower_rate(run.at.state, touching), follower_rate(over, touching)}, event);
+                  {follower_rate(run.at.state, touching.follower), follower_rate(over, touching.follower)},
+                  event);
   }
   run.at.watches[passage.contact].interrupted = true;
   std::swap(run.at.state, over);

@@ -242,7 +242,7 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     run.at.watches[contact].interrupted = true;
     RunEvent& event = report_contact(run, EventType::kEngage, path, s + x, contact,
                                      "the two bodies begin to touch" + edge_text(run, touching));
-    add_rate_jump(run, path, touching.follower, {0, follower_rate(run.at.state, touching)}, event);
+    add_rate_jump(run, path, touching.follower, {0, follower_rate(run.at.state, touching.follower)}, event);
     return x;
   }
   return std::nullopt;
@@ -267,7 +267,7 @@ std::optional<std::string> why_parting(const Run& run, std::size_t g) {
 
 void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason) {
   const TouchingBody& touching = touching_of(run, g);
-  const double before = follower_rate(run.at.state, touching);
+  const double before = follower_rate(run.at.state, touching.follower);
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.open = true;

@@ -3,7 +3,9 @@
 #include "analysis/follow/step.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
+#include "higherpair/contact/least_gaps.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -38,6 +40,82 @@ double gap_rate(const Pairing& at, const CommonNormal& normal) {
   return normal.n_W.dot(motion_at_place(at.body2, normal.p2_W).v_W -
                         motion_at_place(at.body1, normal.p1_W).v_W);
 }
+
+// The outlines of the two bodies of a contact: boundaries, or curves that are convex or concave throughout.
+class Outlines {
+public:
+  /// \param size  at the contact [m]
+  Outlines(const Mechanism& mechanism, const Contact& contact, double size) {
+    if (contact.by_boundary) {
+      boundary1_ = &boundary_of(mechanism, contact.first);
+      boundary2_ = &boundary_of(mechanism, contact.second);
+      first_is_smaller_ = boundary1_->size() < boundary2_->size();
+      const Boundary& smaller = first_is_smaller_ ? *boundary1_ : *boundary2_;
+      middle_B_ = smaller.middle_B();
+      reach_ = smaller.size();
+      size_ = boundary1_->size() + boundary2_->size();
+      return;
+    }
+    curve1_ = &curve_of(mechanism, contact.first);
+    curve2_ = &curve_of(mechanism, contact.second);
+    first_is_smaller_ = curve2_->side == Side::kOutside;
+    const Curve& smaller = first_is_smaller_ ? *curve1_ : *curve2_;
+    middle_B_ = middle_of(smaller).value_or(anchor(smaller));
+    reach_ = reach_from(smaller, middle_B_).value_or(kInf);
+    size_ = size;
+  }
+
+  /// Whether the outlines overlap however far out, where there is no place of least gap.
+  [[nodiscard]] bool overlap_far_out(const Pairing& at) const {
+    return curve1_ != nullptr &&
+           higherpair::overlap_far_out(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB);
+  }
+
+  /// The places of least gap that are at most `reach` apart.
+  [[nodiscard]] std::vector<NearPlace> near(const Pairing& at, double reach) const {
+    if (boundary1_ != nullptr) {
+      return near_places(*boundary1_, at.body1.X_WB, *boundary2_, at.body2.X_WB, reach);
+    }
+    std::vector<NearPlace> places;
+    for (const CommonNormal& least : least_gaps(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB, reach)) {
+      places.push_back({least, {}, {}});
+    }
+    return places;
+  }
+
+  /// The same place after the bodies have moved.
+  [[nodiscard]] std::optional<NearPlace> moved(const Pairing& to, const NearPlace& before) const {
+    if (boundary1_ != nullptr) {
+      return moved_place(*boundary1_, to.body1.X_WB, *boundary2_, to.body2.X_WB, before);
+    }
+    if (before.end != 0) {
+      return std::nullopt;
+    }
+    const auto at = moved_least_gap(*curve1_, to.body1.X_WB, *curve2_, to.body2.X_WB, before.at);
+    return at ? std::optional(NearPlace{*at, {}, {}}) : std::nullopt;
+  }
+
+  /// Upper bound of the speed of any point of the smaller body against the other, per unit of the path.
+  [[nodiscard]] double speed(const Pairing& at) const {
+    const BodyMotion& own = first_is_smaller_ ? at.body1 : at.body2;
+    const BodyMotion& other = first_is_smaller_ ? at.body2 : at.body1;
+    const PointMotion middle = point_motion(own, middle_B_);
+    const PointMotion there = motion_at_place(other, middle.p_W);
+    const double omega = std::abs(own.omega - other.omega);
+    return (middle.v_W - there.v_W).norm() + (omega == 0 ? 0 : omega * reach_);
+  }
+
+  /// Of both boundaries together; for curves at the contact [m].
+  [[nodiscard]] double size() const { return size_; }
+
+private:
+  const Boundary *boundary1_ = nullptr, *boundary2_ = nullptr;  // else the curves are set
+  const Curve *curve1_ = nullptr, *curve2_ = nullptr;
+  bool first_is_smaller_ = true;
+  Vector2d middle_B_ = Vector2d::Zero();  // of the smaller one
+  double reach_ = 0;                      // of its points from there [m]
+  double size_ = 0;
+};
 
 bool is_beside(const Boundary& boundary, int corner, int span) {
   return span == corner || span == boundary.next_span(corner, true) ||
@@ -76,11 +154,10 @@ public:
         s_(s),
         contact_(run.mechanism().contacts[contact]),
         index_(contact),
-        boundary1_(boundary_of(run.mechanism(), contact_.first)),
-        boundary2_(boundary_of(run.mechanism(), contact_.second)),
-        depth_(kOverlapDepth * run.plan().size) {
-    if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches) {
-      corners_ = meeting_corners(boundary1_, boundary2_, own.place);
+        outlines_(run.mechanism(), contact_, size_at_contact(run, run.at.state, contact)),
+        depth_(kOverlapDepth * size_at_contact(run, run.at.state, contact)) {
+    if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches && contact_.by_boundary) {
+      corners_ = meeting_corners(boundary(contact_.first), boundary(contact_.second), own.place);
     }
   }
 
@@ -91,6 +168,10 @@ public:
   }
 
 private:
+  [[nodiscard]] const Boundary& boundary(const CurveRef& ref) const {
+    return boundary_of(run_.mechanism(), ref);
+  }
+
   struct Verdict {
     bool followed = true;
     std::optional<Meeting> meeting;
@@ -111,20 +192,12 @@ private:
 
   // Upper bound of how far any point of the smaller body moves against the other body from a to b.
   [[nodiscard]] double reach_between(const Pairing& a, const Pairing& b) const {
-    const bool first_is_smaller = boundary1_.size() < boundary2_.size();
-    const Boundary& smaller = first_is_smaller ? boundary1_ : boundary2_;
-    const auto speed = [&](const Pairing& at) {
-      const BodyMotion& own = first_is_smaller ? at.body1 : at.body2;
-      const BodyMotion& other = first_is_smaller ? at.body2 : at.body1;
-      const PointMotion middle = point_motion(own, smaller.middle_B());
-      const PointMotion there = motion_at_place(other, middle.p_W);
-      return (middle.v_W - there.v_W).norm() + std::abs(own.omega - other.omega) * smaller.size();
-    };
-    return kFartherThanByRates * std::max(speed(a), speed(b)) * std::abs(b.x - a.x) + 2 * depth_;
+    const double speed = std::max(outlines_.speed(a), outlines_.speed(b));
+    return kFartherThanByRates * speed * std::abs(b.x - a.x) + 2 * depth_;
   }
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
-    return at.own && is_place_of(*at.own, place, boundary1_.size() + boundary2_.size());
+    return at.own && is_place_of(*at.own, place, outlines_.size());
   }
 
   // Whether a corner of one boundary is beside a face of the other at the corners from which the contact
@@ -135,8 +208,9 @@ private:
       return false;
     }
     const auto [corner1, corner2] = *corners_;
-    return (place.place1.span == corner1 && is_beside(boundary2_, corner2, place.place2.span)) ||
-           (place.place2.span == corner2 && is_beside(boundary1_, corner1, place.place1.span));
+    return (place.place1.span == corner1 &&
+            is_beside(boundary(contact_.second), corner2, place.place2.span)) ||
+           (place.place2.span == corner2 && is_beside(boundary(contact_.first), corner1, place.place1.span));
   }
 
   [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
@@ -146,7 +220,7 @@ private:
   // The same place at another position; none if the gap there does not agree with the rates.
   [[nodiscard]] std::optional<Seen> followed(const Pairing& from, const Seen& place,
                                              const Pairing& to) const {
-    const auto moved = moved_place(boundary1_, to.body1.X_WB, boundary2_, to.body2.X_WB, place.place);
+    const auto moved = outlines_.moved(to, place.place);
     if (!moved || is_own(to, *moved)) {
       return std::nullopt;
     }
@@ -162,8 +236,7 @@ private:
                                            const Seen& near) {
     const auto value = [&](double x) {
       const auto at = pairing_at(a.x + x);
-      const auto moved =
-          at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near.place) : std::nullopt;
+      const auto moved = at ? outlines_.moved(*at, near.place) : std::nullopt;
       return moved ? of(seen(*at, *moved)) : kNoValue;
     };
     const auto x = root_between(value, at_a, b - a.x, at_b);
@@ -216,9 +289,7 @@ private:
     }
     const auto bottom = root(rate, from, a.rate, to.x, b.rate, b);
     const auto lowest = bottom ? pairing_at(*bottom) : std::nullopt;
-    const auto there =
-        lowest ? moved_place(boundary1_, lowest->body1.X_WB, boundary2_, lowest->body2.X_WB, b.place)
-               : std::nullopt;
+    const auto there = lowest ? outlines_.moved(*lowest, b.place) : std::nullopt;
     if (!there) {
       return {false, std::nullopt};
     }
@@ -227,17 +298,21 @@ private:
 
   [[nodiscard]] NearPlace near_at(double x, const NearPlace& near) {
     const auto at = pairing_at(x);
-    return at ? moved_place(boundary1_, at->body1.X_WB, boundary2_, at->body2.X_WB, near).value_or(near)
-              : near;
+    return at ? outlines_.moved(*at, near).value_or(near) : near;
   }
 
   [[nodiscard]] std::vector<Seen> places_at(const Pairing& at, double reach) const {
     std::vector<Seen> found;
-    for (const NearPlace& place : near_places(boundary1_, at.body1.X_WB, boundary2_, at.body2.X_WB, reach)) {
+    for (const NearPlace& place : outlines_.near(at, reach)) {
       const bool counts = !contact_.both_sides || place.end == 0;  // the end of a middle line is no wall
       if (counts && !is_own(at, place) && !leaves_corners(place)) {
         found.push_back(seen(at, place));
       }
+    }
+    if (outlines_.overlap_far_out(at)) {
+      NearPlace far_end;
+      far_end.end = 1;
+      found.push_back({far_end, -kInf, 0});
     }
     return found;
   }
@@ -271,7 +346,7 @@ private:
       lost = lost || !verdict.followed;
     };
     const std::vector<Seen> at_a = places_at(a, reach), at_b = places_at(b, reach);
-    if (halvings == 0) {
+    if (halvings == 0 && contact_.by_boundary) {
       found_.sharing_before = touching(at_a);
       found_.sharing_after = touching(at_b);
     }
@@ -312,8 +387,7 @@ private:
   double s_;
   const Contact& contact_;
   std::size_t index_;
-  const Boundary& boundary1_;
-  const Boundary& boundary2_;
+  Outlines outlines_;
   double depth_;                               // a smaller depth is a touch
   std::optional<std::array<int, 2>> corners_;  // where the contact is at the start, if it is at two
   ContactMeeting found_;
@@ -321,6 +395,18 @@ private:
 };
 
 }  // namespace
+
+double size_at_contact(const Run& run, const State& state, std::size_t contact) {
+  const Contact& pair = run.mechanism().contacts[contact];
+  const ContactMotion& motion = state.contacts[contact];
+  double size = run.plan().size;
+  if (motion.touches) {
+    for (const int body : {pair.first.body, pair.second.body}) {
+      size = std::max(size, (motion.at.p_W() - state.bodies[body].X_WB.p_WB).norm());
+    }
+  }
+  return size;
+}
 
 bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size) {
   return (contact.p1_W - place.at.p1_W).norm() + (contact.p2_W - place.at.p2_W).norm() <=

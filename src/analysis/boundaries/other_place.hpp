@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// Continues the contact of two boundaries at another place of the same bodies.
+// Continues the contact of two bodies at another place of them.
 
 namespace higherpair {
 
@@ -24,17 +24,18 @@ void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower
 [[nodiscard]] double jump_size(const Run& run, const Path& path, const CarriedBody& follower,
                                const RateJump& jump);
 
-/// The group whose body is placed by this contact by_boundary, if any.
-[[nodiscard]] std::optional<std::size_t> touching_group(const Run& run, int contact);
+/// The group whose body is placed by this contact, if it is one that may go on at another place: a contact
+/// by_boundary, or one that is followed with its driver.
+[[nodiscard]] std::optional<std::size_t> group_of_placing(const Run& run, int contact);
 
 /// \pre the group is a TouchingBody
 [[nodiscard]] inline const TouchingBody& touching_of(const Run& run, std::size_t g) {
   return std::get<TouchingBody>(run.plan().groups[g].kind);
 }
 
-/// Continues run.at.state, which is at s, with the contact of group g at another place where the two bodies
-/// touch too. Returns none and changes nothing if the bodies are on different sides at the two places:
-/// neither contact could then be kept.
+/// Continues run.at.state, which is at s, with the contact that places the body of group g at another place
+/// where the two bodies touch too. Returns none and changes nothing if the bodies are on different sides at
+/// the two places: neither contact could then be kept.
 [[nodiscard]] std::optional<RateJump> go_on_at(Run& run, const Path& path, std::size_t g, double s,
                                                const NearPlace& place);
 

@@ -67,7 +67,7 @@ bool is_end_of_flat(const Bodies& bodies, const NearPlace& place) {
 // Keeps only places that push the follower in the same sense as the contact: teeth without play touch with
 // their backs as well, which take no part in the motion.
 void keep_those_that_push(const Run& run, std::size_t i, const State& state, std::vector<NearPlace>& places) {
-  const auto g = touching_group(run, static_cast<int>(i));
+  const auto g = group_of_placing(run, static_cast<int>(i));
   if (!g || !state.contacts[i].touches) {
     return;
   }
@@ -250,7 +250,7 @@ bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) 
   // Per unit of the driver, of the follower's unit.
   const double unit = unit_of(run, path);
   const double scale = unit * unit / (touching->follower.freedom.turns ? 1 : run.plan().size);
-  const auto acceleration = [&] { return scale * follower_acceleration(run.at.state, *touching); };
+  const auto acceleration = [&] { return scale * follower_acceleration(run.at.state, touching->follower); };
   const int mode = run.at.state.groups[g].mode;
   bool yields = false;
   double kept = acceleration();

@@ -178,16 +178,9 @@ private:
     if (meet_elsewhere(at_, step_)) {
       return go_on_anew();
     }
-    const StepTaken taken = take_step(at_, step_);
-    if (taken.rather) {
-      length_.shorten(std::abs(*taken.rather));
-      return Outcome::kGoesOn;
-    }
+    advance(at_, step_);
     if (last_) {
       at_.s = path_.length;
-    }
-    if (taken.gone_over) {
-      return go_on_anew();
     }
     length_.taken();
     if (limit_.is_known()) {

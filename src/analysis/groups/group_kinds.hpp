@@ -114,13 +114,13 @@ inline void move_contact(const TouchingBody& touching, const BoundaryContact& fo
 }
 
 /// The rate of the follower's joint. \pre its carrier is at rest
-[[nodiscard]] inline double follower_rate(const State& state, const TouchingBody& touching) {
-  const BodyMotion& body = state.bodies[touching.follower.body];
-  return touching.follower.freedom.turns ? body.omega : body.v_WB.dot(touching.follower.freedom.direction_W);
+[[nodiscard]] inline double follower_rate(const State& state, const CarriedBody& follower) {
+  const BodyMotion& body = state.bodies[follower.body];
+  return follower.freedom.turns ? body.omega : body.v_WB.dot(follower.freedom.direction_W);
 }
-[[nodiscard]] inline double follower_acceleration(const State& state, const TouchingBody& touching) {
-  const BodyMotion& body = state.bodies[touching.follower.body];
-  return touching.follower.freedom.turns ? body.alpha : body.a_WB.dot(touching.follower.freedom.direction_W);
+[[nodiscard]] inline double follower_acceleration(const State& state, const CarriedBody& follower) {
+  const BodyMotion& body = state.bodies[follower.body];
+  return follower.freedom.turns ? body.alpha : body.a_WB.dot(follower.freedom.direction_W);
 }
 void move_touching(const Planned& model, const TouchingBody& touching, std::size_t g, State& state);
 }  // namespace higherpair

@@ -1,5 +1,6 @@
 #include "higherpair/contact/separation.hpp"
 
+#include "gap_of_normals.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -14,61 +15,19 @@ namespace {
 
 constexpr int kMaxArcs = 20000;
 
-// F is g for two convex bodies, -g for a body in a ring, so that a maximum of F is wanted in both cases.
-struct Value {
-  double f = 0;
-  double slope = 0;
-  double rho_sum = 0;
-};
-
-struct GapProblem {
-  PlacedCurve<double> first;
-  PlacedCurve<double> second;
-  double sign = 1;  // F = sign g
-};
-
-Value value_at(const GapProblem& problem, const Vector2d& n) {
-  const Vector2d inward = -n;
-  const SupportPoint<double> s1 = support_point(problem.first, n);
-  const SupportPoint<double> s2 = support_point(problem.second, inward);
-  const Vector2d d = s2.p_W - s1.p_W;
-  return {problem.sign * d.dot(n), problem.sign * d.dot(perp(n)), s1.rho + s2.rho};
-}
-
-// A bound R >= -sign (ρ1 + ρ2) for all normals within `half` of n.
-double curvature_bound(const GapProblem& problem, const Vector2d& n, const Rotation<double>& half) {
-  const Bounds rho1 = radius_bounds(problem.first, n, half);
-  const Bounds rho2 = radius_bounds(problem.second, -n, half);
-  return problem.sign > 0 ? -(rho1.low + rho2.low) : rho1.high + rho2.high;
-}
-
 struct ArcPiece {
   NormalArc arc;
-  Value value;
+  GapValue value;
   double bound = kInf;
 
   bool operator<(const ArcPiece& other) const { return bound < other.bound; }
 };
 
-double bound_of(const Value& value, const Rotation<double>& half, double R) {
-  if (!std::isfinite(R)) {
-    return kInf;
-  }
-  const double a = value.f - R;
-  const double b = std::abs(value.slope);
-  // R + √(a² + b²) or R + a cos + b sin, rearranged to avoid cancellation for a huge R.
-  if (b * half.cos <= a * half.sin) {
-    return a > 0 ? value.f + b * b / (std::sqrt(a * a + b * b) + a) : R;
-  }
-  const double versine = half.sin * half.sin / (1 + half.cos);
-  return value.f - a * versine + b * half.sin;
-}
-
 ArcPiece make_piece(const GapProblem& problem, const NormalArc& arc) {
   const Vector2d n = unit_vector(arc.middle);
   const auto half = Rotation<double>::from_angle(arc.half);
-  ArcPiece piece{arc, value_at(problem, n), kInf};
-  piece.bound = bound_of(piece.value, half, curvature_bound(problem, n, half));
+  ArcPiece piece{arc, gap_value(problem, n), kInf};
+  piece.bound = largest_gap(piece.value, half, curvature_bounds(problem, n, half).high);
   return piece;
 }
 
@@ -79,7 +38,7 @@ struct Height {
 };
 
 // A few Newton steps uphill; returns the best value.
-Height climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
+Height climb(const GapProblem& problem, const NormalArc& within, double phi, GapValue value) {
   Height best{phi, value.f};
   for (int i = 0; i < 6; ++i) {
     const double second = -problem.sign * value.rho_sum - value.f;
@@ -90,7 +49,7 @@ Height climb(const GapProblem& problem, const NormalArc& within, double phi, Val
     if (!(std::abs(phi - within.middle) < within.half)) {
       break;
     }
-    value = value_at(problem, unit_vector(phi));
+    value = gap_value(problem, unit_vector(phi));
     if (!(value.f > best.f)) {
       break;
     }
@@ -156,7 +115,7 @@ std::optional<Separation> between_apart(const GapProblem& problem, const Vector2
   double phi = angle_of(Vector2d(center2 - center1));
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector2d n = unit_vector(phi);
-    const Value value = value_at(problem, n);
+    const GapValue value = gap_value(problem, n);
     if (std::hypot(value.f, value.slope) - value.f <= tolerance) {
       return Separation{value.f, n};
     }
@@ -178,21 +137,6 @@ Separation from_face(const PlacedCurve<double>& face, const PlacedCurve<double>&
     return {-kInf, n_W};
   }
   return {(support_point(other, inward).p_W - face.vertex_W).dot(n_face), n_W};
-}
-
-struct CommonNormals {
-  std::optional<NormalArc> arc;  // none: all normals
-  bool empty = false;
-};
-
-CommonNormals intersection(const std::optional<NormalArc>& a, const std::optional<NormalArc>& b) {
-  if (!a || !b) {
-    return {a ? a : b, false};
-  }
-  const double shift = nearest_turn(b->middle, a->middle) - a->middle;
-  const double low = std::max(-a->half, shift - b->half);
-  const double high = std::min(a->half, shift + b->half);
-  return {NormalArc{a->middle + (low + high) / 2, (high - low) / 2}, !(low < high)};
 }
 
 }  // namespace
@@ -226,29 +170,16 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
       return *apart;
     }
   }
-  const std::optional<NormalArc> normals1 = normals_of(problem.first);
-  std::optional<NormalArc> normals2 = normals_of(problem.second);
-  if (normals2) {
-    normals2->middle += kPi;
-  }
   const bool ring1 = curve1.side == Side::kOutside;
   const bool ring2 = curve2.side == Side::kOutside;
-  const auto [domain, empty] = intersection(normals1, normals2);
-  if (ring1 || ring2) {
-    // Every normal of the ring limits the body inside; where that one has no point with such a normal, it
-    // crosses the ring.
-    problem.sign = -1;
-    const std::optional<NormalArc>& of_ring = ring1 ? normals1 : normals2;
-    const std::optional<NormalArc>& of_body = ring1 ? normals2 : normals1;
-    const double wanted = of_ring ? of_ring->half : kPi;
-    const bool covered = !empty && (!of_body || (domain && domain->half >= wanted * (1 - kFineGap)));
-    if (!covered) {
-      return {-kInf, Vector2d::UnitX()};
-    }
-  } else if (empty) {
+  const CommonNormals normals = common_normals(problem, ring1, ring2);
+  // Every normal of a ring limits the body inside; where that one has no point with such a normal, it crosses
+  // the ring.
+  if (normals.empty || !normals.cover_ring) {
     return {-kInf, Vector2d::UnitX()};
   }
-  return maximum(problem, domain.value_or(NormalArc{}), tolerance);
+  problem.sign = ring1 || ring2 ? -1 : 1;
+  return maximum(problem, normals.arc.value_or(NormalArc{}), tolerance);
 }
 
 }  // namespace higherpair

@@ -61,12 +61,6 @@ struct OverlapWatch {
   bool interrupted = false;  ///< the motion has switched to a second contact or had a gap: arcs end there
 };
 
-/// Whether the bodies of a contact overlap at the end of the present step.
-struct StepOverlap {
-  bool overlaps = false;
-  Vector2d n_W = Vector2d::UnitX();  ///< direction of the overlap, for conics
-};
-
 /// A change point that the present step passes through.
 struct Crossing {
   std::size_t group = 0;
@@ -122,7 +116,6 @@ struct StepWorkspace {
   std::vector<double> drivers;  ///< in `trial`
   std::vector<DriverMotion> motions;
   std::vector<Crossing> crossings;                           ///< those of the present step
-  std::vector<StepOverlap> overlaps;                         ///< of Mechanism::contacts, in `trial`
   std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups, in `trial` beyond a limit
   Path path;                                                 ///< to the next row
   std::vector<double> row_before;                            ///< drivers at that row

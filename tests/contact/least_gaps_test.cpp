@@ -1,0 +1,142 @@
+#include "higherpair/contact/least_gaps.hpp"
+
+#include "higherpair/geometry/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace higherpair {
+namespace {
+
+// The local minima of the gap over all normals, by a fine grid and the parabola through three values.
+std::vector<double> least_on_grid(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
+                                  const Pose<double>& X_W2) {
+  constexpr int kCount = 40000;
+  const auto placed1 = place(curve1, X_W1), placed2 = place(curve2, X_W2);
+  std::vector<double> gaps;
+  for (int i = 0; i < kCount; ++i) {
+    const Vector2d n = unit_vector(2 * kPi * i / kCount), inward = -n;
+    const bool exist = has_point(placed1, n) && has_point(placed2, inward);
+    gaps.push_back(exist ? (support_point(placed2, inward).p_W - support_point(placed1, n).p_W).dot(n) : NAN);
+  }
+  std::vector<double> least;
+  for (int i = 0; i < kCount; ++i) {
+    const double before = gaps[(i + kCount - 1) % kCount], here = gaps[i], after = gaps[(i + 1) % kCount];
+    if (here <= before && here < after) {
+      least.push_back(here - (after - before) * (after - before) / (8 * (before - 2 * here + after)));
+    }
+  }
+  std::sort(least.begin(), least.end());
+  return least;
+}
+
+class Random {
+public:
+  explicit Random(unsigned seed) : random_(seed) {}
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  Curve body() { return make_ellipse(place(), {between(0.3, 2), between(0.3, 2)}, between(0, kPi)).value(); }
+  Curve ring(unsigned kind) {
+    const double turn = between(-kPi, kPi);
+    switch (kind) {
+      case 0:
+        return make_circle(place(), between(1, 3), Side::kOutside).value();
+      case 1:
+        return make_ellipse(place(), {between(1, 3), between(1, 3)}, turn, Side::kOutside).value();
+      case 2:
+        return make_parabola(place(), between(0.2, 2), turn, Side::kOutside).value();
+      default:
+        return make_hyperbola(place(), {between(0.5, 2), between(0.5, 2)}, turn, Side::kOutside).value();
+    }
+  }
+  Pose<double> pose() { return {Rotation<double>::from_angle(between(-kPi, kPi)), place()}; }
+
+private:
+  Vector2d place() { return {between(-0.2, 0.2), between(-0.2, 0.2)}; }
+  std::mt19937 random_;
+};
+
+constexpr double kAll = std::numeric_limits<double>::infinity();
+
+std::vector<double> gaps_of(const std::vector<CommonNormal>& normals) {
+  std::vector<double> gaps;
+  for (const CommonNormal& at : normals) {
+    gaps.push_back(at.gap());
+  }
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
+TEST(LeastGaps, AreAllThatAFineGridShows) {
+  std::size_t most = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    Random random(seed);
+    const Curve ring = random.ring(seed % 4), body = random.body();
+    const Pose<double> X_W1 = random.pose(), X_W2 = random.pose();
+    const auto expected = least_on_grid(body, X_W1, ring, X_W2);
+    const auto found = gaps_of(least_gaps(body, X_W1, ring, X_W2, kAll));
+    ASSERT_EQ(found.size(), expected.size()) << seed;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i], expected[i], 1e-7) << seed;
+    }
+    most = std::max(most, found.size());
+  }
+  EXPECT_GT(most, 1U);
+}
+
+TEST(LeastGaps, AreThoseWithinReachWhicheverBodyIsFirst) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Curve ring = random.ring(seed % 4), body = random.body();
+    const Pose<double> X_W1 = random.pose(), X_W2 = random.pose();
+    auto all = gaps_of(least_gaps(body, X_W1, ring, X_W2, kAll));
+    std::erase_if(all, [](double gap) { return gap > 0.5; });
+    EXPECT_EQ(gaps_of(least_gaps(body, X_W1, ring, X_W2, 0.5)).size(), all.size()) << seed;
+    const auto exchanged = gaps_of(least_gaps(ring, X_W2, body, X_W1, 0.5));
+    ASSERT_EQ(exchanged.size(), all.size()) << seed;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_NEAR(exchanged[i], all[i], 1e-13) << seed;
+    }
+  }
+}
+
+// An ellipse in the middle of an ellipse with the same axes is nearest to it at two or four points of
+// symmetry, where arcs of a regular subdivision end.
+TEST(LeastGaps, AreFoundAtTheEndsOfTheAxes) {
+  const Pose<double> origin;
+  const Curve ring = make_ellipse({0, 0}, {3, 2}, 0, Side::kOutside).value();
+  const Curve slender = make_ellipse({0, 0}, {2.9, 0.5}, 0).value();
+  const auto ends = least_gaps(slender, origin, ring, origin, kAll);
+  ASSERT_EQ(ends.size(), 2U);
+  for (const CommonNormal& at : ends) {
+    EXPECT_NEAR(at.gap(), 0.1, 1e-15);
+    EXPECT_NEAR(std::abs(at.n_W.x()), 1, 1e-15);
+  }
+  const Curve near = make_ellipse({0, 0}, {3 - 1e-6, 2 - 1e-6}, 0).value();
+  for (const CommonNormal& at : least_gaps(near, origin, ring, origin, kAll)) {
+    EXPECT_NEAR(at.gap(), 1e-6, 1e-12);
+  }
+}
+
+TEST(LeastGaps, AreFollowedAsTheBodiesMove) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Curve ring = random.ring(seed % 4), body = random.body();
+    const Pose<double> X_W1 = random.pose(), X_W2 = random.pose();
+    const Pose<double> moved{X_W1.R_WB, X_W1.p_WB + Vector2d(1e-7, -2e-7)};
+    for (const CommonNormal& before : least_gaps(body, X_W1, ring, X_W2, kAll)) {
+      const auto after = moved_least_gap(body, moved, ring, X_W2, before);
+      ASSERT_TRUE(after.has_value()) << seed;
+      EXPECT_NEAR(after->gap() - before.gap(), -Vector2d(1e-7, -2e-7).dot(before.n_W), 1e-11) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace higherpair
