@@ -30,8 +30,7 @@ double scale_for(std::vector<double> of_rows, double longest) {
 }
 
 void extend(Box& box, const Vector2d& p, double margin) {
-  box.low = box.low.cwiseMin((p.array() - margin).matrix());
-  box.high = box.high.cwiseMax((p.array() + margin).matrix());
+  box = box.joined({(p.array() - margin).matrix(), (p.array() + margin).matrix()});
 }
 
 Box& room_of(Role role, Scene& scene) {

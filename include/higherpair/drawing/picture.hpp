@@ -85,6 +85,10 @@ struct Box {
   Vector2d low = Vector2d::Zero(), high = Vector2d::Zero();
 
   [[nodiscard]] Vector2d size() const { return high - low; }
+  /// The smallest box that contains both.
+  [[nodiscard]] Box joined(const Box& other) const {
+    return {low.cwiseMin(other.low), high.cwiseMax(other.high)};
+  }
 };
 
 /// A mechanism as a picture shows it: shapes that are fixed in the frames of their bodies, the poses of these

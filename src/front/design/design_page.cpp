@@ -133,9 +133,7 @@ Result<Scenes> scenes_with_paths(const Model& model) {
 
 // One frame for both, so that they are drawn to the same scale.
 void share_view(std::vector<Scene>& first, std::vector<Scene>& second) {
-  const Box& a = first.front().view;
-  const Box& b = second.front().view;
-  const Box both{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+  const Box both = first.front().view.joined(second.front().view);
   for (std::vector<Scene>* scenes : {&first, &second}) {
     for (Scene& scene : *scenes) scene.view = both;
   }
