@@ -83,7 +83,7 @@ struct Step {
 }
 
 [[nodiscard]] inline bool agrees(const Step& step, double share) {
-  return step.solved && step.mismatch <= share * step.change + kInnerMismatch;
+  return step.solved && is_as_predicted(step.mismatch, step.change, share);
 }
 
 // Not renewed for long steps, after which the motion would not come back near the stored rotation.

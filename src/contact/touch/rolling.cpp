@@ -2,6 +2,7 @@
 
 #include "gap_derivatives.hpp"
 #include "higherpair/contact/details.hpp"
+#include "higherpair/contact/step_agreement.hpp"
 #include "higherpair/contact/step_length.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/known_rotation.hpp"
@@ -214,7 +215,7 @@ RollStep roll_step(const RollingTrack& from, double u) {
   const double turned = std::abs(track.phi - from.phi);
   const double change = turned + std::abs(at.q - from.at.q) / unit;
   step.agrees = turned <= kFarthestInnerTurn &&
-                std::abs(at.q - q) / unit <= kWalkAgreement * change + kInnerMismatch + rounding_of(track);
+                is_as_predicted(std::abs(at.q - q) / unit - rounding_of(track), change, kWalkAgreement);
   return step;
 }
 

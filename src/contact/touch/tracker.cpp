@@ -13,7 +13,7 @@ namespace {
 
 // Whether the normal has turned as predicted, to within a fraction of the step's change.
 bool normal_agrees(const ContactTrack& track, const Step& step, double h, double share) {
-  return (step.result.at.n_W - predicted_normal(track, h)).norm() <= share * step.change + kInnerMismatch;
+  return is_as_predicted((step.result.at.n_W - predicted_normal(track, h)).norm(), step.change, share);
 }
 
 }  // namespace

@@ -6,6 +6,12 @@
 
 namespace higherpair {
 
+/// Whether the solution of a step is where it was predicted, to a share of the change in the step.
+/// \param mismatch  between prediction and solution, in the units of `change` (radians, or sizes of the pair)
+[[nodiscard]] inline bool is_as_predicted(double mismatch, double change, double share) {
+  return mismatch <= share * change + kInnerMismatch;
+}
+
 /// Whether the quantity that is 0 at a change point has come closer to 0 in a step h, but not as its rates at
 /// both ends predict. Next to a change point a step agrees with its prediction on either branch; on the wrong
 /// one this quantity turns back.
