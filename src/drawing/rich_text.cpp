@@ -20,28 +20,21 @@ double shift_of(int level, double size) {
   return (level < 0 ? kLowered : level > 0 ? kRaised : 0.0) * size;
 }
 
-// A run of letters of one size.
-struct Part {
-  std::string text;
-  double down = 0;  // from the baseline of the text
-  double size = 0;
-  double apart = 0;  // from the part before
-};
-
-std::vector<Part> parts_of(std::string_view markup, double size) {
-  std::vector<Part> parts;
+std::vector<SvgWriter::Run> runs_of(std::string_view markup, double size) {
+  std::vector<SvgWriter::Run> runs;
   for (const TextPiece& piece : pieces_of(markup)) {
     const double down = shift_of(piece.level, size);
     for (std::string_view rest = piece.text; !rest.empty();) {
       const bool prime = rest.starts_with(kPrime);
       const std::size_t end = prime ? kPrime.size() : std::min(rest.find(kPrime), rest.size());
       const std::string text(rest.substr(0, end));
-      parts.push_back(prime ? Part{text, down + kPrimeLowered * size, kPrimeSize * size, kPrimeApart * size}
-                            : Part{text, down, piece.level == 0 ? size : kSmaller * size, 0});
+      runs.push_back(
+          prime ? SvgWriter::Run{text, down + kPrimeLowered * size, kPrimeSize * size, kPrimeApart * size}
+                : SvgWriter::Run{text, down, piece.level == 0 ? size : kSmaller * size, 0});
       rest.remove_prefix(end);
     }
   }
-  return parts;
+  return runs;
 }
 
 }  // namespace
@@ -65,21 +58,15 @@ std::vector<TextPiece> pieces_of(std::string_view markup) {
 
 double rich_width(std::string_view markup, double size) {
   double width = 0;
-  for (const Part& part : parts_of(markup, size)) {
-    width += text_width(part.text, part.text == kPrime ? size : part.size);
+  for (const SvgWriter::Run& run : runs_of(markup, size)) {
+    width += text_width(run.text, run.text == kPrime ? size : run.size);
   }
   return width;
 }
 
 void rich_text(SvgWriter& svg, double x, double y, std::string_view markup, double size,
                std::string_view kind) {
-  std::vector<SvgWriter::Run> runs;
-  double shift = 0;
-  for (const Part& part : parts_of(markup, size)) {
-    runs.push_back({part.text, part.down - shift, part.size, part.apart});
-    shift = part.down;
-  }
-  svg.text({{"class", kind}, {"x", x}, {"y", y}}, runs);
+  svg.text({{"class", kind}, {"x", x}, {"y", y}}, runs_of(markup, size));
 }
 
 std::string plain_text(std::string_view markup) {

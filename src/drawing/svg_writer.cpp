@@ -145,8 +145,9 @@ void SvgWriter::element(std::string_view name, Attributes attributes, std::strin
 void SvgWriter::text(Attributes attributes, const std::vector<Run>& runs) {
   begin_tag("text", attributes);
   out_ += " xml:space=\"preserve\">";
+  double down = 0;
   for (const Run& run : runs) {
-    begin_tag("tspan", {{"dy", run.down}, {"font-size", run.size}});
+    begin_tag("tspan", {{"dy", run.down - std::exchange(down, run.down)}, {"font-size", run.size}});
     if (run.apart > 0) out_ += fmt::format(" dx=\"{}\"", svg_number(run.apart));
     ((out_ += '>') += xml_escaped(run.text)) += "</tspan>";
   }

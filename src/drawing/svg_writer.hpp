@@ -84,10 +84,10 @@ public:
   void element(std::string_view name, Attributes attributes, std::string_view content);
   void text(Attributes attributes, std::string_view content) { element("text", attributes, content); }
 
-  /// A piece of a text, with its own font size, lowered relative to the piece before by `down` [px].
+  /// A piece of a text, with its own font size [px].
   struct Run {
     std::string text;
-    double down = 0;
+    double down = 0;  ///< from the baseline of the text
     double size = 12;
     double apart = 0;  ///< from the run before
   };
