@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
 
+// Exchanges take up to five; this many end those that rounding keeps from settling.
 constexpr int kMostExchanges = 200;
 
 // The columns at the position where a weighted force is furthest below 0; none if it is nowhere negative
@@ -102,60 +104,97 @@ ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double s
 
 // Finds the smallest preloads, of those in `used`, by an exchange method: solves a linear programme, adds the
 // worst position of every contact that opens as a condition, and repeats until none opens.
-std::optional<std::vector<double>> exchange(const ContactForces& forces, const std::vector<ForceTerms>& terms,
-                                            const std::vector<std::size_t>& used,
-                                            const PreloadRounding* rounding) {
-  LeastSum programme;
-  for (const std::size_t k : used) {
-    programme.weights.push_back(terms[k].weight);
-  }
-  for (std::size_t j = 0; j < used.size(); ++j) {
-    if (std::isfinite(terms[used[j]].most)) {
-      LeastSum::Condition bound{std::vector<double>(used.size(), 0), -terms[used[j]].most};
-      bound.coefficients[j] = -1;
-      bound.at_least += rounding != nullptr ? rounding->margin[used[j]] : 0;
-      programme.conditions.push_back(bound);
-    }
-  }
-  std::vector<double> weights(ForcePiece::kParts + terms.size(), 0);
-  std::fill_n(weights.begin(), ForcePiece::kParts, 1);
-  for (int i = 0; i < kMostExchanges; ++i) {
-    const auto solution = solve(programme);
-    if (!solution) {
-      return std::nullopt;
+class Exchange {
+public:
+  enum class End {
+    kClosed,           // every contact stays closed with the additions
+    kImpossible,       // proven: no preloads keep all contacts closed
+    kOpensAtSingular,  // a contact falls open towards a singular position, where no condition can be set
+    kNotSettled,       // contacts still opened after kMostExchanges
+  };
+
+  Exchange(const ContactForces& forces, const std::vector<ForceTerms>& terms,
+           const std::vector<std::size_t>& used, const PreloadRounding* rounding)
+      : forces_(forces),
+        terms_(terms),
+        used_(used),
+        rounding_(rounding),
+        weights_(ForcePiece::kParts + terms.size(), 0) {
+    std::fill_n(weights_.begin(), ForcePiece::kParts, 1);
+    for (const std::size_t k : used) {
+      programme_.weights.push_back(terms[k].weight);
     }
     for (std::size_t j = 0; j < used.size(); ++j) {
-      const double x = (*solution)[j];
-      weights[ForcePiece::kParts + used[j]] = rounding != nullptr ? rounding->round(used[j], x) : x;
-    }
-    bool closed = true;
-    for (std::size_t contact = 0; contact < forces.lowest.size(); ++contact) {
-      const auto worst = worst_place(forces, contact, weights);
-      if (!worst) {
-        continue;
+      if (std::isfinite(terms[used[j]].most)) {
+        LeastSum::Condition bound{std::vector<double>(used.size(), 0), -terms[used[j]].most};
+        bound.coefficients[j] = -1;
+        bound.at_least += margin(used[j]);
+        programme_.conditions.push_back(bound);
       }
-      closed = false;
-      LeastSum::Condition condition;
-      for (std::size_t part = 0; part < ForcePiece::kParts; ++part) {
-        condition.at_least -= (*worst)[part];
-      }
-      for (const std::size_t k : used) {
-        const double added = (*worst)[ForcePiece::kParts + k];
-        const double column = std::abs(added) > terms[k].nothing ? added : 0;
-        condition.coefficients.push_back(column);
-        condition.at_least += rounding != nullptr ? rounding->margin[k] * std::abs(column) : 0;
-      }
-      programme.conditions.push_back(condition);
-    }
-    if (closed && opens_at_singular(forces, weights)) {
-      return std::nullopt;
-    }
-    if (closed) {
-      return std::vector<double>(weights.begin() + ForcePiece::kParts, weights.end());
     }
   }
-  return std::nullopt;
-}
+
+  [[nodiscard]] End run() {
+    for (int i = 0; i < kMostExchanges; ++i) {
+      const auto solution = solve(programme_);
+      if (!solution) {
+        return End::kImpossible;
+      }
+      for (std::size_t j = 0; j < used_.size(); ++j) {
+        const double x = (*solution)[j];
+        weights_[ForcePiece::kParts + used_[j]] = rounding_ != nullptr ? rounding_->round(used_[j], x) : x;
+      }
+      if (!add_conditions()) {
+        return opens_at_singular(forces_, weights_) ? End::kOpensAtSingular : End::kClosed;
+      }
+    }
+    return End::kNotSettled;
+  }
+
+  /// One for each of forces.preloads. \pre run() was kClosed
+  [[nodiscard]] std::vector<double> additions() const {
+    return {weights_.begin() + ForcePiece::kParts, weights_.end()};
+  }
+
+private:
+  [[nodiscard]] double margin(std::size_t preload) const {
+    return rounding_ != nullptr ? rounding_->margin[preload] : 0;
+  }
+
+  // Adds the worst position of every contact that opens; false if none does.
+  bool add_conditions() {
+    bool opens = false;
+    for (std::size_t contact = 0; contact < forces_.lowest.size(); ++contact) {
+      if (const auto worst = worst_place(forces_, contact, weights_)) {
+        programme_.conditions.push_back(condition_at(*worst));
+        opens = true;
+      }
+    }
+    return opens;
+  }
+
+  // That a contact does not open at a position. \param columns  of its force there
+  [[nodiscard]] LeastSum::Condition condition_at(const std::vector<double>& columns) const {
+    LeastSum::Condition condition;
+    for (std::size_t part = 0; part < ForcePiece::kParts; ++part) {
+      condition.at_least -= columns[part];
+    }
+    for (const std::size_t k : used_) {
+      const double added = columns[ForcePiece::kParts + k];
+      const double column = std::abs(added) > terms_[k].nothing ? added : 0;
+      condition.coefficients.push_back(column);
+      condition.at_least += margin(k) * std::abs(column);
+    }
+    return condition;
+  }
+
+  const ContactForces& forces_;
+  const std::vector<ForceTerms>& terms_;
+  const std::vector<std::size_t>& used_;
+  const PreloadRounding* rounding_;
+  std::vector<double> weights_;
+  LeastSum programme_;
+};
 
 }  // namespace
 
@@ -193,14 +232,18 @@ std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces
   }
   std::optional<std::vector<double>> best;
   double least = kInf;
+  const auto try_with = [&](const std::vector<std::size_t>& used) -> std::optional<std::vector<double>> {
+    Exchange exchange(forces, terms, used, rounding);
+    return exchange.run() == Exchange::End::kClosed ? std::optional(exchange.additions()) : std::nullopt;
+  };
   for (const std::size_t k : all) {
-    const auto single = exchange(forces, terms, {k}, rounding);
+    auto single = try_with({k});
     if (single && std::abs((*single)[k]) * terms[k].weight < least) {
       least = std::abs((*single)[k]) * terms[k].weight;
-      best = single;
+      best = std::move(single);
     }
   }
-  return best || all.size() < 2 ? best : exchange(forces, terms, all, rounding);
+  return best || all.size() < 2 ? best : try_with(all);
 }
 
 std::optional<double> highest_speed(const ContactForces& forces) {
