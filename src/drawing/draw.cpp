@@ -250,9 +250,7 @@ DrawSettings usable(DrawSettings settings) {
 Box view_of(const Scene& scene, const std::vector<Role>& layers) {
   Box view = scene.view;
   for (const auto& [role, box] : scene.rooms) {
-    if (!contains(layers, role)) continue;
-    view.low = view.low.cwiseMin(box.low);
-    view.high = view.high.cwiseMax(box.high);
+    if (contains(layers, role)) view = view.joined(box);
   }
   return view;
 }
@@ -261,6 +259,48 @@ double caption_room(std::span<const Scene> scenes, bool strip) {
   const bool any = std::any_of(scenes.begin(), scenes.end(),
                                [](const Scene& scene) { return scene.defined && !scene.caption.empty(); });
   return strip && any ? kCaptionRoom : 0;
+}
+
+// Where the pictures of a strip are, each with its caption below it, or the only one [px].
+struct StripLayout {
+  Screen screen;           // of each picture
+  Vector2d picture;        // size of one
+  double line_height = 0;  // with the captions
+  std::size_t columns = 1, lines = 1;
+
+  [[nodiscard]] Vector2d size() const {
+    return {picture.x() * static_cast<double>(columns), line_height * static_cast<double>(lines)};
+  }
+  /// The upper left corner of the picture with an index.
+  [[nodiscard]] Vector2d corner(std::size_t index) const {
+    return {picture.x() * static_cast<double>(index % columns),
+            line_height * static_cast<double>(index / columns)};
+  }
+};
+
+StripLayout layout_of(std::span<const Scene> scenes, const DrawSettings& settings,
+                      const std::vector<Role>& layers) {
+  const Box view = view_of(scenes.front(), layers);
+  const Vector2d size = view.size();
+  const double scale = std::min(settings.width / size.x(), settings.most_height / size.y());
+  const double width = std::max(scale * size.x(), std::min(settings.width, kNarrowest));
+  const std::size_t count = settings.strip ? scenes.size() : 1;
+  StripLayout layout;
+  layout.screen = {scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
+  layout.picture = {width, scale * size.y()};
+  layout.line_height = layout.picture.y() + caption_room(scenes, settings.strip);
+  layout.columns = pictures_in_line(count, width, layout.picture.y());
+  layout.lines = (count + layout.columns - 1) / layout.columns;
+  return layout;
+}
+
+void draw_caption(SvgWriter& svg, const std::string& caption, const Vector2d& corner,
+                  const Vector2d& picture) {
+  svg.text({{"class", "caption"},
+            {"data-role", "caption"},
+            {"x", corner.x() + picture.x() / 2},
+            {"y", corner.y() + picture.y() + kCaptionRoom / 2}},
+           caption);
 }
 
 }  // namespace
@@ -275,50 +315,38 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   assert(!scenes.empty());
   const DrawSettings settings = usable(given);
   const std::vector<Role> layers = settings.layers.empty() ? default_layers() : settings.layers;
-  const Box view = view_of(scenes.front(), layers);
-  const Vector2d size = view.size();
-  const double scale = std::min(settings.width / size.x(), settings.most_height / size.y());
+  const StripLayout layout = layout_of(scenes, settings, layers);
+  const Screen& screen = layout.screen;
+  const Vector2d whole = layout.size();
   DrawSettings fitted = settings;
-  fitted.width = std::max(scale * size.x(), std::min(settings.width, kNarrowest));
-  const double width = fitted.width, drawn = scale * size.y();
-  const std::size_t count = settings.strip ? scenes.size() : 1;
-  const std::size_t columns = pictures_in_line(count, width, drawn);
-  const double whole_width = width * static_cast<double>(columns);
-  const std::size_t lines = (count + columns - 1) / columns;
-  const double line_height = drawn + caption_room(scenes, settings.strip);
-  const double whole_height = line_height * static_cast<double>(lines);
-  const DrawFoot foot(scenes.front(), fitted, layers, scale, whole_width);
-  const Screen screen{scale, {width / 2 - scale * (view.low.x() + size.x() / 2), scale * view.high.y()}};
-  SvgWriter svg({whole_width, whole_height + foot.height(), settings.title, kStyle},
-                {{"data-scale", fmt::format("{:.12g}", scale * kMillimetres * settings.length.si)},
+  fitted.width = layout.picture.x();
+  const DrawFoot foot(scenes.front(), fitted, layers, screen.scale, whole.x());
+  SvgWriter svg({whole.x(), whole.y() + foot.height(), settings.title, kStyle},
+                {{"data-scale", fmt::format("{:.12g}", screen.scale * kMillimetres * settings.length.si)},
                  {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const bool ghost = !settings.strip && i + 1 < scenes.size();
     if (!scenes[i].defined) {
       continue;
     }
-    const std::size_t place = settings.strip ? i : 0;
-    const double left = width * static_cast<double>(place % columns);
-    const double top = line_height * static_cast<double>(place / columns);
-    svg.open(
-        "svg",
-        {{"class", ghost ? "ghost" : "scene"}, {"x", left}, {"y", top}, {"width", width}, {"height", drawn}});
+    const Vector2d corner = layout.corner(settings.strip ? i : 0);
+    svg.open("svg", {{"class", ghost ? "ghost" : "scene"},
+                     {"x", corner.x()},
+                     {"y", corner.y()},
+                     {"width", layout.picture.x()},
+                     {"height", layout.picture.y()}});
     Picture picture(svg, screen, layers, settings.length);
     picture.draw(scenes[i], ghost);
     if (!ghost) {
       picture.draw_targets(settings.targets);
-      picture.draw_labels({width, drawn});
+      picture.draw_labels(layout.picture);
     }
     svg.close();
     if (settings.strip && !scenes[i].caption.empty()) {
-      svg.text({{"class", "caption"},
-                {"data-role", "caption"},
-                {"x", left + width / 2},
-                {"y", top + drawn + kCaptionRoom / 2}},
-               scenes[i].caption);
+      draw_caption(svg, scenes[i].caption, corner, layout.picture);
     }
   }
-  foot.draw(svg, whole_height);
+  foot.draw(svg, whole.y());
   return std::move(svg).finish();
 }
 
