@@ -54,21 +54,96 @@ struct Columns {
   Eigen::Index phi = -1;
 };
 
-template <class T>
-void write(const T& value, const Columns& columns, double size, Eigen::Index row, Eigen::VectorXd& values,
-           Eigen::MatrixXd& J) {
-  values(row) = value.c[0];
-  for (std::size_t body = 0; 3 * body + 3 <= T::kLast; ++body) {
-    if (const Eigen::Index column = columns.bodies[body]; column >= 0) {
-      J(row, column) += value.c[3 * body + 1];
-      J(row, column + 1) += value.c[3 * body + 2];
-      J(row, column + 2) += value.c[3 * body + 3] / size;
+// Appends conditions of a system to its residual and Jacobian.
+class Rows {
+public:
+  Rows(const ConditionSystem& system, const Dimensions<double>& dimensions, const Coordinates<double>& at,
+       Eigen::VectorXd& values, Eigen::MatrixXd& J)
+      : system_(system), dimensions_(dimensions), at_(at), values_(values), J_(J) {}
+
+  void add_joint(int index) {
+    const auto& joint = dimensions_.joints[index];
+    const Columns columns{{column(joint.first), column(joint.second), column(joint.carrier)}};
+    if (couples_turning(joint.of.type)) {
+      append(joint_conditions(joint.of, variable<9>(body(joint.first), 1), variable<9>(body(joint.second), 4),
+                              variable<9>(body(joint.carrier), 7), system_.size()),
+             columns);
+    } else {
+      const auto first = variable<6>(body(joint.first), 1);
+      append(joint_conditions(joint.of, first, variable<6>(body(joint.second), 4), first, system_.size()),
+             columns);
     }
   }
-  if (columns.phi >= 0) {
-    J(row, columns.phi) = value.c[T::kLast] / size;
+
+  void add_contact(int index) {
+    using T = Partials<double, 7>;
+    const auto i = static_cast<std::size_t>(index);
+    const auto& contact = dimensions_.contacts[i];
+    T phi(at_.phi[i]);
+    phi.c[7] = 1;
+    append(contact_conditions(contact.curve1, variable<7>(body(contact.first), 1), contact.curve2,
+                              variable<7>(body(contact.second), 4), phi,
+                              contact.rolling ? std::optional<T>(at_.arcs[i]) : std::nullopt, system_.size()),
+           {{column(contact.first), column(contact.second), -1}, system_.contact_column(index)});
   }
-}
+
+  void add_driver(int index) {
+    using T = Partials<double, 6>;
+    const auto i = static_cast<std::size_t>(index);
+    const auto& joint = dimensions_.joints[dimensions_.drivers[i]];
+    ConditionValues<T> value;
+    value.add(driver_condition(joint.of, variable<6>(body(joint.first), 1),
+                               variable<6>(body(joint.second), 4), T(at_.drivers[i]), system_.size()));
+    append(value, {{column(joint.first), column(joint.second), -1}});
+  }
+
+  void add_idle(int index) {
+    values_(row_) = system_.size() * (body(index).theta - at_.held_angles[index]);
+    if (const Eigen::Index first = column(index); first >= 0) {
+      J_(row_, first + 2) = 1;
+    }
+    ++row_;
+  }
+
+  /// Whether each curve has a point with its contact's normal.
+  [[nodiscard]] bool exist() const { return exist_; }
+
+private:
+  [[nodiscard]] const BodyAt<double>& body(int index) const { return at_.bodies[index]; }
+  [[nodiscard]] Eigen::Index column(int index) const { return system_.body_column(index); }
+
+  template <class T>
+  void append(const ConditionValues<T>& some, const Columns& columns) {
+    exist_ = exist_ && some.exist;
+    for (int i = 0; i < some.count; ++i) {
+      write(some.value[i], columns);
+    }
+  }
+
+  template <class T>
+  void write(const T& value, const Columns& columns) {
+    values_(row_) = value.c[0];
+    for (std::size_t i = 0; 3 * i + 3 <= T::kLast; ++i) {
+      if (const Eigen::Index x = columns.bodies[i]; x >= 0) {
+        J_(row_, x) += value.c[3 * i + 1];
+        J_(row_, x + 1) += value.c[3 * i + 2];
+        J_(row_, x + 2) += value.c[3 * i + 3] / system_.size();
+      }
+    }
+    if (columns.phi >= 0) {
+      J_(row_, columns.phi) = value.c[T::kLast] / system_.size();
+    }
+    ++row_;
+  }
+
+  const ConditionSystem& system_;
+  const Dimensions<double>& dimensions_;
+  const Coordinates<double>& at_;
+  Eigen::VectorXd& values_;
+  Eigen::MatrixXd& J_;
+  Eigen::Index row_ = 0;
+  bool exist_ = true;
+};
 
 }  // namespace
 
@@ -128,55 +203,12 @@ bool ConditionSystem::evaluate(const Coordinates<double>& at, Eigen::VectorXd& v
                                Eigen::MatrixXd& J) const {
   values.resize(row_count());
   J.setZero(row_count(), columns_);
-  Eigen::Index row = 0;
-  bool exist = true;
-  const auto body = [&](int index) -> const BodyAt<double>& { return at.bodies[index]; };
-  const auto append = [&](const auto& some, const Columns& columns) {
-    exist = exist && some.exist;
-    for (int i = 0; i < some.count; ++i) {
-      write(some.value[i], columns, size_, row++, values, J);
-    }
-  };
-  for (const int index : set_.joints) {
-    const auto& joint = dimensions_.joints[index];
-    const Columns columns{{body_column(joint.first), body_column(joint.second), body_column(joint.carrier)}};
-    if (couples_turning(joint.of.type)) {
-      append(joint_conditions(joint.of, variable<9>(body(joint.first), 1), variable<9>(body(joint.second), 4),
-                              variable<9>(body(joint.carrier), 7), size_),
-             columns);
-    } else {
-      const auto first = variable<6>(body(joint.first), 1);
-      append(joint_conditions(joint.of, first, variable<6>(body(joint.second), 4), first, size_), columns);
-    }
-  }
-  for (const int index : set_.contacts) {
-    const auto i = static_cast<std::size_t>(index);
-    const auto& contact = dimensions_.contacts[i];
-    Partials<double, 7> phi(at.phi[i]);
-    phi.c[7] = 1;
-    append(contact_conditions(contact.curve1, variable<7>(body(contact.first), 1), contact.curve2,
-                              variable<7>(body(contact.second), 4), phi,
-                              contact.rolling ? std::optional<Partials<double, 7>>(at.arcs[i]) : std::nullopt,
-                              size_),
-           Columns{{body_column(contact.first), body_column(contact.second), -1}, contact_column(index)});
-  }
-  for (const int index : set_.drivers) {
-    const auto i = static_cast<std::size_t>(index);
-    const auto& joint = dimensions_.joints[dimensions_.drivers[i]];
-    ConditionValues<Partials<double, 6>> value;
-    value.add(driver_condition(joint.of, variable<6>(body(joint.first), 1),
-                               variable<6>(body(joint.second), 4), Partials<double, 6>(at.drivers[i]),
-                               size_));
-    append(value, Columns{{body_column(joint.first), body_column(joint.second), -1}});
-  }
-  for (const int idle : set_.idle_bodies) {
-    values(row) = size_ * (body(idle).theta - at.held_angles[idle]);
-    if (const Eigen::Index column = body_column(idle); column >= 0) {
-      J(row, column + 2) = 1;
-    }
-    ++row;
-  }
-  return exist;
+  Rows rows(*this, dimensions_, at, values, J);
+  for (const int joint : set_.joints) rows.add_joint(joint);
+  for (const int contact : set_.contacts) rows.add_contact(contact);
+  for (const int driver : set_.drivers) rows.add_driver(driver);
+  for (const int body : set_.idle_bodies) rows.add_idle(body);
+  return rows.exist();
 }
 
 }  // namespace higherpair
