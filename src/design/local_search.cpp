@@ -39,7 +39,7 @@ bool looks_around(Search& search) {
 
 // Starts again from the best point as long as that brings a gain: a new start discards a bad local model.
 void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
-  constexpr int kMostRounds = 4;
+  constexpr int kMostRounds = 4;  // each costs as much as the search itself; one search in five needs all
   const bool kinks = method == DesignMethod::kSlsqp && search.problem().has_cost;
   for (int round = 0; round < kMostRounds && !search.stopped(); ++round) {
     const DesignPoint before = search.best();
@@ -50,8 +50,42 @@ void repeat(Search& search, DesignMethod method, std::uint64_t seed) {
   }
 }
 
-double multiple_of(double step, double x) {
-  return step * std::round(x / step);
+// How far a number is from the nearest multiple of a step, in steps.
+double off_step(const DesignVariable& variable, double x) {
+  return std::abs(x - variable.step * std::round(x / variable.step)) / variable.step;
+}
+
+// The multiples of its step next to a number, within the range of its variable.
+std::vector<double> multiples_beside(const DesignVariable& variable, double x) {
+  const double slack = kOnDesignStep * variable.step;  // of a bound that is itself a multiple, for rounding
+  std::vector<double> values;
+  for (const double count :
+       {std::floor(x / variable.step + kOnDesignStep), std::ceil(x / variable.step - kOnDesignStep)}) {
+    const double multiple = variable.step * count;
+    if (multiple >= variable.low - slack && multiple <= variable.high + slack) {
+      values.push_back(std::clamp(multiple, variable.low, variable.high));
+    }
+  }
+  return values;
+}
+
+// The best design near `point`, in its branch, with variable i at the best of some values, at which it is
+// fixed; `point` itself, with the variable fixed as it is, if there is none.
+DesignPoint fixed_at_best(Search& search, const DesignPoint& point, std::size_t i,
+                          const std::vector<double>& values, DesignMethod method) {
+  DesignPoint best;
+  double kept = point.x[i];
+  for (const double value : values) {
+    search.fix(i, value);
+    search.use_branch(point.branch);
+    search_locally(search, search.unit_of(point.x), method, 1);
+    if (!search.best().x.empty() && (best.x.empty() || is_better(search.best(), best))) {
+      best = search.best();
+      kept = value;
+    }
+  }
+  search.fix(i, kept);
+  return best.x.empty() ? point : best;
 }
 
 }  // namespace
@@ -92,33 +126,12 @@ DesignPoint rounded_to_steps(Search& search, const DesignPoint& point, DesignMet
   }
   DesignPoint at = point;
   while (!left.empty()) {
-    const auto off = [&](std::size_t i) {
-      return std::abs(at.x[i] - multiple_of(variables[i].step, at.x[i])) / variables[i].step;
-    };
+    const auto off = [&](std::size_t i) { return off_step(variables[i], at.x[i]); };
     const auto next = std::min_element(left.begin(), left.end(),
                                        [&](std::size_t a, std::size_t b) { return off(a) < off(b); });
     const std::size_t i = *next;
     left.erase(next);
-    DesignPoint best;
-    double kept = at.x[i];
-    // A bound that is itself a multiple may differ from it by rounding.
-    const double low = variables[i].low, high = variables[i].high;
-    const double slack = kOnDesignStep * variables[i].step;
-    for (const double side : {std::floor(at.x[i] / variables[i].step + kOnDesignStep),
-                              std::ceil(at.x[i] / variables[i].step - kOnDesignStep)}) {
-      const double multiple = variables[i].step * side;
-      if (multiple < low - slack || multiple > high + slack) continue;
-      const double value = std::clamp(multiple, low, high);
-      search.fix(i, value);
-      search.use_branch(point.branch);
-      search_locally(search, search.unit_of(at.x), method, 1);
-      if (!search.best().x.empty() && (best.x.empty() || is_better(search.best(), best))) {
-        best = search.best();
-        kept = value;
-      }
-    }
-    search.fix(i, kept);
-    if (!best.x.empty()) at = best;
+    at = fixed_at_best(search, at, i, multiples_beside(variables[i], at.x[i]), method);
   }
   return at;
 }
