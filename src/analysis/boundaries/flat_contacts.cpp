@@ -5,6 +5,7 @@
 #include "higherpair/geometry/boundary_places.hpp"
 #include "other_place.hpp"
 
+#include <array>
 #include <utility>
 
 namespace higherpair {
@@ -17,6 +18,60 @@ std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& 
   return end && end->distance < length && !is_flat(other, end->behind) ? end : std::nullopt;
 }
 
+// Where the contact is after the passage.
+struct OtherEnd {
+  BoundaryPlace own, other;  // places of the passage's boundary and of the other one
+  JointPassage rests;        // the joint at which it is, as passed
+};
+
+// None where the flat part ends in an end of the curve or in a notch.
+std::optional<OtherEnd> other_end(const Boundary& own, const Boundary& other, const JointPassage& passage,
+                                  const BoundaryPlace& from) {
+  const bool forward = passage.after.t == range_of(own, passage.after.span).low;
+  const auto end_of_own = end_ahead(own, passage.after, forward);
+  if (!end_of_own || is_flat(own, end_of_own->behind)) {
+    return std::nullopt;
+  }
+  OtherEnd end{end_of_own->behind, {}, passage};
+  const double length = end_of_own->distance;  // t of the two curves runs in opposite senses
+  if (const auto first = end_of_other(other, from, !forward, length)) {
+    end.own = own.advance(passage.after, forward ? first->distance : -first->distance, 0).place;
+    end.other = first->behind;
+    end.rests.side = 1 - passage.side;
+    end.rests.before = from;
+  } else {
+    end.other = other.advance(from, forward ? -length : length, 0).place;
+    end.rests.before = passage.after;
+  }
+  return end;
+}
+
+// The normal does not change. The contact is set rather than searched for: rounding would decide at which
+// end a search arrives.
+void set_point(const Run& run, const JointPassage& passage, std::size_t side, const BoundaryPlace& place,
+               State& state) {
+  const Contact& contact = run.mechanism().contacts[passage.contact];
+  CommonNormal& at = state.contacts[passage.contact].at;
+  const BodyMotion& body = state.bodies[ref_of(contact, side).body];
+  (side == 0 ? at.p1_W : at.p2_W) = body.X_WB * boundary_at(run, passage.contact, side).at(place).p_B;
+  JointPassage there = passage;
+  there.side = side;
+  set_place_of(run, there, place, state);
+}
+
+// \param over  the state after the passage
+void report_passage(Run& run, const Path& path, double s, std::size_t contact, const State& over) {
+  RunEvent& event = report_contact(
+      run, EventType::kSecondContact, path, s, contact,
+      "two flat parts lie on each other and the motion goes on with the contact at the other end");
+  if (const auto g = group_of_placing(run, static_cast<int>(contact))) {
+    const TouchingBody& touching = touching_of(run, *g);
+    add_rate_jump(run, path, touching.follower,
+                  {follower_rate(run.at.state, touching.follower), follower_rate(over, touching.follower)},
+                  event);
+  }
+}
+
 }  // namespace
 
 bool lies_flat_behind(const Run& run, const JointPassage& passage) {
@@ -27,54 +82,24 @@ bool lies_flat_behind(const Run& run, const JointPassage& passage) {
 }
 
 std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, const JointPassage& passage) {
-  const Contact& contact = run.mechanism().contacts[passage.contact];
-  const Boundary& own = boundary_at(run, passage.contact, passage.side);
-  const Boundary& other = boundary_at(run, passage.contact, 1 - passage.side);
-  const bool forward = passage.after.t == range_of(own, passage.after.span).low;
-  const auto end_of_own = end_ahead(own, passage.after, forward);
-  if (!end_of_own || is_flat(own, end_of_own->behind)) {
-    return std::nullopt;
-  }
+  const std::size_t opposite = 1 - passage.side;
   State over = run.at.state;
   ContactMotion& motion = over.contacts[passage.contact];
-  const BoundaryPlace from = motion.place[1 - passage.side];
-  JointPassage rests = passage;
-  rests.before = passage.after;
-  const double length = end_of_own->distance;  // t of the two curves runs in opposite senses
-  BoundaryPlace place = end_of_own->behind;
-  BoundaryPlace opposite = other.advance(from, forward ? -length : length, 0).place;
-  if (const auto end = end_of_other(other, from, !forward, length)) {
-    place = own.advance(passage.after, forward ? end->distance : -end->distance, 0).place;
-    opposite = end->behind;
-    rests.side = 1 - passage.side;
-    rests.before = from;
+  const auto end = other_end(boundary_at(run, passage.contact, passage.side),
+                             boundary_at(run, passage.contact, opposite), passage, motion.place[opposite]);
+  if (!end) {
+    return std::nullopt;
   }
-  // The normal does not change. The contact is set rather than searched for: rounding would decide at which
-  // end a search arrives.
-  const auto set = [&](std::size_t side, const Boundary& boundary, const BoundaryPlace& at) {
-    const BodyMotion& body = over.bodies[ref_of(contact, side).body];
-    (side == 0 ? motion.at.p1_W : motion.at.p2_W) = body.X_WB * boundary.at(at).p_B;
-    JointPassage there = passage;
-    there.side = side;
-    set_place_of(run, there, at, over);
-  };
-  set(passage.side, own, place);
-  set(1 - passage.side, other, opposite);
+  set_point(run, passage, passage.side, end->own, over);
+  set_point(run, passage, opposite, end->other, over);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
-  RunEvent& event = report_contact(
-      run, EventType::kSecondContact, path, s, passage.contact,
-      "two flat parts lie on each other and the motion goes on with the contact at the other end");
-  if (const auto g = group_of_placing(run, static_cast<int>(passage.contact))) {
-    const TouchingBody& touching = touching_of(run, *g);
-    add_rate_jump(run, path, touching.follower,
-                  {follower_rate(run.at.state, touching.follower), follower_rate(over, touching.follower)},
-                  event);
-  }
+  report_passage(run, path, s, passage.contact, over);
   run.at.watches[passage.contact].interrupted = true;
-  std::swap(run.at.state, over);
-  note_edge(run, path, s, passage.contact, over.contacts[passage.contact].place);
-  return rests;
+  const std::array<BoundaryPlace, 2> before = run.at.state.contacts[passage.contact].place;
+  run.at.state = std::move(over);
+  note_edge(run, path, s, passage.contact, before);
+  return end->rests;
 }
 
 }  // namespace higherpair
