@@ -53,6 +53,21 @@ struct ChainGroup {
   return contact == nullptr ? nullptr : &contact->touch;
 }
 
+/// Calls `use` with the dyad or the driven body of a group. \pre the group is not an OvalContact
+// std::visit would define functions that throw, in objects compiled for wide registers as well.
+template <class Use>
+inline void visit_links(const ChainGroup& group, const Use& use) {
+  if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
+    use(*rrr);
+  } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
+    use(*rrp);
+  } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
+    use(*rpr);
+  } else if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
+    use(*driven);
+  }
+}
+
 /// How a chain solves a group. None where it cannot: groups of other kinds, and contacts that roll, may part,
 /// or have curves other than convex circles and ellipses.
 /// \param link  index of the link that represents the group's contact

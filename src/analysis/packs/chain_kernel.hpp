@@ -5,6 +5,7 @@
 #include "higherpair/linkage/rrp_dyad.hpp"
 #include "higherpair/linkage/rrr_dyad.hpp"
 #include "higherpair/mechanism/description.hpp"
+#include "higherpair/numeric/overload.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 // The closed forms of a plan's groups for one position (T = double) or for several at once (T = Pack): the
@@ -265,19 +266,11 @@ inline void solve_group(const RprDyad& dyad, double mode, ChainBody<T>* bodies, 
 }
 
 /// Places the bodies of a group. \pre the group is not an OvalContact
-// std::visit would define functions that throw, in objects compiled for wide registers as well.
 template <ChainRates kRates, class T>
 inline void solve_group(const ChainGroup& group, double mode, const ChainDriver<T>& driver,
                         ChainBody<T>* bodies, ChainWatch<T>& watch) {
-  if (const auto* rrr = std::get_if<RrrDyad>(&group.kind)) {
-    solve_group<kRates>(*rrr, mode, bodies, watch);
-  } else if (const auto* rrp = std::get_if<RrpDyad>(&group.kind)) {
-    solve_group<kRates>(*rrp, mode, bodies, watch);
-  } else if (const auto* rpr = std::get_if<RprDyad>(&group.kind)) {
-    solve_group<kRates>(*rpr, mode, bodies, watch);
-  } else if (const auto* driven = std::get_if<DrivenBody>(&group.kind)) {
-    solve_group<kRates>(*driven, driver, bodies);
-  }
+  visit_links(group, Overload{[&](const DrivenBody& driven) { solve_group<kRates>(driven, driver, bodies); },
+                              [&](const auto& dyad) { solve_group<kRates>(dyad, mode, bodies, watch); }});
 }
 
 }  // namespace higherpair

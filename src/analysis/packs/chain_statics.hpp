@@ -2,6 +2,7 @@
 
 #include "chain_wrenches.hpp"
 #include "higherpair/linkage/dyad_statics.hpp"
+#include "higherpair/numeric/overload.hpp"
 
 // Inverse dynamics of a chain at one position (T = double) or at several at once (T = Pack). The loads on
 // every body, including the inertia of its motion, are carried group by group from the end of the chain to
@@ -182,14 +183,11 @@ inline void balance_chain(std::span<const ChainGroup> groups, const ChainStatics
     const ChainSupports& supports = statics.supports[g];
     if (const ChainTouch* touch = touch_of(groups[g])) {
       balance_touch(*touch, supports, in);
-    } else if (const auto* rrr = std::get_if<RrrDyad>(&groups[g].kind)) {
-      balance_group(*rrr, supports, in);
-    } else if (const auto* rrp = std::get_if<RrpDyad>(&groups[g].kind)) {
-      balance_group(*rrp, supports, in);
-    } else if (const auto* rpr = std::get_if<RprDyad>(&groups[g].kind)) {
-      balance_group(*rpr, supports, in);
-    } else if (const auto* driven = std::get_if<DrivenBody>(&groups[g].kind)) {
-      effort.effort = balance_group(*driven, supports, in);
+    } else {
+      visit_links(groups[g], Overload{[&](const DrivenBody& driven) {
+                                        effort.effort = balance_group(driven, supports, in);
+                                      },
+                                      [&](const auto& dyad) { balance_group(dyad, supports, in); }});
     }
   }
 }
