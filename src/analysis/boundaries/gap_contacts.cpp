@@ -103,7 +103,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const FrozenPair placed = frozen_pair(model, touching, state);
   const BoundaryPair pair = frozen_boundaries(model, touching, placed);
   const CarriedBody& follower = touching.follower;
-  const double turned = follower.freedom.turns ? state.bodies[follower.carrier].theta : 0;
+  const double turned = carrier_angle(follower, state.bodies);
   auto [place1, place2] = at.place;
   if (!touching.follower_is_second) {
     std::swap(place1, place2);

@@ -60,6 +60,10 @@ double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMoti
   return (p_C - carried.freedom.p_WO).dot(carried.freedom.direction_W);
 }
 
+double carrier_angle(const CarriedBody& carried, const std::vector<BodyMotion>& bodies) {
+  return carried.freedom.turns ? bodies[carried.carrier].theta : 0;
+}
+
 FrozenPair frozen_pair(const Planned& model, const TouchingBody& touching, const State& state) {
   const Contact& contact = model.mechanism.contacts[touching.contact];
   const CurveRef& known = end_off(contact, touching.follower.body);

@@ -51,6 +51,10 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 /// \param bodies  motions of Mechanism::bodies
 [[nodiscard]] double carried_coordinate(const CarriedBody& carried, const std::vector<BodyMotion>& bodies);
 
+/// What is added to this coordinate in ground: the carrier's angle for a body that turns, 0 for one that
+/// slides.
+[[nodiscard]] double carrier_angle(const CarriedBody& carried, const std::vector<BodyMotion>& bodies);
+
 /// Sliding, rolling and normal rates of a contact from the velocities of its bodies.
 void set_contact_rates(const Planned& model, int contact, State& state);
 

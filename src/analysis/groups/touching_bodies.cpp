@@ -192,8 +192,7 @@ GroupStatus place_touching_anew(const Planned& model, const TouchingBody& touchi
     return place_touching(model, touching, g, from, 0, to);
   }
   const CarriedBody& follower = touching.follower;
-  const double lost = carried_coordinate(follower, from.bodies) +
-                      (follower.freedom.turns ? to.bodies[follower.carrier].theta : 0);
+  const double lost = carried_coordinate(follower, from.bodies) + carrier_angle(follower, to.bodies);
   return contact.by_boundary ? place_boundaries_anew(model, touching, g, from, lost, to)
                              : place_conics_anew(model, touching, g, from, lost, to);
 }

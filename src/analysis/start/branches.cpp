@@ -31,9 +31,7 @@ ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
   place.pair = placed.pair;
   place.u = placed.u;
   place.known_is_first = touching.follower_is_second;
-  if (touching.follower.freedom.turns) {
-    place.carrier_angle = run.at.state.bodies[touching.follower.carrier].theta;
-  }
+  place.carrier_angle = carrier_angle(touching.follower, run.at.state.bodies);
   return place;
 }
 

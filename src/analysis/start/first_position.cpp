@@ -224,13 +224,11 @@ bool FirstPosition::start_touching(const TouchingBody& touching, std::size_t g) 
   const CarriedBody& follower = touching.follower;
   touching_start_ = state_;
   const FrozenPair placed = frozen_pair(model_, touching, state_);
-  const double posed = carried_coordinate(follower, posed_.bodies);
-  const double turned = follower.freedom.turns ? state_.bodies[follower.carrier].theta : 0;
+  const double posed = carried_coordinate(follower, posed_.bodies) + carrier_angle(follower, state_.bodies);
   if (contact.by_boundary) {
-    return start_on_boundaries(touching, g, placed, posed + turned);
+    return start_on_boundaries(touching, g, placed, posed);
   }
-  const FindResult found =
-      first_contact(placed.pair, contact.approach, placed.u, posed + turned, follower.sign);
+  const FindResult found = first_contact(placed.pair, contact.approach, placed.u, posed, follower.sign);
   if (found.status != FindStatus::kFound) {
     fail(g, why_no_contact(found.status, contact));
     return false;
