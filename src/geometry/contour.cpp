@@ -112,8 +112,8 @@ double size_of(const std::vector<ContourPiece>& pieces) {
 }
 
 void close_gaps(std::vector<ContourPiece>& pieces, bool closed) {
-  const std::size_t joints = closed ? pieces.size() : pieces.size() - 1;
-  for (std::size_t i = 0; i < joints; ++i) {
+  const std::size_t last = closed ? 0 : 1;  // pieces without a next one
+  for (std::size_t i = 0; i + last < pieces.size(); ++i) {
     ContourPiece& next = pieces[(i + 1) % pieces.size()];
     auto* before = std::get_if<LinePiece>(&pieces[i]);
     auto* after = std::get_if<LinePiece>(&next);

@@ -26,6 +26,19 @@ Boundary boundary_of(const Pieces& pieces, bool closed = true) {
   return *boundary;
 }
 
+TEST(Contour, GapsAreClosedBetweenNeighbours) {
+  const Vector2d a(0, 0), b(0.03, 0), c(0.03, 0.02), near(1e-9, 1e-9);
+  Pieces open = {LinePiece{a, b}, LinePiece{b + near, c}};
+  close_gaps(open, false);
+  EXPECT_EQ(begin_of(open[1]).p_B, b);
+  EXPECT_EQ(begin_of(open[0]).p_B, a);
+  close_gaps(open, true);
+  EXPECT_EQ(begin_of(open[0]).p_B, c);
+  Pieces none;
+  close_gaps(none, false);
+  EXPECT_TRUE(none.empty());
+}
+
 TEST(Contour, ArcsRunBothWaysWithTheMaterialOnTheLeft) {
   for (const double sweep : {1.1, -1.1, 2 * kPi, -2 * kPi}) {
     const ContourPiece arc = ArcPiece{{0.01, 0.02}, 0.005, 0.3, sweep};
