@@ -425,8 +425,8 @@ inline constexpr double kDimensionsNotSmooth = 1e-6;
 /// Difference steps of a parameter that are tried one after another, as fractions of its scale.
 inline constexpr std::array kParameterSteps = {1e-3, 1e-4, 1e-5, 1e-7, 1e-9};
 /// Disagreement of two difference quotients, of different order, of a boundary by a parameter: below the
-/// first the better one is exact to rounding, and no other step is tried; above the second it is not used.
-/// Boundaries that change with the parameter by less than the third do not change.
+/// first the better one is exact to within rounding, and no other step is tried; above the second it is not
+/// used. Boundaries that change with the parameter by less than the third do not change.
 inline constexpr double kBoundariesAgree = 1e-10;
 inline constexpr double kBoundariesDisagree = 1e-8;
 inline constexpr double kBoundariesStandStill = 1e-11;

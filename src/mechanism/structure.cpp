@@ -35,8 +35,8 @@ public:
   }
 
   // Exchanges matched variables such that of all that can be left over, those of the highest ranks are.
-  // Exact: a variable that is left over, and those that can be instead, are a circuit of a matroid, of which
-  // the highest is to be left over (as the longest edge of a cycle is from a shortest spanning tree).
+  // Exact: a variable that is left over, and those that can be instead, form a circuit of a matroid, of which
+  // the highest must be left over (as the longest edge of a cycle is from a shortest spanning tree).
   void leave_over(const std::vector<int>& ranks) {
     for (int v = 0; v < static_cast<int>(owner_.size()); ++v) {
       if (owner_[v] == kUnmatched) {

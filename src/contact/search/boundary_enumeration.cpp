@@ -13,7 +13,9 @@
 namespace higherpair {
 namespace {
 
-constexpr int kBoxesOfPair = 20000;  // for two pieces: beyond it, what is between them is left open
+// For two pieces: beyond it, what is between them is left open. Nearly all pairs take fewer than 100, those
+// of curves that run side by side up to 10,000.
+constexpr int kBoxesOfPair = 20000;
 constexpr int kOpenUntilCoarser = 8;
 
 bool holds(const std::vector<Stretch>& parts, const BoundaryPlace& place) {

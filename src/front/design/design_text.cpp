@@ -119,7 +119,7 @@ private:
     write(pose, changed);
   }
 
-  // The number that is to be written, rounded; none where it is the present one or has to be kept.
+  // The number to write, rounded; none where it is the present one or has to be kept.
   [[nodiscard]] std::optional<double> change(const std::string& path, double value, double size) const {
     const double unit = std::pow(10.0, std::ceil(std::log10(size)) - kPoseDigits);
     const double rounded = rounded_to(unit * std::round(value / unit), kPoseDigits + 3);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kOfDeviation = 1.4826;  // for normal noise: standard deviation divided by the median
                                          // absolute value
-constexpr int kMostRounds = 60;
-constexpr int kHuberRounds = 3;  // before Tukey's loss, which ignores far-off values at once
+constexpr int kMostRounds = 60;          // of new weights; twelve are usually enough
+constexpr int kHuberRounds = 3;          // before Tukey's loss, which ignores far-off values at once
 
 using Sizes = std::vector<double>;
 

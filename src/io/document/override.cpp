@@ -79,7 +79,7 @@ Step descend(Value& value, const std::string& part, const Mark& mark) {
       fmt::format("there is no `{}` in {}, which is {}", part, text_of(value), kind_of(value)));
 }
 
-// What is to be said of the path if the document cannot be read with it (see Overridden::doubt). The last
+// What to say of the path if the document cannot be read with it (see Overridden::doubt). The last
 // part is a key, whose names are known to the reader.
 std::string doubt_about(const Value& document, std::span<const std::string> parts) {
   const Value* value = &document;

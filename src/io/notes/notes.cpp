@@ -67,7 +67,7 @@ double assembled_size(Mechanism mechanism, const std::vector<BodyMotion>& bodies
   return size_of(mechanism);
 }
 
-// What is to be changed for a driver to start elsewhere.
+// The number to change so that a driver starts elsewhere.
 struct StartKey {
   std::string path;
   double shift = 0;  // to be added to the driver's first position, in its unit

@@ -18,10 +18,10 @@ struct JerkRow {
 };
 
 /// The third time derivatives of run.row: group by group from the conditions of its joints, contacts and
-/// drivers, differentiated once more. None where the row has no rates or the conditions leave a group's jerks
-/// undetermined or, next to where branches nearly cross, to rounding; for the frozen linkage also where a
-/// body's motion was determined by a rolling contact alone (discs about their centres). Allocates. \param
-/// higher  rates of the drivers; none: their accelerations are constant
+/// drivers, differentiated once more. None where the row has no rates, and where the conditions leave a
+/// group's jerks undetermined, or determined by rounding, next to where branches nearly cross; for the frozen
+/// linkage also where a body's motion was determined by a rolling contact alone (discs about their centres).
+/// Allocates. \param higher  rates of the drivers; none: their accelerations are constant
 [[nodiscard]] JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher = {});
 
 /// Only JerkRow::bodies.

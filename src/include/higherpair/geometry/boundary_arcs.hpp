@@ -8,8 +8,8 @@
 
 namespace higherpair {
 
-/// Arc length of a span between two of its parameters, by Gauss's rule with eight points; to rounding within
-/// one of its parts() [m]. \pre not a corner
+/// Arc length of a span between two of its parameters, by Gauss's rule with eight points; exact to within
+/// rounding on one of its parts() [m]. \pre not a corner
 [[nodiscard]] double arc_between(const Span& span, double from, double to);
 
 /// Arc lengths along the chains of a boundary.
