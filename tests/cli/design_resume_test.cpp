@@ -212,7 +212,8 @@ TEST_F(ResumedDesign, RefusesToWriteOverAFileThatTheProfileReads) {
   const std::string points = file("design_film_hook.csv");
   const Outcome outcome = run("design_film_hook.toml -o b.toml --json ./design_film_hook.csv --starts 1");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--json: ./design_film_hook.csv is a file that the profile reads"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("--json: ./design_film_hook.csv is the file that is read as part of the profile"));
   EXPECT_EQ(file("design_film_hook.csv"), points);
 }
 

@@ -183,9 +183,11 @@ TEST_F(Slips, AnOutputThatTheProfileReadsIsRefusedByEveryCommand) {
                                       "verify spline_cam.toml table.csv --json spline_cam.csv"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.err,
-                AnyOf(HasSubstr(" is a file that the profile reads; give the output a name of its own"),
-                      HasSubstr("built without HDF5")))
+    EXPECT_THAT(
+        outcome.err,
+        AnyOf(
+            HasSubstr(" is the file that is read as part of the profile; give the output a name of its own"),
+            HasSubstr("built without HDF5")))
         << arguments;
     EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
     EXPECT_EQ(file("spline_cam.csv"), points) << arguments;

@@ -261,7 +261,9 @@ variables.v = { path = "driver.velocity", values = [1, 2] }
   const std::string before = file("spline_cam.csv");
   const Outcome outcome = run("spline.toml -o ./spline_cam.csv");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("is a file that the profile reads; give the output a name of its own"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("is the file that is read as part of the profile; give the output a name of its own"));
   EXPECT_EQ(file("spline_cam.csv"), before);
 }
 

@@ -57,13 +57,17 @@ std::string place_objection(const std::string& path) {
   return "";
 }
 
+// \param what  "FILE", "part of the profile"
+std::string input_objection(const std::string& path, const std::string& what) {
+  return path + " is the file that is read as " + what + "; give the output a name of its own";
+}
+
 void refuse_shared_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const NamedFile& output = outputs[i];
     for (const NamedFile& input : inputs) {
       if (is_same_file(output.path, input.path)) {
-        throw CLI::ValidationError(output.name, output.path + " is the file that is read as " + input.name +
-                                                    "; give the output a name of its own");
+        throw CLI::ValidationError(output.name, input_objection(output.path, input.name));
       }
     }
     for (std::size_t k = 0; k < i; ++k) {
@@ -99,8 +103,7 @@ std::optional<Error> refused_output(const Model& model, const std::vector<NamedF
     for (const NamedFile& output : outputs) {
       if (!is_same_file(file, output.path)) continue;
       return Error{ErrorKind::kInput,
-                   {about(output.name, output.path + " is a file that the profile reads; give the output a "
-                                                     "name of its own")}};
+                   {about(output.name, input_objection(output.path, "part of the profile"))}};
     }
   }
   return std::nullopt;
