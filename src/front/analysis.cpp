@@ -134,7 +134,8 @@ std::optional<Error> refuse_long_travel(const Model::Data& model, const DriverSc
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
     std::string objection = travel_objection(model, i, schedule.travel(i));
     if (!objection.empty()) {
-      return error_about(model, ErrorKind::kInput, std::move(objection));
+      const char* key = schedule.is_timed() ? "duration" : schedule.is_listed() ? "positions" : "end";
+      return Error{ErrorKind::kInput, {{model.profile.programs[i].place_of(key), std::move(objection)}}};
     }
   }
   return std::nullopt;

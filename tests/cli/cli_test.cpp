@@ -557,12 +557,13 @@ TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
   const Outcome far = run(analyze + " --samples 2 --set driver.end=1e10");
   EXPECT_EQ(far.code, 2);
   EXPECT_EQ(far.out, "");
-  EXPECT_THAT(far.err, HasSubstr("slider_crank.toml: driver goes 2.77778e+07 turns in all; at most 1e7 turns "
-                                 "can be followed; change its `end`, `positions` or `duration`"));
+  EXPECT_THAT(far.err,
+              HasSubstr("--set driver.end=1e10: driver goes 2.77778e+07 turns in all; at most 1e7 turns "
+                        "can be followed; change its `end`, `positions` or `duration`"));
   const Outcome fast = run("step " + profile("slider_crank.toml") +
                            " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
   EXPECT_EQ(fast.code, 2);
-  EXPECT_THAT(fast.err, HasSubstr("driver goes 3.1831e+08 turns in all"));
+  EXPECT_THAT(fast.err, HasSubstr("--set driver.duration=2: driver goes 3.1831e+08 turns in all"));
   // Counted from the start of the path, however far away that is.
   EXPECT_EQ(run(analyze + " --samples 2 --set driver.start=1e10 --set driver.end=10000000360").code, 0);
 }

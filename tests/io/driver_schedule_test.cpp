@@ -113,7 +113,7 @@ TEST(AnalyzeSchedule, TheOptionSamplesTakesThePlaceOfTheProfiles) {
 
 TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
-              ElementsAre("test.toml:10:1: driver.positions are given one by one, and each is a row: leave "
+              ElementsAre("test.toml:12:13: driver.positions are given one by one, and each is a row: leave "
                           "--samples out, or give `end` in place of `positions`"));
   EXPECT_THAT(
       lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
@@ -146,9 +146,10 @@ TEST(AnalyzeSchedule, SeveralDriversHaveEquallyManyPositions) {
   EXPECT_EQ(schedule.state(1, 0).profile.position, 180);
   EXPECT_EQ(schedule.state(1, 1).profile.position, 5);
   EXPECT_EQ(schedule.state(1, 1).si.position, 0.005);
-  EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
-              ElementsAre("test.toml:19:1: drivers.b.positions are 2 positions where the first driver has 3: "
-                          "all drivers need equally many"));
+  EXPECT_THAT(
+      lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
+      ElementsAre("test.toml:21:13: drivers.b.positions are 2 positions where the first driver has 3: "
+                  "all drivers need equally many"));
   EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "end = 4\nsamples = 2\n"))),
               ElementsAre(HasSubstr("drivers.b.samples gives 2 positions where the first driver has 3")));
 }
@@ -255,14 +256,14 @@ TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
   EXPECT_THAT(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e-9\n")))),
       ElementsAre(
-          "test.toml:10:1: driver.time_step is too small: the duration would have more than 2^53 rows; "
+          "test.toml:13:13: driver.time_step is too small: the duration would have more than 2^53 rows; "
           "give a longer one"));
   EXPECT_THAT(lines(DriverSchedule::step(
                   read(slider_profile("duration = 1e40\ntime_step = 1e39\nacceleration = 1e10\n")))),
-              ElementsAre("test.toml:11:1: driver.duration takes the driver beyond 1e50 m"));
+              ElementsAre("test.toml:13:12: driver.duration takes the driver beyond 1e50 m"));
   EXPECT_THAT(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e8\nvelocity = 400\n")))),
-      ElementsAre("test.toml:10:1: driver.duration takes the driver over more than 1e9 turns: its place "
+      ElementsAre("test.toml:12:12: driver.duration takes the driver over more than 1e9 turns: its place "
                   "within the turn is rounding"));
   EXPECT_EQ(step(crank_profile("duration = 1e6\ntime_step = 1e-9\n")).size(), 1'000'000'000'000'001);
 }
@@ -274,7 +275,7 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
   EXPECT_EQ(step(kTwoDrivers + drivers).state(2, 1).profile.position, -29);  // its pose is at -31 mm; 1 mm/s
   EXPECT_THAT(
       lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
-      ElementsAre("test.toml:18:1: drivers.b.duration differs from that of another driver: all move in the "
+      ElementsAre("test.toml:21:12: drivers.b.duration differs from that of another driver: all move in the "
                   "same time; give it to one, or the same to all"));
 }
 
@@ -296,6 +297,19 @@ TEST(OneWay, IsNotAskedOfSeveralDrivers) {
   const std::string drivers =
       "[drivers.a]\njoint = \"one\"\nend = 20\n[drivers.b]\njoint = \"two\"\nend = 30\n";
   EXPECT_FALSE(analyze(kTwoDrivers + drivers, 5).is_one_way(0, 4));
+}
+
+TEST(DriverSchedule, ErrorsNameTheSettingThatTheValueComesFrom) {
+  const auto place = [](const testing::Overrides& overrides) {
+    const auto schedule = DriverSchedule::step(
+        testing::read(testing::crank_profile("duration = 1\ntime_step = 1\n"), overrides));
+    return schedule ? "" : to_string(schedule.error().front());
+  };
+  EXPECT_THAT(
+      place({"driver.velocity=1e12", "driver.duration=1e9"}),
+      ::testing::StartsWith("override driver.duration=1e9: driver.duration takes the driver over more"));
+  EXPECT_THAT(place({"driver.velocity=1e12"}),
+              ::testing::StartsWith("test.toml:12:12: driver.duration takes the driver over more"));
 }
 
 }  // namespace

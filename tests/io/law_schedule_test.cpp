@@ -160,7 +160,7 @@ TEST(LawSchedule, ListedPositionsHaveTheRatesOfTheirFirstTime) {
   EXPECT_EQ(schedule.state(3).profile.velocity, 0);
   profile.programs[0].positions = {9};
   EXPECT_EQ(error_of(DriverSchedule::analyze(profile)),
-            "test.toml:11:1: driver.law laws.lift does not come to 9");
+            "test.toml:13:7: driver.law laws.lift does not come to 9");
 }
 
 TEST(LawSchedule, RefusesWhatHasNoMeaning) {

@@ -10,6 +10,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace higherpair {
@@ -27,8 +29,12 @@ struct DriverProgram {
   std::optional<double> time_step;  ///< for `step`, > 0
   /// The coordinate as a function of time; replaces start, end, velocity and acceleration.
   std::optional<MotionLaw> law;
-  std::string law_name;  ///< its name in messages
-  Place place;           ///< of the driver's table, for messages
+  std::string law_name;                                   ///< its name in messages
+  Place place;                                            ///< of the driver's table, for messages
+  std::vector<std::pair<std::string, Place>> key_places;  ///< of its keys that are given
+
+  /// The place of a key, or of the table where it is not given.
+  [[nodiscard]] const Place& place_of(std::string_view key) const;
 };
 
 /// One row per degree over a full turn.

@@ -27,6 +27,7 @@ public:
   [[nodiscard]] Reading& reading() const { return *reading_; }
   [[nodiscard]] const Mark& mark() const { return value_->mark; }
   [[nodiscard]] std::string path() const { return path_of(*reading_, {value_}); }
+  [[nodiscard]] const Table& entries() const { return *table_; }
 
   /// The item at `key`, or nothing if the table has no such key.
   [[nodiscard]] std::optional<Item> take(const std::string& key);

@@ -4,6 +4,8 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "reading.hpp"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 namespace higherpair::io_detail {
@@ -145,10 +147,19 @@ std::optional<int> read_joint(TableReader& table, const Mechanism& mechanism,
   return joint_type_known[index] ? joint : std::nullopt;
 }
 
+std::vector<std::pair<std::string, Place>> places_of_keys(const TableReader& table) {
+  std::vector<std::pair<std::string, Place>> places;
+  for (const Entry& entry : table.entries()) {
+    places.emplace_back(entry.key, place_of(table.reading(), entry.value.mark));
+  }
+  return places;
+}
+
 void read_driver(TableReader& table, const std::string& name, Profile& profile,
                  const std::vector<bool>& joint_type_known, LawBook& laws) {
   DriverProgram program;
   program.place = place_of(table.reading(), table.mark());
+  program.key_places = places_of_keys(table);
   Mechanism& mechanism = profile.mechanism;
   const auto joint = read_joint(table, mechanism, joint_type_known);
   const auto law = table.take("law");
@@ -197,6 +208,12 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
 }  // namespace higherpair::io_detail
 
 namespace higherpair {
+
+const Place& DriverProgram::place_of(std::string_view key) const {
+  const auto given =
+      std::find_if(key_places.begin(), key_places.end(), [&](const auto& one) { return one.first == key; });
+  return given == key_places.end() ? place : given->second;
+}
 
 DriverProgram default_program(const Mechanism& mechanism, const Driver& driver, const Units& units) {
   const Joint& joint = mechanism.joints[driver.joint];

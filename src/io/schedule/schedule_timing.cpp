@@ -85,7 +85,7 @@ tl::expected<std::int64_t, Diagnostic> given_samples(const Profile& profile) {
 }  // namespace
 
 Diagnostic mistake(const Profile& profile, std::size_t driver, std::string_view key, std::string_view rule) {
-  return {profile.programs[driver].place, fmt::format("{} {}", key_name(profile, driver, key), rule)};
+  return {profile.programs[driver].place_of(key), fmt::format("{} {}", key_name(profile, driver, key), rule)};
 }
 
 tl::expected<Timing, Diagnostics> timing_of_laws(const Profile& profile,
