@@ -143,7 +143,7 @@ TEST(DesignExtents, SayWhatIsWrong) {
   EXPECT_THAT(says(R"(size = "width", column = "crank.angle")"), HasSubstr("make an entry of its own"));
   EXPECT_THAT(says(R"(reach = "coupler.E")"), HasSubstr("from is missing"));
   EXPECT_THAT(says(R"(reach = "coupler.X", from = "coupler.E")"),
-              HasSubstr("there is no point of `coupler` `X`"));
+              HasSubstr("body `coupler` has no point `X`"));
   EXPECT_THAT(says(R"(reach = "coupler.A", from = "coupler.E")"), HasSubstr("both points are of one body"));
   EXPECT_THAT(says(R"(reach = "coupler.A", size = "width", from = "ground.O2")"),
               HasSubstr("make an entry of its own of the size"));

@@ -124,7 +124,7 @@ below = )" + limit;
               ElementsAre(HasSubstr("design.constraints.0.below = \"2 m/s^3\": ")));
   EXPECT_THAT(
       testing::messages(text("type = \"revolute\"\nbetween = [\"ground.X\", \"tappet.P\"]", "\"2 m/s^3\"")),
-      ElementsAre(HasSubstr("there is no point of `ground` `X`")));
+      ElementsAre(HasSubstr("body `ground` has no point `X`")));
 }
 
 struct Wrong {
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DesignGoals,
     ::testing::Values(
         Wrong{"[[design.objectives]]\npath = { point = \"crank.C\", through = [[0, 1], [2, 3]] }",
-              "there is no point of `crank` `C`"},
+              "body `crank` has no point `C`"},
         Wrong{"[[design.objectives]]\npath = { point = \"ground.O\", through = [[0, 1], [2, 3]] }",
               "a point of ground does not move"},
         Wrong{"[[design.objectives]]\npath = { point = \"crank.A\", through = [[0, 1]] }",

@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1",
                  "fit.columns.0.weight = -1: must be > 0"},
         WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]",
-                 "there is no point of `crank` `B`; did you mean `O` or `A`?"},
+                 "body `crank` has no point `B`; did you mean `O` or `A`?"},
         WrongFit{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
                  "a point of ground does not move"},
         WrongFit{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},

@@ -538,7 +538,7 @@ TEST_F(ProfileBoundaries, OffsetsThatThereAreNotAreRefused) {
               ElementsAre(HasSubstr("c.of is missing: expected the name of another curve")));
   EXPECT_THAT(
       offset("of = \"plat\", by = 3", plate),
-      ElementsAre(HasSubstr("c.of = \"plat\": there is no curve of `crank` `plat`; did you mean `plate`?")));
+      ElementsAre(HasSubstr("c.of = \"plat\": body `crank` has no curve `plat`; did you mean `plate`?")));
   EXPECT_THAT(offset("of = \"plate\"", plate),
               ElementsAre(HasSubstr("c.by is missing: expected a distance")));
   EXPECT_THAT(offset("of = \"plate\", by = -1", plate),

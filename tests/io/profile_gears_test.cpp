@@ -161,12 +161,12 @@ TEST(ProfileGears, WaitForPinsWhoseNamesAreRight) {
   std::string profile = planetary("type = \"gears\"\nbetween = [\"sun.O\", \"planet.P\"]\nratio = 2\n");
   profile.replace(profile.find("[\"ground.O\""), 11, "[\"ground.X\"");
   EXPECT_THAT(messages(profile),
-              ElementsAre("test.toml:18:12: joints.arm_pivot.between.0 = \"ground.X\": there is "
-                          "no point of `ground` `X`; did you mean `O`?"));
+              ElementsAre("test.toml:18:12: joints.arm_pivot.between.0 = \"ground.X\": body "
+                          "`ground` has no point `X`; did you mean `O`?"));
   profile.erase(profile.find("points.O = [0, 0]\n"), 18);
   EXPECT_THAT(messages(profile),
-              ElementsAre("test.toml:17:12: joints.arm_pivot.between.0 = \"ground.X\": there is "
-                          "no point of `ground` `X`; none is defined"));
+              ElementsAre("test.toml:17:12: joints.arm_pivot.between.0 = \"ground.X\": body "
+                          "`ground` has no point `X`; none is defined"));
 }
 
 TEST(ProfileGears, NeedTheNameOfTheCarrierWhereSeveralBodiesWouldDo) {

@@ -67,9 +67,9 @@ length = "furlong"
           "test.toml:5:11: driver.samples = 0: must be an integer from 1 to 2^53",
           "test.toml:7:8: joints.pivot.type = \"revolut\": expected one of revolute, prismatic, slot, "
           "gears, belt; did you mean `revolute`?",
-          "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": there is no point of `ground` `A`; "
+          "test.toml:8:12: joints.pivot.between.0 = \"ground.A\": body `ground` has no point `A`; "
           "none is defined",
-          "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": there is no point of `crank` `B`; "
+          "test.toml:8:24: joints.pivot.between.1 = \"crank.B\": body `crank` has no point `B`; "
           "did you mean `A`?",
           "test.toml:9:1: bodies.crank.center_of_mass is missing: expected [x, y]",
           "test.toml:10:12: bodies.crank.points.A = [0, 0, 0]: expected a list of 2 numbers, found 3",
@@ -482,11 +482,10 @@ TEST(ProfileMessages, JointsConnectPointsOfTwoBodies) {
                           "test.toml:14:21: joints.j.between.1 = 3: expected a string, found an integer"));
   EXPECT_THAT(
       about_joint("type = \"revolute\"\nbetween = [\"grund.A\", \"crank.Q\"]\n"),
-      ElementsAre(
-          "test.toml:14:12: joints.j.between.0 = \"grund.A\": there is no body `grund`; did you mean "
-          "`ground`?",
-          "test.toml:14:23: joints.j.between.1 = \"crank.Q\": there is no point of `crank` `Q`; did you "
-          "mean `A` or `P`?"));
+      ElementsAre("test.toml:14:12: joints.j.between.0 = \"grund.A\": there is no body `grund`; did you mean "
+                  "`ground`?",
+                  "test.toml:14:23: joints.j.between.1 = \"crank.Q\": body `crank` has no point `Q`; did you "
+                  "mean `A` or `P`?"));
   EXPECT_THAT(
       about_joint("type = \"revolute\"\n[bodies.crank.curves.c]\ntype = \"point\"\nat = [0, 0]\n"
                   "[joints.k]\ntype = \"revolute\"\nbetween = [\"crank.c\", \"ground.A\"]\n"),
@@ -592,7 +591,7 @@ TEST(ProfileMessages, ContactsAreBetweenCurves) {
       about("[contacts.k]\nbetween = [\"ground.A\", \"crank.c\"]\napproach = \"near\"\nrolling = 1\n"),
       ElementsAre(
           "test.toml:13:12: contacts.k.between.0 = \"ground.A\": this is a point, expected a curve",
-          "test.toml:13:24: contacts.k.between.1 = \"crank.c\": there is no curve of `crank` `c`; none "
+          "test.toml:13:24: contacts.k.between.1 = \"crank.c\": body `crank` has no curve `c`; none "
           "is defined",
           "test.toml:14:12: contacts.k.approach = \"near\": expected one of nearest, +, -; did you mean "
           "`nearest`?",
@@ -626,10 +625,10 @@ direction = [1, 0]
 [driver]
 joint = "guide"
 )";
-  EXPECT_THAT(messages(slide), ElementsAre(HasSubstr("there is no point of `ground` `O`; none is defined")));
+  EXPECT_THAT(messages(slide), ElementsAre(HasSubstr("body `ground` has no point `O`; none is defined")));
   EXPECT_THAT(
       messages("[bodies.Ground]\npoints.O = [0, 0]\n" + slide),
-      ElementsAre(HasSubstr("there is no point of `ground` `O`, but one of `Ground`: capital and small "
+      ElementsAre(HasSubstr("body `ground` has no point `O`, but body `Ground` has one: capital and small "
                             "letters differ, and the frame is `ground`")));
 }
 
@@ -659,7 +658,7 @@ TEST(ProfileMessages, LoadsActOnMovingBodies) {
           "test.toml:13:14: loads.a.body = \"crnk\": there is no body `crnk`; did you mean `crank`?",
           "test.toml:14:14: loads.b.body = \"ground\": ground never moves: a load on it does nothing",
           "test.toml:15:5: loads.c.force is missing: expected [x, y] (or a torque)",
-          "test.toml:16:47: loads.d.point = \"Z\": there is no point of `crank` `Z`; did you mean `A` or "
+          "test.toml:16:47: loads.d.point = \"Z\": body `crank` has no point `Z`; did you mean `A` or "
           "`P`?",
           "test.toml:16:60: loads.d.frame = \"world\": expected one of ground, body; did you mean `ground`?",
           "test.toml:17:43: loads.e.point = \"A\": belongs to a force: a torque has no point"));
@@ -692,9 +691,9 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
   EXPECT_THAT(
       about("[drawing.crank]\npoints.Q = { hide = true }\ncurves.disc = {}\n"),
       ElementsAre(
-          "test.toml:13:12: drawing.crank.points.Q: there is no point of `crank` `Q`; did you mean `A` or "
+          "test.toml:13:12: drawing.crank.points.Q: body `crank` has no point `Q`; did you mean `A` or "
           "`P`?",
-          "test.toml:14:15: drawing.crank.curves.disc: there is no curve of `crank` `disc`; none is "
+          "test.toml:14:15: drawing.crank.curves.disc: body `crank` has no curve `disc`; none is "
           "defined"));
   EXPECT_THAT(
       about("[drawing.crank]\ncolour = \"red\"\ncolor = \"#fff\"\noutline = 1\n"),

@@ -110,27 +110,32 @@ template <class Things>
 }
 
 /// "there is no body `crnk`; did you mean `crank`?"
+/// \param none  how that begins: "there is no body", or has_no() for a part of a body
 template <class Things>
-[[nodiscard]] std::string no_such(std::string_view what, std::string_view name, const Things& things) {
-  return fmt::format("there is no {} `{}`; {}", what, name, suggestion(name, names_of(things)));
+[[nodiscard]] std::string no_such(std::string_view none, std::string_view name, const Things& things) {
+  return fmt::format("{} `{}`; {}", none, name, suggestion(name, names_of(things)));
 }
 
-/// The index in `things` of the one named by an item; reports that there is no such `what`, "body", "point of
-/// `cam`".
+/// "body `crank` has no point"
+[[nodiscard]] inline std::string has_no(std::string_view body, std::string_view kind) {
+  return fmt::format("body `{}` has no {}", body, kind);
+}
+
+/// The index in `things` of the one named by an item; reports that there is none, as no_such() says it.
 template <class Things>
 [[nodiscard]] std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
-                                             std::string_view what, const Things& things) {
+                                             std::string_view none, const Things& things) {
   const auto index = index_of(things, name);
-  if (!index) report(reading, item, no_such(what, name, things));
+  if (!index) report(reading, item, no_such(none, name, things));
   return index;
 }
 
 /// The same for the name of a table.
 template <class Things>
-[[nodiscard]] std::optional<int> named_thing(TableReader& table, std::string_view name, std::string_view what,
+[[nodiscard]] std::optional<int> named_thing(TableReader& table, std::string_view name, std::string_view none,
                                              const Things& things) {
   const auto index = index_of(things, name);
-  if (!index) report_whole(table, no_such(what, name, things));
+  if (!index) report_whole(table, no_such(none, name, things));
   return index;
 }
 

@@ -15,7 +15,7 @@ std::optional<std::size_t> variable_named(TableReader& table, const Item& item, 
   if (!name) {
     return std::nullopt;
   }
-  const auto index = named_thing(table.reading(), item, *name, words.one, plan.variables);
+  const auto index = named_thing(table.reading(), item, *name, "there is no " + words.one, plan.variables);
   if (!index) {
     return std::nullopt;
   }

@@ -39,11 +39,11 @@ Look read_look(TableReader& table, Kind kind) {
 
 template <class Things>
 std::vector<Look> read_parts(TableReader& table, const std::string& key, const Things& things, Kind kind,
-                             const std::string& what) {
+                             const std::string& none) {
   std::vector<Look> looks(things.size());
   for_each_table(table.reading(), table.take(key), "what it looks like (a table)",
                  [&](const std::string& name, TableReader& part) {
-                   if (const auto index = named_thing(part, name, what, things)) {
+                   if (const auto index = named_thing(part, name, none, things)) {
                      looks[*index] = read_look(part, kind);
                      part.finish();
                    }
@@ -66,13 +66,12 @@ void read_drawing(TableReader& root, Profile& profile) {
   for_each_table(
       root.reading(), *drawing, "what a body looks like (a table)",
       [&](const std::string& name, TableReader& table) {
-        const auto index = named_thing(table, name, "body", bodies);
+        const auto index = named_thing(table, name, "there is no body", bodies);
         if (!index) return;
         BodyLook& look = profile.looks[*index];
         look.body = read_look(table, Kind::kBody);
-        const std::string of = " of `" + name + "`";
-        look.points = read_parts(table, "points", bodies[*index].points, Kind::kPoint, "point" + of);
-        look.curves = read_parts(table, "curves", bodies[*index].curves, Kind::kCurve, "curve" + of);
+        look.points = read_parts(table, "points", bodies[*index].points, Kind::kPoint, has_no(name, "point"));
+        look.curves = read_parts(table, "curves", bodies[*index].curves, Kind::kCurve, has_no(name, "curve"));
         table.finish();
       });
 }

@@ -61,7 +61,7 @@ private:
     if (!name) {
       return std::nullopt;
     }
-    const auto index = named_thing(reading_, late.contact, *name, "contact", mechanism_.contacts);
+    const auto index = named_thing(reading_, late.contact, *name, "there is no contact", mechanism_.contacts);
     if (!index) {
       return std::nullopt;
     }

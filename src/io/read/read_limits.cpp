@@ -90,7 +90,7 @@ std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std
   std::vector<LimitSet> sets(things.size());
   for_each_table(limits.reading(), limits.take(key), fmt::format("limits of a {} (a table)", kind),
                  [&](const std::string& name, TableReader& table) {
-                   const auto index = named_thing(table, name, kind, things);
+                   const auto index = named_thing(table, name, fmt::format("there is no {}", kind), things);
                    if (!index) return;
                    sets[*index] =
                        read_set(table, fmt::format("limits.{}.{}", key, name),

@@ -57,7 +57,7 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
     report(reading, item, fmt::format("expected \"body.{}\"", Kind::kKind));
     return std::nullopt;
   }
-  const auto body = named_thing(reading, item, text->substr(0, dot), "body", mechanism.bodies);
+  const auto body = named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies);
   if (!body) {
     return std::nullopt;
   }
@@ -70,14 +70,13 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   if (!index_of(Kind::of(owner), name)) {
     if (const Body* other = spelt_alike<Kind>(mechanism, owner, name)) {
       report(reading, item,
-             fmt::format("there is no {} of `{}` `{}`, but one of `{}`: capital and small letters differ{}",
-                         Kind::kKind, owner.name, name, other->name,
+             fmt::format("{} `{}`, but body `{}` has one: capital and small letters differ{}",
+                         has_no(owner.name, Kind::kKind), name, other->name,
                          *body == 0 ? ", and the frame is `ground`" : ""));
       return std::nullopt;
     }
   }
-  const auto index =
-      named_thing(reading, item, name, fmt::format("{} of `{}`", Kind::kKind, owner.name), Kind::of(owner));
+  const auto index = named_thing(reading, item, name, has_no(owner.name, Kind::kKind), Kind::of(owner));
   return index ? std::optional(Member{*body, *index}) : std::nullopt;
 }
 
@@ -134,7 +133,7 @@ std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechan
   if (text == nullptr || (dot != std::string::npos && !text->ends_with('*'))) {
     return member<Curves>(reading, item, mechanism);
   }
-  const auto index = named_thing(reading, item, text->substr(0, dot), "body", mechanism.bodies);
+  const auto index = named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies);
   if (!index) {
     return std::nullopt;
   }
@@ -147,18 +146,17 @@ std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechan
 
 std::optional<int> as_body(Reading& reading, const Item& item, const Mechanism& mechanism) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, "body", mechanism.bodies) : std::nullopt;
+  return name ? named_thing(reading, item, *name, "there is no body", mechanism.bodies) : std::nullopt;
 }
 
 std::optional<int> as_joint(Reading& reading, const Item& item, const Mechanism& mechanism) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, "joint", mechanism.joints) : std::nullopt;
+  return name ? named_thing(reading, item, *name, "there is no joint", mechanism.joints) : std::nullopt;
 }
 
 std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& body) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, fmt::format("point of `{}`", body.name), body.points)
-              : std::nullopt;
+  return name ? named_thing(reading, item, *name, has_no(body.name, "point"), body.points) : std::nullopt;
 }
 
 std::optional<PointRef> as_point(Reading& reading, const Item& item, const Mechanism& mechanism) {
