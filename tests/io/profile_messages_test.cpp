@@ -95,7 +95,8 @@ TEST(ProfileMessages, UnknownKeysGetTheNearestOne) {
       messages(crank_profile("", "nonsense = 3\n")),
       ElementsAre(
           "test.toml:1:1: nonsense: unknown key; there are format, units, title, description, gravity, "
-          "laws, bodies, joints, contacts, driver, drivers, loads, …"));
+          "laws, bodies, joints, contacts, driver, drivers, loads, springs, drawing, limits, sweep, "
+          "tolerances, design, fit, extra"));
   EXPECT_THAT(
       about_curve("{ type = \"circle\", center = [0, 0], radius = 2, diameter = 4 }"),
       ElementsAre("test.toml:13:53: bodies.crank.curves.c.diameter: unknown key; did you mean `radius`?"));
@@ -165,6 +166,67 @@ TEST(ProfileMessages, ShortenedWordsAndCoordinatesGetOurKeys) {
   EXPECT_THAT(about(joint + "body1 = \"crank\"\n"), unknown("15:1: joints.j.body1", "`between`"));
   EXPECT_THAT(about(joint + "bodies = [\"ground\", \"crank\"]\n"),
               unknown("15:1: joints.j.bodies", "`between`"));
+}
+
+// However much of the table could not be read.
+TEST(ProfileMessages, AboutAnUnknownKeyListAllKeysOfItsTable) {
+  const auto keys = [](const std::string& text) {
+    const std::vector<std::string> all = about(text);
+    EXPECT_FALSE(all.empty());
+    return all.empty() ? "" : all.back().substr(std::min(all.back().find("there are"), all.back().size()));
+  };
+  EXPECT_EQ(keys("[bodies.b]\nqqq = 1\n"), "there are points, curves, pose, mass, center_of_mass, inertia");
+  EXPECT_EQ(keys("[springs]\ns = { qqq = 1 }\n"),
+            "there are joint, between, stiffness, damping, free_length, free_angle");
+  EXPECT_EQ(keys("[loads]\nd = { body = \"crank\", qqq = 1 }\n"),
+            "there are body, torque, force, point, frame");
+  EXPECT_EQ(keys("[laws]\nl = { qqq = 1 }\n"),
+            "there are segments, points, file, repeat, origin, start, degree, smoothing, rounding");
+  EXPECT_EQ(keys("[bodies.b.curves]\nc = { type = \"cam\", qqq = 1 }\n"),
+            "there are type, law, contact, side");
+  EXPECT_EQ(keys("[bodies.b.curves]\nc = { type = \"spline\", qqq = 1 }\n"),
+            "there are type, side, material, closed, points, file, degree, smoothing, parameter, rounding");
+  EXPECT_EQ(keys("[[design.objectives]]\nqqq = 1\n"),
+            "there are path, follow, target, figure, reach, size, column, of, at, weight");
+  EXPECT_EQ(keys("[[design.objectives]]\nfigure = \"contacts.a.gap\"\nqqq = 1\n"),
+            "there are figure, curve, target, weight");
+  EXPECT_EQ(keys("[[design.constraints]]\nreach = \"crank.P\"\nqqq = 1\n"),
+            "there are reach, from, below, above");
+}
+
+// It is the likely cause.
+TEST(ProfileMessages, TellAnUnknownKeyBesideOneThatIsMissing) {
+  EXPECT_THAT(messages(crank_profile(), {"springs.q.k=3"}),
+              ElementsAre(HasSubstr("springs.q.between is missing"),
+                          HasSubstr("springs.q.k: unknown key; did you mean `stiffness`?")));
+  EXPECT_THAT(
+      about("[springs]\ns = { between = [\"ground.A\", \"crank.P\"], k = 3 }\n"),
+      ElementsAre("test.toml:13:5: springs.s.stiffness is missing: expected a stiffness (or a damping)",
+                  "test.toml:13:42: springs.s.k: unknown key; did you mean `stiffness`?"));
+  EXPECT_THAT(about("[springs]\ns = { joint = \"pivo\", rate = 3 }\n"),
+              ElementsAre(HasSubstr("there is no joint `pivo`"), HasSubstr("did you mean `stiffness`?")));
+  EXPECT_THAT(about("[loads]\nd = { body = \"crank\", moment = 3 }\n"),
+              ElementsAre(HasSubstr("loads.d.force is missing"),
+                          HasSubstr("loads.d.moment: unknown key; did you mean `torque`?")));
+  EXPECT_THAT(about("[laws]\nl = { parts = [] }\n"),
+              ElementsAre(HasSubstr("laws.l: expected one of `segments`, `points` and `file`"),
+                          HasSubstr("laws.l.parts: unknown key; did you mean `segments`?")));
+}
+
+TEST(ProfileMessages, NameTheKeyThatAnotherOneBelongsTo) {
+  const auto of = [](const std::string& key) {
+    return about("[[design.constraints]]\ncolumn = \"crank.angle\"\nof = \"max\"\nbelow = 1\n" + key +
+                 " = \"x\"\n");
+  };
+  EXPECT_THAT(of("from"), ::testing::Contains(HasSubstr("from = \"x\": belongs to `reach`")));
+  EXPECT_THAT(of("curve"), ::testing::Contains(HasSubstr("curve = \"x\": belongs to `figure`")));
+}
+
+TEST(ProfileMessages, ThingsHaveHeadingsOfTheirOwn) {
+  EXPECT_THAT(
+      about("[contacts]\nbetween = [\"crank.a\", \"ground.b\"]\n"),
+      ElementsAre("test.toml:13:11: contacts.between = [\"crank.a\", \"ground.b\"]: expected a contact "
+                  "(a table) with a heading of its own, [contacts.NAME], found a list"));
 }
 
 TEST(ProfileMessages, AKeyThatRunsOnGetsTheTableThatItBeginsWith) {
@@ -289,7 +351,8 @@ TEST(ProfileMessages, AWrongKindSaysWhatIsExpectedAndWhatIsFound) {
   EXPECT_THAT(about("samples = 2.5\n"),
               ElementsAre("test.toml:12:11: driver.samples = 2.5: expected an integer, found a number"));
   EXPECT_THAT(about("[bodies]\nx = 3\n"),
-              ElementsAre("test.toml:13:5: bodies.x = 3: expected a body (a table), found an integer"));
+              ElementsAre("test.toml:13:5: bodies.x = 3: expected a body (a table) with a heading of its "
+                          "own, [bodies.NAME], found an integer"));
 }
 
 TEST(ProfileMessages, QuantitiesOfAnotherDimensionAreRefused) {
@@ -704,10 +767,9 @@ TEST(ProfileMessages, OfTheDrawingNameWhatThereIs) {
           "test.toml:15:11: drawing.crank.outline = 1: expected true or false, found an integer"));
   EXPECT_THAT(about("[drawing.crank]\npoints.A = { outline = true }\n"),
               ElementsAre("test.toml:13:24: drawing.crank.points.A.outline = true: a point has none"));
-  EXPECT_THAT(
-      about("[drawing]\ncrank = 3\n"),
-      ElementsAre(
-          "test.toml:13:9: drawing.crank = 3: expected what a body looks like (a table), found an integer"));
+  EXPECT_THAT(about("[drawing]\ncrank = 3\n"),
+              ElementsAre("test.toml:13:9: drawing.crank = 3: expected what a body looks like (a table) with "
+                          "a heading of its own, [drawing.NAME], found an integer"));
   EXPECT_THAT(about("[drawing.crank]\nname = \"Kurbel\"\ncolour = \"#FFf\"\npoints.A = { name = \"a\", hide "
                     "= true }\n"),
               IsEmpty());

@@ -3,6 +3,7 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "numeric/joined_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +45,10 @@ std::optional<Item> TableReader::take(const std::string& key) {
   known_.push_back(key);
   const Value* value = find(*table_, key);
   return value == nullptr ? std::nullopt : std::optional(Item{value});
+}
+
+std::optional<Item> TableReader::take_kind(const std::string& key) {
+  return has(key) ? take(key) : std::nullopt;
 }
 
 std::optional<Item> TableReader::need(const std::string& key, std::string_view what) {
@@ -124,7 +129,7 @@ void TableReader::report_unknown(const Entry& entry) const {
   const bool repeated = path == entry.key || path.ends_with("." + entry.key);
   const std::vector<std::string> known = each_once(known_);
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
-  std::string own = is_table ? "" : did_you_mean(entry.key, known);
+  std::string own = did_you_mean(entry.key, known);
   if (own.empty()) own = did_you_mean(entry.key, refused_);
   const bool move_up = !path.empty() && (contains(kOnlyTopLevel, entry.key) ||
                                          (is_table && contains(kTopLevelTables, entry.key)));
@@ -133,7 +138,8 @@ void TableReader::report_unknown(const Entry& entry) const {
       is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
       : repeated   ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path, entry.key)
       : move_up    ? std::string(kMoveUp)
-                   : (own.empty() ? suggestion(entry.key, known) : own);
+      : own.empty() ? fmt::format("there {} {}", known.size() == 1 ? "is only" : "are", joined_words(known))
+                    : own;
   reading_->mistakes.push_back(
       {entry.key_mark, fmt::format("{}: unknown key; {}", path_to(entry.key), remedy)});
 }
@@ -192,7 +198,12 @@ void read_named_table(Reading& reading, const std::string& name, const Item& ite
 void for_each_table(Reading& reading, const std::optional<Item>& item, std::string_view what,
                     const std::function<void(const std::string& name, TableReader& table)>& read) {
   for_each_named(reading, item, what, [&](const std::string& name, const Item& entry) {
-    read_named_table(reading, name, entry, what, read);
+    const bool is_table = std::holds_alternative<Table>(entry.value->content);
+    read_named_table(
+        reading, name, entry,
+        is_table ? std::string(what)
+                 : fmt::format("{} with a heading of its own, [{}.NAME]", what, path_of(reading, *item)),
+        read);
   });
 }
 

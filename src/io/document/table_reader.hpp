@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@
 
 namespace higherpair::io_detail {
 
-/// Reads one table of a profile key by key. It remembers which keys were asked for: all others are unknown.
+/// Reads one table of a profile key by key. The keys that were asked for are known, all others are not.
 class TableReader {
 public:
   /// \param table  a value of the document that is a table
@@ -32,7 +33,10 @@ public:
   /// The item at `key`, or nothing if the table has no such key.
   [[nodiscard]] std::optional<Item> take(const std::string& key);
 
-  /// The same; if the key is missing, reports that and `what` it should be.
+  /// The same for a key that decides what the table is about: it is known only if it is there.
+  [[nodiscard]] std::optional<Item> take_kind(const std::string& key);
+
+  /// The item at `key`; if the key is missing, reports that and `what` it should be.
   [[nodiscard]] std::optional<Item> need(const std::string& key, std::string_view what);
 
   /// The item at `key`, converted by `as` (as_quantity, as_choice, …); nothing if it is absent or wrong.
@@ -72,7 +76,12 @@ public:
   [[nodiscard]] bool flag(const std::string& key, bool otherwise);
   /// @}
 
-  /// Reports every key that was never asked for.
+  /// Keys that belong here, although after a mistake nothing asks for them.
+  void knows(std::initializer_list<const char*> keys) {
+    known_.insert(known_.end(), keys.begin(), keys.end());
+  }
+
+  /// Reports every key that is not known.
   void finish() const;
 
 private:
@@ -83,7 +92,7 @@ private:
   Reading* reading_;
   const Value* value_;
   const Table* table_;
-  std::vector<std::string> known_;    ///< keys that were asked for, some repeatedly
+  std::vector<std::string> known_;    ///< some repeatedly
   std::vector<std::string> refused_;  ///< keys that must not be there
 };
 

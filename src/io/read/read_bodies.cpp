@@ -26,6 +26,7 @@ void read_mass(TableReader& table, Body& body) {
     for (const char* key : {"center_of_mass", "inertia"}) {
       table.refuse(key, "needs a mass beside it (mass = 0 if the inertia alone counts)");
     }
+    table.knows({"center_of_mass", "inertia"});
     return;
   }
   MassProperties properties;

@@ -62,6 +62,7 @@ void read_correlation(TableReader& table, const CorrelationWords& words, Variant
                                : table.need("coefficient", "a number between -1 and 1, or a `covariance`");
   if (covariance && coefficient) {
     report(table.reading(), *covariance, "this and `coefficient` say the same: leave one of the two out");
+    table.finish();
     return;
   }
   const auto item = covariance ? covariance : coefficient;

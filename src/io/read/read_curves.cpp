@@ -209,9 +209,7 @@ private:
       set(index, read_conic_curve(table, kConicTypes[*choice]));
       table.finish();
     } else if (*choice - kConicTypes.size() < kBoundaryTypes.size()) {
-      for (const char* key : {"side", "material"}) {
-        (void)table.take(key);  // known even if the reader stops at a mistake before it looks at them
-      }
+      table.knows({"side", "material"});
       set(index, kBoundaryTypes[*choice - kConicTypes.size()].read(table));
       table.finish();
     } else if (*choice == kConicTypes.size() + kBoundaryTypes.size()) {
@@ -232,10 +230,9 @@ private:
     states_[index] = State::kWrong;
     const auto law = table.need("law", "the name of one of [laws], which the follower is to move by");
     const auto contact = table.need("contact", "the name of the contact with the follower");
-    if (!law || !contact) {
-      (void)table.take("side");
-      table.finish();
-    } else {
+    table.knows({"side"});
+    table.finish();
+    if (law && contact) {
       states_[index] = State::kLate;
       Curve& curve = body_.curves[index].curve;
       curve = Curve{CurveKind::kChain};
@@ -256,6 +253,8 @@ private:
     const auto source = static_cast<std::size_t>(index.value_or(0));
     if (!index || states_[source] == State::kWrong) {
       states_[offset.curve] = State::kWrong;
+      offset.table.knows({"by"});
+      offset.table.finish();
     } else if (states_[source] == State::kLate) {
       states_[offset.curve] = State::kLate;
       body_.curves[offset.curve].curve = body_.curves[source].curve;

@@ -30,7 +30,7 @@ struct FreePlacement {
 [[nodiscard]] FreePlacement read_free(Reading& reading, const Item& free);
 
 /// Whether an objective or constraint has the key `reach` or `size`.
-[[nodiscard]] bool is_extent(TableReader& table);
+[[nodiscard]] bool is_extent(const TableReader& table);
 /// Reads it; none if it has a mistake. \pre is_extent
 [[nodiscard]] std::optional<DesignTask::Extent> read_extent(TableReader& table, const Mechanism& mechanism);
 

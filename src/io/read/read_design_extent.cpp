@@ -64,14 +64,14 @@ std::optional<Extent> read_size(TableReader& table, const Item& size, const Mech
 
 }  // namespace
 
-bool is_extent(TableReader& table) {
-  return table.take("reach") || table.take("size");
+bool is_extent(const TableReader& table) {
+  return table.has("reach") || table.has("size");
 }
 
 std::optional<Extent> read_extent(TableReader& table, const Mechanism& mechanism) {
   table.refuse("column", "this is about how far the mechanism comes: make an entry of its own of the column");
   table.refuse("of", "an extent is the largest already");
-  const auto reach = table.take("reach");
+  const auto reach = table.take_kind("reach");
   return reach ? read_reach(table, *reach, mechanism) : read_size(table, *table.take("size"), mechanism);
 }
 

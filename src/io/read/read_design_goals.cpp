@@ -101,6 +101,7 @@ std::optional<DesignTask::Followed> read_follow(TableReader& table, const Item& 
 std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& item) {
   table.refuse("column", "this is a figure of `check`: one of the two");
   table.refuse("of", "a figure is an extreme already");
+  const std::string curve = table.text("curve");
   const std::string text = as_text(table.reading(), item).value_or("");
   const std::size_t dot = text.rfind('.');
   if (dot == std::string::npos || dot + 1 == text.size()) {
@@ -108,9 +109,17 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
            "expected a figure of `check`, such as \"contacts.touch.contact_pressure\"");
     return std::nullopt;
   }
-  DesignTask::Figure figure{text.substr(0, dot), text.substr(dot + 1), ""};
-  if (const auto curve = table.take("curve")) figure.of = as_text(table.reading(), *curve).value_or("");
-  return figure;
+  return DesignTask::Figure{text.substr(0, dot), text.substr(dot + 1), curve};
+}
+
+std::optional<Measure> read_column_goal(TableReader& table, const Mechanism& mechanism) {
+  table.knows({"figure", "reach", "size"});
+  for (const auto& [key, owner] :
+       {std::pair("change", "follow"), std::pair("curve", "figure"), std::pair("from", "reach"),
+        std::pair("bodies", "size"), std::pair("coupler", "grashof")}) {
+    table.refuse(key, fmt::format("belongs to `{}`", owner));
+  }
+  return read_measure(table, unit_of_driver(mechanism));
 }
 
 // Of the target of an objective, or the limits of a constraint.
@@ -183,7 +192,7 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
   objective.path_of_key = table.path();
   objective.place = place_of(reading, table.mark());
   std::optional<decltype(objective.of)> of;
-  if (const auto path = table.take("path")) {
+  if (const auto path = table.take_kind("path")) {
     table.refuse("column", "this objective is a path: make an objective of its own of the column");
     table.refuse("of", "belongs to `column`");
     table.refuse("target", "a path is met as well as it can be");
@@ -191,14 +200,15 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
       of = read_point_path(*reader, profile.mechanism);
       reader->finish();
     }
-  } else if (const auto follow = table.take("follow")) {
+  } else if (const auto follow = table.take_kind("follow")) {
     of = read_follow(table, *follow, profile, laws);
-  } else if (const auto figure = table.take("figure")) {
+  } else if (const auto figure = table.take_kind("figure")) {
     of = read_figure(table, *figure);
   } else if (is_extent(table)) {
     of = read_extent(table, profile.mechanism);
   } else {
-    of = read_measure(table, unit_of_driver(profile.mechanism));
+    table.knows({"path", "follow", "target"});
+    of = read_column_goal(table, profile.mechanism);
   }
   if (of && !std::holds_alternative<DesignTask::PointPath>(*of) &&
       !std::holds_alternative<DesignTask::Followed>(*of)) {
@@ -219,7 +229,7 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   constraint.path_of_key = table.path();
   constraint.place = place_of(reading, table.mark());
   std::optional<decltype(constraint.of)> of;
-  if (const auto pin = table.take("transmission")) {
+  if (const auto pin = table.take_kind("transmission")) {
     table.refuse("column", "this constraint is one of a transmission angle");
     table.refuse("of", "a transmission angle counts where it is least");
     const auto joint = as_joint(reading, *pin, profile.mechanism);
@@ -228,21 +238,22 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
     } else if (joint) {
       of = DesignTask::Transmission{as_text(reading, *pin).value_or(""), *joint};
     }
-  } else if (const auto grashof = table.take("grashof")) {
+  } else if (const auto grashof = table.take_kind("grashof")) {
     of = read_grashof(table, *grashof, profile.mechanism);
     constraint.above = 0;
-  } else if (const auto without = table.take("without")) {
+  } else if (const auto without = table.take_kind("without")) {
     table.refuse("below", "none of these events is to happen");
     table.refuse("above", "none of these events is to happen");
     DesignTask::Events events{read_events(reading, *without)};
     if (!events.types.empty()) of = std::move(events);
     constraint.below = 0;
-  } else if (const auto figure = table.take("figure")) {
+  } else if (const auto figure = table.take_kind("figure")) {
     of = read_figure(table, *figure);
   } else if (is_extent(table)) {
     of = read_extent(table, profile.mechanism);
   } else {
-    of = read_measure(table, unit_of_driver(profile.mechanism));
+    table.knows({"transmission", "grashof", "without"});
+    of = read_column_goal(table, profile.mechanism);
   }
   const Mistakes mistakes(reading);
   const NumberUnit unit = unit_of_goal(reading, of, profile.mechanism);

@@ -85,7 +85,7 @@ std::string form_of(TableReader& table, const Item& item) {
   if (forms.size() == 1) {
     return forms.front();
   }
-  (void)table.take("max");
+  table.knows({"max"});
   table.reading().mistakes.push_back(
       {item.value->mark,
        fmt::format("{}: expected {} `values`, `min` and `max`, `normal`, `triangular`, `uniform`",
@@ -107,7 +107,7 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
   }
   if (!objection.empty()) {
     table.refuse(form, objection);
-    for (const char* key : {"min", "max", "count"}) (void)table.take(key);
+    table.knows({"min", "max", "count"});
     return;
   }
   Distribution& d = variable.distribution;
@@ -130,7 +130,7 @@ void read_distribution(TableReader& table, const Item& item, std::optional<Sweep
   } else if (method) {
     table.refuse("count", "belongs to `min` and `max` of a grid");
   } else {
-    (void)table.take("count");
+    table.knows({"count"});
   }
 }
 

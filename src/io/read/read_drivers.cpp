@@ -5,6 +5,7 @@
 #include "reading.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include <fmt/core.h>
 
@@ -102,14 +103,8 @@ void read_motion(TableReader& table, const Mechanism& mechanism, const Joint& jo
   program.acceleration = read_number(table, "acceleration", {rate_of(position, 2)}).value_or(0);
 }
 
-constexpr const char* kMotionKeys[] = {"start", "end", "positions", "velocity", "acceleration"};
-
-// Skips the keys of read_motion: without a known joint their units are unknown.
-void skip_motion(TableReader& table) {
-  for (const char* key : kMotionKeys) {
-    (void)table.take(key);
-  }
-}
+constexpr std::initializer_list<const char*> kMotionKeys = {"start", "end", "positions", "velocity",
+                                                            "acceleration"};
 
 // The coordinate as a function of time.
 void read_driving_law(TableReader& table, const Item& name, const Joint& joint, Mechanism& mechanism,
@@ -168,7 +163,7 @@ void read_driver(TableReader& table, const std::string& name, Profile& profile,
   } else if (joint) {
     read_motion(table, mechanism, mechanism.joints[*joint], program);
   } else {
-    skip_motion(table);
+    table.knows(kMotionKeys);  // without the joint their units are not known
   }
   read_samples(table, program);
   read_times(table, program);

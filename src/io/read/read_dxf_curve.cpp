@@ -252,7 +252,7 @@ std::optional<NamedCurve> read_dxf_curve(TableReader& table) {
   const double given = table.quantity("tolerance", {dimension::kLength, Sign::kNotNegative}, -1);
   const auto drawing = read_drawing(table);
   if (!drawing) {
-    (void)table.take("near");
+    table.knows({"near"});
     return std::nullopt;
   }
   std::vector<ContourPiece> pieces;

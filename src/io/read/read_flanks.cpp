@@ -28,7 +28,6 @@ public:
     const int body = *index_of(mechanism_.bodies, late.body);
     Body& cam = mechanism_.bodies[body];
     const auto choice = late.table.take("side", as_choice, {"inside", "outside"});
-    late.table.finish();
     const CurveRef own{body, static_cast<int>(late.curve)};
     const auto follower = follower_of(late, own);
     const auto cam_joint = follower ? joint_of_body(late, own.body) : std::nullopt;

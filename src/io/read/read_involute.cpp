@@ -101,7 +101,7 @@ std::optional<ContourPiece> involute_piece(TableReader& table) {
     const InvoluteTooth tooth = read_tooth(table);
     const double middle = table.quantity("tooth", kRollAngle);
     if (!mistakes.none()) {
-      (void)table.take("roll");
+      table.knows({"roll"});
       return std::nullopt;
     }
     involute.base_radius = base_radius(tooth);

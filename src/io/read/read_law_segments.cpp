@@ -17,6 +17,8 @@ public:
                                        {quantities_.coordinate, Sign::kPositive}));
     const auto choice = table_.need("law", "the name of a law, \"cycloidal\"", as_choice, names);
     if (!choice) {
+      table_.knows({"rise", "start", "end", "cosines", "sines"});
+      table_.finish();
       return;
     }
     const auto type = static_cast<LawType>(*choice);

@@ -25,6 +25,8 @@ public:
     const int given = int(segments.has_value()) + int(points.has_value()) + int(file.has_value());
     if (given != 1) {
       report_whole(table_, "expected one of `segments`, `points` and `file`");
+      table_.knows({"repeat", "origin", "start", "degree", "smoothing", "rounding"});
+      table_.finish();
       return std::nullopt;
     }
     repeat_ = table_.take("repeat", as_flag);

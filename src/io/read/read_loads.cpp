@@ -34,9 +34,8 @@ void read_load(TableReader& table, const Mechanism& mechanism, Load& load) {
   const bool has_force = table.take("force").has_value();
   if (!has_force && !torque) {
     (void)table.need("force", "[x, y] (or a torque)");
-    return;
-  }
-  if (has_force) {
+    table.knows({"point", "frame"});
+  } else if (has_force) {
     read_force(table, mechanism, body, load);
   } else {
     table.refuse("point", "belongs to a force: a torque has no point");

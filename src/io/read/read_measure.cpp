@@ -44,7 +44,7 @@ std::optional<Measure> read_measure(TableReader& table, const NumberUnit& place)
   } else if (kind) {
     table.refuse("at", "belongs to of = \"at\"");
   } else {
-    (void)table.take("at");
+    table.knows({"at"});
   }
   if (!column || !kind || !at) {
     return std::nullopt;

@@ -24,7 +24,6 @@ struct Given {
 
 std::optional<Given> points_inline(TableReader& table, const Item& item) {
   Reading& reading = table.reading();
-  table.refuse("units", "is that of a file; these points are in the profile's unit of length");
   const auto items = as_items(reading, item, "a list of points, [[x, y], …]", 0);
   if (!items) {
     return std::nullopt;
@@ -70,8 +69,12 @@ std::optional<Given> points_in_file(TableReader& table, const Item& item) {
 std::optional<Given> given_points(TableReader& table) {
   const auto points = table.take("points");
   const auto file = table.take("file");
+  if (!file) {
+    table.refuse("units", "is that of a file; these points are in the profile's unit of length");
+  }
   if (points && file) {
     table.refuse("file", "the points are given already by `points`: one of the two");
+    table.knows({"units"});
     return std::nullopt;
   }
   if (file) {

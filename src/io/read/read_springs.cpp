@@ -28,6 +28,12 @@ constexpr SpringKind kOnPivot = {{dimension::kAngularStiffness, Sign::kNotNegati
                                  "free_angle",
                                  "free_length"};
 
+// Where it is not known which kind of spring it is.
+void skip_numbers(TableReader& table) {
+  table.knows({"stiffness", "damping", "free_length", "free_angle"});
+  table.finish();
+}
+
 void read_numbers(TableReader& table, const SpringKind& kind, Spring& spring) {
   spring.stiffness = table.quantity("stiffness", kind.stiffness);
   spring.damping = table.quantity("damping", kind.damping);
@@ -50,18 +56,16 @@ void read_between(TableReader& table, const Item& between, const Mechanism& mech
 void read_on_joint(TableReader& table, const Item& item, const Mechanism& mechanism,
                    const std::vector<bool>& joint_type_known, Spring& spring) {
   spring.joint = as_joint(table.reading(), item, mechanism);
-  if (!spring.joint) {
-    return;  // whether it turns or slides, and so the units, are unknown
+  if (!spring.joint || !joint_type_known[static_cast<std::size_t>(*spring.joint)]) {
+    skip_numbers(table);
+    return;
   }
-  const auto joint = static_cast<std::size_t>(*spring.joint);
-  if (joint_type_known[joint]) {
-    if (couples_turning(mechanism.joints[joint].type)) {
-      report(table.reading(), item,
-             "gears and belts have no spring: expected the joint of one of their wheels");
-    }
-    const bool turns = has_angle(mechanism.joints[joint].type);
-    read_numbers(table, turns ? kOnPivot : kOnSlide, spring);
+  const JointType type = mechanism.joints[*spring.joint].type;
+  if (couples_turning(type)) {
+    report(table.reading(), item,
+           "gears and belts have no spring: expected the joint of one of their wheels");
   }
+  read_numbers(table, has_angle(type) ? kOnPivot : kOnSlide, spring);
 }
 
 void read_spring(TableReader& table, const Mechanism& mechanism, const std::vector<bool>& joint_type_known,
@@ -70,10 +74,14 @@ void read_spring(TableReader& table, const Mechanism& mechanism, const std::vect
   const auto between = table.take("between");
   if (joint && between) {
     report(table.reading(), *joint, "a spring acts on a joint or between two points, not both");
+    skip_numbers(table);
   } else if (joint) {
     read_on_joint(table, *joint, mechanism, joint_type_known, spring);
-  } else if (table.need("between", "two points, [\"body.point\", \"body.point\"], or `joint` instead")) {
+  } else if (between) {
     read_between(table, *between, mechanism, spring);
+  } else {
+    (void)table.need("between", "two points, [\"body.point\", \"body.point\"], or `joint` instead");
+    skip_numbers(table);
   }
 }
 

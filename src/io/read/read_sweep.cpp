@@ -122,8 +122,7 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
       table.refuse("seed", "only random and sobol have one");
       table.refuse("correlations", "only draws (random, sobol) can be correlated");
     } else {
-      (void)table.take("count");
-      (void)table.take("seed");
+      table.knows({"count", "seed"});
     }
     read_sweep_variables(table, document, method, task);
     if (draws || !method) {
