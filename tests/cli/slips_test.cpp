@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 namespace {
@@ -323,6 +324,19 @@ TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
       "higherpair: there is no command simulate; did you mean `analyze` or `step`?; see higherpair --help\n");
 }
 
+TEST_F(Slips, WordsOfOtherProgramsGetTheCommand) {
+  for (const auto& [word, command] :
+       {std::pair("optimize", "`design`"), std::pair("synth", "`design`"), std::pair("animate", "`report`"),
+        std::pair("view", "`draw` or `report`")}) {
+    EXPECT_EQ(run(word + std::string(" p.toml")).err,
+              fmt::format("higherpair: there is no command {}; did you mean {}?; see higherpair --help\n",
+                          word, command));
+    EXPECT_EQ(run(fmt::format("analyze p.toml --{}", word)).err,
+              fmt::format("higherpair: analyze has no option --{}; as a command, did you mean {}?\n", word,
+                          command));
+  }
+}
+
 TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
   const auto message = [&](const std::string& arguments) {
     const Outcome outcome = run(arguments);
@@ -357,7 +371,7 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
 TEST_F(Slips, AStartThatCannotBeAssembledNamesThoseThatCan) {
   const Outcome outcome = run("analyze " + shipped_profile("lock_up.toml") + " --set driver.start=90");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("; it can be with driver.start from -65.8 to 65.8 deg\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("; it is possible with driver.start from -65.8 to 65.8 deg\n"));
 }
 
 }  // namespace

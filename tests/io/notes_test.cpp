@@ -373,15 +373,15 @@ std::string advice_with_driver(const std::string& driver, double start) {
 TEST(StartAdvice, NamesWhatMovesTheDriver) {
   const std::string driver = "[driver]\njoint = \"cam_pivot\"\n";
   EXPECT_EQ(advice_with_driver(driver + "positions = [90, 100]\n", kPi / 2),
-            "; it can be with driver.positions from -65.8 to 65.8 deg");
+            "; it is possible with driver.positions from -65.8 to 65.8 deg");
   const std::string law = driver + "law = \"swing\"\n[laws.swing]\n";
   const std::string segments = "segments = [{ over = 2, law = \"uniform\", rise = 40 }]\n";
   EXPECT_EQ(advice_with_driver(law + segments + "start = 90\n", kPi / 2),
-            "; it can be with laws.swing.start from -65.8 to 65.8 deg");
+            "; it is possible with laws.swing.start from -65.8 to 65.8 deg");
   EXPECT_EQ(advice_with_driver(law + segments + "start = 80\norigin = -0.5\n", kPi / 2),
-            "; it can be with laws.swing.start from -75.8 to 55.8 deg");
+            "; it is possible with laws.swing.start from -75.8 to 55.8 deg");
   EXPECT_EQ(advice_with_driver(law + "points = [[0, 90], [1, 95], [2, 97], [3, 100]]\n", kPi / 2),
-            "; it can be with laws.swing at time 0 from -65.8 to 65.8 deg");
+            "; it is possible with laws.swing at time 0 from -65.8 to 65.8 deg");
 }
 
 TEST(StartAdvice, NamesTheTableOfOneOfSeveralDrivers) {
@@ -396,7 +396,8 @@ TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
   const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
   ASSERT_TRUE(profile);
   // The limits are at ±65.83442067466342.
-  EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9), "; it can be with driver.start from -65.8 to 65.8 deg");
+  EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9),
+            "; it is possible with driver.start from -65.8 to 65.8 deg");
   EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
 }
 
@@ -419,9 +420,10 @@ ratio   = 4
   const std::vector<std::string> overrides = {"driver.joint=wheel_pivot", "bodies.cam.pose.angle=180"};
   const auto profile = read_profile_text(text, "test.toml", overrides);
   ASSERT_TRUE(profile);
-  EXPECT_EQ(start_advice(*profile, {0}, 1e-9),
-            "; it can be with driver.start from 28.55 to 61.45 or from 298.55 to 331.45 or from 118.55 to "
-            "151.45 deg");
+  EXPECT_EQ(
+      start_advice(*profile, {0}, 1e-9),
+      "; it is possible with driver.start from 28.55 to 61.45 or from 298.55 to 331.45 or from 118.55 to "
+      "151.45 deg");
 }
 
 // Coupler and rocker reach the crank's pin only where all links are in line.
@@ -429,7 +431,7 @@ TEST(StartAdvice, NamesTheOnePositionInWhichItCanBeAssembled) {
   const std::vector<std::string> short_coupler = {"bodies.coupler.points.B=[1, 0]"};
   const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml", short_coupler);
   ASSERT_TRUE(profile);
-  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "; it can be with driver.start 180 deg");
+  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "; it is possible with driver.start 180 deg");
 }
 
 TEST(StartAdvice, SaysThatNoOtherStartWillDo) {
@@ -453,7 +455,7 @@ d = { type = "revolute", between = ["ground.D", "rocker.D"] }
 [driver]
 joint = "a"
 )");
-  EXPECT_EQ(start_advice(profile, {0.0}, 1e-9), "; it can be with no other driver.start that was tried");
+  EXPECT_EQ(start_advice(profile, {0.0}, 1e-9), "; it is possible with no other driver.start that was tried");
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ TEST(ProfileMessages, WordsOfTheFieldGetOurs) {
   const std::string between = "\nbetween = [\"ground.B\", \"crank.P\"]\n";
   for (const auto& [word, ours] :
        {std::pair("pin", "revolute"), std::pair("hinge", "revolute"), std::pair("Revolute", "revolute"),
-        std::pair("slider", "prismatic"), std::pair("pin-in-slot", "slot"), std::pair("chain", "belt")}) {
+        std::pair("slider", "prismatic"), std::pair("rail", "prismatic"), std::pair("pin-in-slot", "slot"),
+        std::pair("chain", "belt")}) {
     EXPECT_THAT(about("[joints.j]\ntype = \"" + std::string(word) + "\"" + between),
                 ElementsAre("test.toml:13:8: joints.j.type = \"" + std::string(word) + "\"" + types + "`" +
                             ours + "`?"));
@@ -125,6 +126,8 @@ TEST(ProfileMessages, WordsOfTheFieldGetOurs) {
   EXPECT_THAT(about("step = 3\n"), unknown("12:1: driver.step", "`samples` or `time_step`"));
   EXPECT_THAT(about("omega = 3\n"), unknown("12:1: driver.omega", "`velocity`"));
   EXPECT_THAT(about("from = 3\n"), unknown("12:1: driver.from", "`start`"));
+  EXPECT_THAT(about("number = 3\n"), unknown("12:1: driver.number", "`samples`"));
+  EXPECT_THAT(about("[bodies.x]\nangle = 3\n"), unknown("13:1: bodies.x.angle", "`pose`"));
   EXPECT_THAT(about("t_end = 3\n"), unknown("12:1: driver.t_end", "`duration`"));
   EXPECT_THAT(about_curve("{ type = \"circle\", centre = [0, 0], center = [0, 0], radius = 1 }"),
               unknown("13:24: bodies.crank.curves.c.centre", "`center`"));
@@ -166,6 +169,18 @@ TEST(ProfileMessages, ShortenedWordsAndCoordinatesGetOurKeys) {
   EXPECT_THAT(about(joint + "body1 = \"crank\"\n"), unknown("15:1: joints.j.body1", "`between`"));
   EXPECT_THAT(about(joint + "bodies = [\"ground\", \"crank\"]\n"),
               unknown("15:1: joints.j.bodies", "`between`"));
+}
+
+TEST(ProfileMessages, WordsThatAreFarAreNotProposed) {
+  EXPECT_THAT(about("friction = 3\n"),
+              ElementsAre("test.toml:12:1: driver.friction: unknown key; there are joint, law, start, end, "
+                          "positions, velocity, acceleration, samples, duration, time_step"));
+  EXPECT_THAT(about("[joints.j]\ntype = \"prismatic\"\nbetween = [\"ground.A\", \"crank.P\"]\n"
+                    "direction = 0\nfriction = 3\n"),
+              ElementsAre("test.toml:16:1: joints.j.friction: unknown key; there are type, between, "
+                          "direction, angle, from, to"));
+  EXPECT_THAT(messages(crank_profile("", "settings = 3\n")),
+              ElementsAre(HasSubstr("1:1: settings: unknown key; there are format, units, ")));
 }
 
 // However much of the table could not be read.
@@ -222,11 +237,42 @@ TEST(ProfileMessages, NameTheKeyThatAnotherOneBelongsTo) {
   EXPECT_THAT(of("curve"), ::testing::Contains(HasSubstr("curve = \"x\": belongs to `figure`")));
 }
 
+TEST(ProfileMessages, TablesAndKeysThatLackAWordAreKnownAgain) {
+  EXPECT_THAT(about("[joint.j]\n"),
+              ElementsAre("test.toml:12:2: joint: unknown key; did you mean `joints`?"));
+  EXPECT_THAT(about("[bodies.x]\npoint.A = [0, 0]\n"),
+              ElementsAre("test.toml:13:1: bodies.x.point: unknown key; did you mean `points`?"));
+  EXPECT_THAT(
+      about("[limits]\npressure_angle = 30\n"),
+      ElementsAre(HasSubstr("limits.pressure_angle: unknown key; did you mean `max_pressure_angle`")));
+}
+
+TEST(ProfileMessages, NamesArePathsWithoutTables) {
+  EXPECT_THAT(messages(crank_profile(), {"driver.joint=joints.pivot"}),
+              ElementsAre(HasSubstr("there is no joint `joints.pivot`; did you mean `pivot`?")));
+  const auto joint = [](const std::string& point) {
+    return about("[joints.j]\ntype = \"revolute\"\nbetween = [\"ground.A\", \"" + point + "\"]\n");
+  };
+  EXPECT_THAT(joint("bodies.crank.P"),
+              ::testing::Contains(HasSubstr("there is no body `bodies.crank`; did you mean `crank`?")));
+  EXPECT_THAT(joint("crank.points.P"),
+              ::testing::Contains(HasSubstr("body `crank` has no point `points.P`; did you mean `P`")));
+}
+
 TEST(ProfileMessages, ThingsHaveHeadingsOfTheirOwn) {
   EXPECT_THAT(
       about("[contacts]\nbetween = [\"crank.a\", \"ground.b\"]\n"),
       ElementsAre("test.toml:13:11: contacts.between = [\"crank.a\", \"ground.b\"]: expected a contact "
                   "(a table) with a heading of its own, [contacts.NAME], found a list"));
+}
+
+TEST(ProfileMessages, WordsOfTheFieldGetThoseOfTasks) {
+  EXPECT_THAT(about("[[design.objectives]]\ncolumn = \"crank.angle\"\nof = \"maximum\"\n"),
+              ::testing::Contains(HasSubstr("did you mean `max`?")));
+  EXPECT_THAT(about("[sweep]\nmethod = \"monte-carlo\"\n"),
+              ::testing::Contains(HasSubstr("did you mean `random`?")));
+  EXPECT_THAT(about("[tolerances]\nt = { path = \"driver.velocity\", tolerance = 1 }\n"),
+              ::testing::Contains(HasSubstr("did you mean `plus_minus`?")));
 }
 
 TEST(ProfileMessages, AKeyThatRunsOnGetsTheTableThatItBeginsWith) {
@@ -691,8 +737,12 @@ joint = "guide"
   EXPECT_THAT(messages(slide), ElementsAre(HasSubstr("body `ground` has no point `O`; none is defined")));
   EXPECT_THAT(
       messages("[bodies.Ground]\npoints.O = [0, 0]\n" + slide),
-      ElementsAre(HasSubstr("body `ground` has no point `O`, but body `Ground` has one: capital and small "
-                            "letters differ, and the frame is `ground`")));
+      ElementsAre(HasSubstr("body `ground` has no point `O`, but body `Ground` has one: the frame has the "
+                            "name `ground`")));
+  EXPECT_THAT(
+      messages("[bodies.frame]\npoints.O = [0, 0]\n" + slide),
+      ElementsAre(HasSubstr("body `ground` has no point `O`, but body `frame` has one: the frame has the "
+                            "name `ground`")));
 }
 
 TEST(ProfileMessages, ThereIsOneDriverOrAreNamedOnes) {

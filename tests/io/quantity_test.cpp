@@ -115,6 +115,13 @@ TEST(Quantity, WithoutAUnitIsRefused) {
 TEST(Quantity, MistakesOfSpellingAreNamed) {
   EXPECT_THAT(error("3 lbs", dimension::kMass), HasSubstr("lbs is no unit: write lb"));
   EXPECT_THAT(error("300 U/min", dimension::kAngularVelocity), HasSubstr("U is no unit: write rev, or rpm"));
+  EXPECT_THAT(error("3 rads", dimension::kAngularVelocity),
+              HasSubstr("rads is no unit (did you mean `rad/s`?)"));
+  EXPECT_THAT(error("3 Nm", dimension::kTorque), HasSubstr("Nm is no unit (did you mean `N m`?)"));
+  EXPECT_THAT(error("3 m/s2", dimension::kAcceleration),
+              HasSubstr("has `2` where a unit is expected: a power is written with ^, as in mm^2"));
+  EXPECT_THAT(error("3 N/mm^2", dimension::kStiffness),
+              HasSubstr("N/mm^2 is a pressure, expected a stiffness"));
   EXPECT_THAT(error("3 mn", dimension::kLength), HasSubstr("mn is no unit (did you mean `m`"));
   EXPECT_THAT(error("3 m/s/s", dimension::kAcceleration), HasSubstr("more than one `/`"));
   EXPECT_THAT(error("3 m^", dimension::kLength), HasSubstr("no integer from -9 to 9"));

@@ -114,7 +114,11 @@ std::string unknown_argument(const CLI::App& command) {
   for (std::size_t at = likely.find(" `"); at != std::string::npos; at = likely.find(" `", at + 1)) {
     likely.replace(at, 2, " `--");
   }
-  return unknown + (likely.empty() ? "see " + name + " --help" : likely);
+  if (!likely.empty()) {
+    return unknown + likely;
+  }
+  const std::string other = whole == nullptr ? "" : did_you_mean(word, command_names(*whole));
+  return unknown + (other.empty() ? "see " + name + " --help" : "as a command, " + other);
 }
 
 }  // namespace higherpair::cli

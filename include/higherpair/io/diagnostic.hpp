@@ -38,6 +38,9 @@ using Diagnostics = std::vector<Diagnostic>;
 /// most three of the most similar; empty if there is none.
 [[nodiscard]] std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing);
 
+/// Whether `name` is another word for `word` in textbooks or other programs: "frame" for "ground".
+[[nodiscard]] bool is_synonym(std::string_view name, std::string_view word);
+
 /// The end of a message about a name that does not exist: did_you_mean; if that is empty, a list of the
 /// existing names, or "none is defined".
 [[nodiscard]] std::string suggestion(std::string_view name, const std::vector<std::string>& existing);

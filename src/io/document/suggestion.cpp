@@ -47,13 +47,20 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// One wrong letter is always allowed, and one more for every four letters; where that is half of the name,
+// One wrong letter is always allowed, and one more for every five letters; where that is half of the name,
 // only if the first letter is right.
 bool is_near(int distance, std::string_view name, std::string_view candidate) {
   const int size = static_cast<int>(name.size());
   const bool begins_alike = !candidate.empty() && !name.empty() && same_letter(name[0], candidate[0]);
-  return distance <= 1 + size / 4 && distance < size &&
+  return distance <= 1 + size / 5 && distance < size &&
          (distance <= 1 || 2 * distance < size || begins_alike);
+}
+
+// Whether a name is the last word of another: "pivot" of "joints.pivot", "angle" of "pressure_angle".
+bool is_end(std::string_view name, std::string_view whole) {
+  const std::size_t before = whole.size() - name.size() - 1;
+  return !name.empty() && whole.size() > name.size() + 1 && whole.ends_with(name) &&
+         std::string_view("._-").find(whole[before]) != std::string_view::npos;
 }
 
 std::vector<std::string> nearest(std::string_view name, const std::vector<std::string>& existing) {
@@ -65,8 +72,9 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
   for (const std::string& candidate : existing) {
     const int distance = edit_distance(name, candidate);
     const bool run_on = candidate.size() >= 4 && name.starts_with(candidate);  // a dot may be missing here
-    const bool cut_short = name.size() >= 3 && candidate.starts_with(name);
-    if (is_near(distance, name, candidate) || run_on || cut_short || (name.size() == 1 && distance <= 1)) {
+    const bool cut_short = name.size() >= 3 && (candidate.starts_with(name) || is_end(name, candidate));
+    if (is_near(distance, name, candidate) || run_on || cut_short || is_end(candidate, name) ||
+        (name.size() == 1 && distance <= 1)) {
       candidates.push_back({distance, candidate});
     }
   }
@@ -99,7 +107,7 @@ constexpr Synonyms kSynonyms[] = {
     {"springs", "dampers"},
     {"ground", "frame base fixed fixed_link earth world chassis global absolute"},
     // Bodies.
-    {"pose", "position placement location guess initial x y theta phi orientation"},
+    {"pose", "position placement location guess initial x y theta phi orientation angle rotation"},
     {"points", "pins nodes"},
     {"curves", "curve profile profiles shape shapes contour geometry"},
     {"mass", "weight m"},
@@ -129,15 +137,16 @@ constexpr Synonyms kSynonyms[] = {
     {"outside", "out outer exterior concave hole hollow"},
     // Joints and contacts.
     {"revolute", "r pin hinge pivot rotary rotational rotation turning pinned bearing"},
-    {"prismatic", "p slider slide sliding translational translation linear piston guide"},
+    {"prismatic",
+     "p slider slide sliding translational translation linear piston guide rail track guideway slideway"},
     {"slot", "pin_in_slot pin_slot pinslot slotted half_joint"},
     {"gears", "gear gear_pair gearing"},
     {"belt", "chain pulley pulleys toothed_belt belt_drive"},
     {"type", "kind joint_type"},
     {"between", "bodies connects points links curves pair connect a b body1 body2 from to"},
     {"direction", "axis dir along"},
-    {"ratio", "i gear_ratio transmission"},
-    {"rolling", "roll no_slip noslip"},
+    {"ratio", "i gear_ratio transmission teeth"},
+    {"rolling", "roll no_slip noslip slip slipping"},
     {"nearest", "closest"},
     {"+", "plus positive"},
     {"-", "minus negative"},
@@ -145,7 +154,7 @@ constexpr Synonyms kSynonyms[] = {
     {"joint", "input crank"},
     {"start", "from begin first initial start_angle"},
     {"end", "to stop final last end_angle"},
-    {"samples", "step steps n rows count increment resolution"},
+    {"samples", "step steps n rows count increment resolution number num frames intervals divisions"},
     {"positions", "angles values points list"},
     {"velocity", "speed omega rpm rate angular_velocity"},
     {"acceleration", "alpha acc accel angular_acceleration"},
@@ -184,12 +193,33 @@ constexpr Synonyms kSynonyms[] = {
     {"branches", "assemblies solutions"},
     {"mobility", "dof freedom grashof"},
     {"verify", "check test validate"},
+    {"draw", "view show picture image svg display render"},
+    {"report", "view show animate animation html page player interactive"},
+    {"design", "optimize optimise optimization optimisation synth synthesis synthesize synthesise"},
+    {"plot", "graph chart diagram"},
+    {"polygon", "hodograph velocity_polygon"},
+    {"sensitivity", "tolerances tolerance gradient scatter"},
+    {"sweep", "vary variants batch parametric"},
+    {"fit", "calibrate identify regression"},
+    {"export", "dxf convert"},
     {"csv", "output out o"},
     {"json", "output out o"},
     {"samples", "rows n"},
     {"set", "define d override param parameter"},
     {"quiet", "q silent"},
     {"tolerance", "eps epsilon tol"},
+    // Tasks.
+    {"min", "minimum lower low least"},
+    {"max", "maximum upper high most greatest largest"},
+    {"maxabs", "absolute abs amplitude"},
+    {"mean", "average avg"},
+    {"range", "stroke swing peak_to_peak"},
+    {"width", "wide breadth"},
+    {"height", "high tall"},
+    {"below", "max maximum upper less"},
+    {"above", "min minimum lower greater"},
+    {"plus_minus", "tolerance tol deviation"},
+    {"random", "monte_carlo"},
     // Units.
     {"m", "meter meters metre metres"},
     {"mm", "millimeter millimeters millimetre millimetres"},
@@ -257,6 +287,10 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
     names = meant(name, existing, 1);
   }
   return names.empty() ? "" : fmt::format("did you mean {}?", joined_words(names, " or "));
+}
+
+bool is_synonym(std::string_view name, std::string_view word) {
+  return !meant(name, {std::string(word)}).empty();
 }
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {

@@ -181,7 +181,7 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
   }
   const StartKey key = start_key(profile, 0);
   if (ranges->empty()) {
-    return fmt::format("; it can be with no other {} that was tried", key.path);
+    return fmt::format("; it is possible with no other {} that was tried", key.path);
   }
   const Dimension dimension = driver_dimension(mechanism);
   const Scaling scaling = from_si(dimension, profile.units);
@@ -190,7 +190,7 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
     text += (text.empty() ? "" : " or ") +
             rounded_inwards(scaling.apply(range.low) + key.shift, scaling.apply(range.high) + key.shift);
   }
-  return fmt::format("; it can be with {} {} {}", key.path, text, unit_text(dimension, profile.units));
+  return fmt::format("; it is possible with {} {} {}", key.path, text, unit_text(dimension, profile.units));
 }
 
 }  // namespace higherpair

@@ -34,11 +34,13 @@ bool same_letters(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-// Another body that has this member and whose name differs from that of `owner` in capital letters only.
+// Another body that has this member and whose name differs from that of `owner` in capital letters only, or
+// is another word for it, as `frame` is for `ground`.
 template <class Kind>
 const Body* spelt_alike(const Mechanism& mechanism, const Body& owner, const std::string& name) {
   for (const Body& body : mechanism.bodies) {
-    if (&body != &owner && same_letters(body.name, owner.name) && index_of(Kind::of(body), name)) {
+    const bool meant = same_letters(body.name, owner.name) || is_synonym(body.name, owner.name);
+    if (&body != &owner && meant && index_of(Kind::of(body), name)) {
       return &body;
     }
   }
@@ -52,7 +54,9 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   if (!text) {
     return std::nullopt;
   }
-  const std::size_t dot = text->find('.');
+  // In "bodies.cam.O" there is something before the body, in "cam.points.O" behind it.
+  const bool begins_with_body = index_of(mechanism.bodies, text->substr(0, text->find('.'))).has_value();
+  const std::size_t dot = begins_with_body ? text->find('.') : text->rfind('.');
   if (dot == std::string::npos) {
     report(reading, item, fmt::format("expected \"body.{}\"", Kind::kKind));
     return std::nullopt;
@@ -70,9 +74,9 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
   if (!index_of(Kind::of(owner), name)) {
     if (const Body* other = spelt_alike<Kind>(mechanism, owner, name)) {
       report(reading, item,
-             fmt::format("{} `{}`, but body `{}` has one: capital and small letters differ{}",
-                         has_no(owner.name, Kind::kKind), name, other->name,
-                         *body == 0 ? ", and the frame is `ground`" : ""));
+             fmt::format(
+                 "{} `{}`, but body `{}` has one: {}", has_no(owner.name, Kind::kKind), name, other->name,
+                 *body == 0 ? "the frame has the name `ground`" : "capital and small letters differ"));
       return std::nullopt;
     }
   }

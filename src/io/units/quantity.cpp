@@ -61,11 +61,13 @@ constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
     {"Hz", "rev/s"}, {"rps", "rev/s"}, {"U", "rev, or rpm for U/min"}, {"lbs", "lb"}};
 
-// Advice for two units written together, such as "Nm"; empty if the name is not of that form.
-std::string with_space(std::string_view name) {
+// Advice for two units written together, such as "Nm" or "rads"; empty if the name is not of that form.
+std::string taken_apart(std::string_view name) {
   for (std::size_t i = 1; i < name.size(); ++i) {
-    if (find_unit(name.substr(0, i)) && find_unit(name.substr(i))) {
-      return fmt::format("did you mean `{} {}`?", name.substr(0, i), name.substr(i));
+    const auto second = find_unit(name.substr(i));
+    if (find_unit(name.substr(0, i)) && second) {
+      const char* sign = dimension_of(*second) == dimension::kTime ? "/" : " ";
+      return fmt::format("did you mean `{}{}{}`?", name.substr(0, i), sign, name.substr(i));
     }
   }
   return "";
@@ -110,8 +112,10 @@ private:
           return Refusal(fmt::format("has the sign {}: write {}", sign, spelled));
         }
       }
+      const bool is_power = after_factor_ && rest_.find_first_of("-0123456789") == 0;
       return Refusal(rest_.empty() ? std::string("ends where a unit is expected")
-                                   : fmt::format("has `{}` where a unit is expected", rest_));
+                                   : fmt::format("has `{}` where a unit is expected{}", rest_,
+                                                 is_power ? ": a power is written with ^, as in mm^2" : ""));
     }
     const auto power = take_power();
     if (!power) return Refusal(power.error());
@@ -165,7 +169,7 @@ private:
       for (const auto& [other, spelled] : kOtherNames) {
         if (name == other) return Refusal(fmt::format("{} is no unit: write {}", name, spelled));
       }
-      const std::string parts = with_space(name);
+      const std::string parts = taken_apart(name);
       return Refusal(fmt::format("{} is no unit ({})", name,
                                  parts.empty() ? suggestion(name, all_unit_names()) : parts));
     }

@@ -66,7 +66,7 @@ struct NamedDimension {
   std::string_view words;
 };
 
-constexpr std::array<NamedDimension, 17> kDimensionNames = {{
+constexpr std::array<NamedDimension, 18> kDimensionNames = {{
     {dimension::kNumber, "a pure number"},
     {dimension::kLength, "a length"},
     {dimension::kAngle, "an angle"},
@@ -84,6 +84,7 @@ constexpr std::array<NamedDimension, 17> kDimensionNames = {{
     {dimension::kDamping, "a damping"},
     {dimension::kAngularDamping, "an angular damping"},
     {dimension::kNumber / dimension::kLength, "a curvature"},
+    {dimension::kForce / (dimension::kLength * dimension::kLength), "a pressure"},
 }};
 
 struct BasePower {

@@ -26,8 +26,8 @@ namespace higherpair {
 [[nodiscard]] Diagnostics untouched_notes(const Profile& profile, const std::vector<std::size_t>& contacts);
 
 /// Where the (first) driver could start instead, for the end of a message that the mechanism cannot be
-/// assembled with its drivers at these positions: "; it can be with driver.start from -65.8 to 65.8 deg". Of
-/// a driver with a law or listed positions it names these. Empty if something else is wrong. See
+/// assembled with its drivers at these positions: "; it is possible with driver.start from -65.8 to 65.8
+/// deg". Of a driver with a law or listed positions it names these. Empty if something else is wrong. See
 /// find_start_ranges. \param drivers    in SI units \param tolerance  as of start_run \param stop       once
 /// true, the search is abandoned; may be null
 [[nodiscard]] std::string start_advice(const Profile& profile, const std::vector<double>& drivers,
