@@ -45,6 +45,9 @@ public:
     } else {
       note_between(output, 0, before, h_, after);
     }
+    // Where the drivers turn back, the output's next stroke begins, without an event.
+    const double lag = 2 * kShortestStroke * unit_of(run_, output);
+    output.from = std::clamp(output.from, after.position - lag, after.position + lag);
   }
 
 private:
