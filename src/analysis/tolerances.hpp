@@ -201,7 +201,7 @@ inline constexpr double kKeepsChangePoint = 1e-9;
 /// Velocities below this fraction of the largest in the step are rounding: they have no sense of motion.
 inline constexpr double kSlowestOutput = 1e-12;
 /// A shorter stroke is none [rad, of the size]: the ripple of a table, which steps may pass over.
-inline constexpr double kShortestStroke = 1e-8;
+inline constexpr double kShortestStroke = 1e-6;
 /// A step in which the estimated least speed is below this fraction of the speeds at its ends is searched for
 /// reversals.
 inline constexpr double kMayReverse = 0.3;

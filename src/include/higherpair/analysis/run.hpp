@@ -50,7 +50,7 @@ struct Path {
 struct OutputJoint {
   int joint = 0;
   int sense = 0;       ///< 0: has not moved yet
-  double from = 0;     ///< where this stroke began [rad or m]
+  double from = 0;     ///< where this stroke began, or a little behind where it has come to [rad or m]
   double fastest = 0;  ///< speed in the last step, per unit of the path
 };
 
