@@ -106,8 +106,8 @@ TEST(LeastGaps, AreThoseWithinReachWhicheverBodyIsFirst) {
   }
 }
 
-// An ellipse in the middle of an ellipse with the same axes is nearest to it at two or four points of
-// symmetry, where arcs of a regular subdivision end.
+// An ellipse in the middle of an ellipse with the same axes is nearest to it at points of symmetry, where arcs
+// of a regular subdivision end.
 TEST(LeastGaps, AreFoundAtTheEndsOfTheAxes) {
   const Pose<double> origin;
   const Curve ring = make_ellipse({0, 0}, {3, 2}, 0, Side::kOutside).value();
@@ -118,9 +118,20 @@ TEST(LeastGaps, AreFoundAtTheEndsOfTheAxes) {
     EXPECT_NEAR(at.gap(), 0.1, 1e-15);
     EXPECT_NEAR(std::abs(at.n_W.x()), 1, 1e-15);
   }
-  const Curve near = make_ellipse({0, 0}, {3 - 1e-6, 2 - 1e-6}, 0).value();
-  for (const CommonNormal& at : least_gaps(near, origin, ring, origin, kAll)) {
-    EXPECT_NEAR(at.gap(), 1e-6, 1e-12);
+}
+
+// With semi-axes a, b and a - e, b - e, the gap along the normal at φ is √(a² c² + b² s²) less the same of the
+// other: to first order e (a c² + b s²)/√(a² c² + b² s²), least at c² = b/(a + b).
+TEST(LeastGaps, OfNearlyConformingEllipsesAreFound) {
+  const Pose<double> origin;
+  const Curve ring = make_ellipse({0, 0}, {3, 2}, 0, Side::kOutside).value();
+  for (const double e : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+    const Curve near = make_ellipse({0, 0}, {3 - e, 2 - e}, 0).value();
+    const auto gaps = gaps_of(least_gaps(near, origin, ring, origin, kAll));
+    ASSERT_EQ(gaps.size(), 4U) << e;
+    for (const double gap : gaps) {
+      EXPECT_NEAR(gap / e, 2 * std::sqrt(6) / 5, 0.1 * e + 1e-14 / e) << e;
+    }
   }
 }
 

@@ -1,125 +1,163 @@
 #include "higherpair/contact/least_gaps.hpp"
 
-#include "gap_of_normals.hpp"
+#include "common_normals.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
 
 constexpr int kStartArcs = 8;
 constexpr int kMostArcs = 4000;
-// Arcs of normals overlap by this fraction, so that a minimum where two of them meet is within one.
-constexpr double kArcsOverlap = 1e-9;
 
-// Finds the maxima of F = -g.
+// Whether one is a ring, and a body without flat parts may be in it.
+bool may_be_in_ring(const Curve& curve1, const Curve& curve2) {
+  return (curve1.side == Side::kOutside || curve2.side == Side::kOutside) && !is_line(curve1) &&
+         !is_line(curve2);
+}
+
+// g′ and g″ at the normal with this angle.
+struct Slope {
+  double phi = 0;
+  double slope = 0;
+  double bend = 0;
+  double noise = 0;  // of the slope, by rounding
+};
+
+// Finds the minima of the gap g. Arcs of normals are halved until g′ in the middle is what its values and
+// derivatives at the ends predict, as a cubic in φ: an arc with a narrow part, such as the flat side of a
+// slender ellipse, differs from it in value or derivative. That holds at any ratio of play to size, unlike
+// bounds of g″, in which the play is a small difference of large radii.
 class LeastGaps {
 public:
-  LeastGaps(const GapProblem& problem, double reach) : problem_(problem), reach_(reach) {}
+  LeastGaps(const PlacedCurve<double>& curve1, const PlacedCurve<double>& curve2)
+      : curve1_(curve1), curve2_(curve2) {}
 
-  /// The angles of the normals.
-  std::vector<double> within(const NormalArc& domain) {
-    const double half = domain.half / kStartArcs;
-    for (int i = 0; i < kStartArcs; ++i) {
-      arcs_.push_back({domain.middle - domain.half + (2 * i + 1) * half, half});
+  /// \param arc  of normals; none: all
+  std::vector<CommonNormal> within(const std::optional<NormalArc>& arc) {
+    const NormalArc domain = arc.value_or(NormalArc{});
+    const double half = arc ? domain.half * (1 - kFineGap) : domain.half;  // at its ends points are infinite
+    const double begin = domain.middle - half, step = 2 * half / kStartArcs;
+    const Slope first = at(begin);
+    Slope from = first;
+    for (int i = 1; i <= kStartArcs; ++i) {
+      Slope to = at(begin + i * step);
+      if (i == kStartArcs && !arc) {  // the same normal as the first, which rounding must not split
+        to = first;
+        to.phi += 2 * kPi;
+      }
+      look_between(from, to);
+      from = to;
     }
-    for (int taken = 0; !arcs_.empty() && taken < kMostArcs; ++taken) {
-      const NormalArc arc = arcs_.back();
-      arcs_.pop_back();
-      look_into(arc);
-    }
-    return found_;
+    return std::move(found_);
   }
 
 private:
-  [[nodiscard]] GapValue value(double phi) const { return gap_value(problem_, unit_vector(phi)); }
+  [[nodiscard]] CommonNormal normal_at(double phi) const {
+    const Vector2d n = unit_vector(phi), inward = -n;
+    const SupportPoint<double> s1 = support_point(curve1_, n);
+    const SupportPoint<double> s2 = support_point(curve2_, inward);
+    return {n, s1.p_W, s2.p_W, s1.rho, s2.rho};
+  }
 
-  void look_into(const NormalArc& arc) {
-    const Vector2d n = unit_vector(arc.middle);
-    const auto half = Rotation<double>::from_angle(arc.half);
-    const GapValue middle = gap_value(problem_, n);
-    const Bounds sum = curvature_bounds(problem_, n, half);  // of F″ + F
-    const double highest = largest_gap(middle, half, sum.high);
-    if (highest < -reach_) {
+  static double slope_of(const CommonNormal& at) { return (at.p2_W - at.p1_W).dot(perp(at.n_W)); }
+
+  [[nodiscard]] Slope at(double phi) const {
+    const CommonNormal at = normal_at(phi);
+    return {phi, slope_of(at), -(at.rho1 + at.rho2) - at.gap(),
+            kRoundingOfSlope * (at.p1_W.norm() + at.p2_W.norm())};
+  }
+
+  void look_between(const Slope& a, const Slope& b) {
+    const double h = b.phi - a.phi;
+    const Slope middle = at(a.phi + h / 2);
+    const bool is_resolved =
+        is_cubic(a, middle, b) || (h <= kNarrowArc && (rises(a, middle, b, 1) || rises(b, middle, a, -1)));
+    if (++arcs_ >= kMostArcs || h <= kFinestArc || is_resolved) {
+      take(a, middle);
+      take(middle, b);
       return;
     }
-    const double lowest = -largest_gap({-middle.f, -middle.slope, middle.rho_sum}, half, -sum.low);
-    const Bounds bend{sum.low - highest, sum.high - lowest};  // of F″
-    if (bend.high < 0) {
-      take_maximum(arc, middle);
+    look_between(a, middle);
+    look_between(middle, b);
+  }
+
+  static bool is_cubic(const Slope& a, const Slope& middle, const Slope& b) {
+    const double h = b.phi - a.phi;
+    const double value = (a.slope + b.slope) / 2 + h / 8 * (a.bend - b.bend);
+    const double derivative = 1.5 * (b.slope - a.slope) / h - (a.bend + b.bend) / 4;
+    const double error = std::abs(middle.slope - value) + h / 4 * std::abs(middle.bend - derivative);
+    const double size = std::abs(a.slope) + std::abs(middle.slope) + std::abs(b.slope);
+    return error <= kCubicSlope * size + middle.noise && !may_turn_back(a, middle) &&
+           !may_turn_back(middle, b);
+  }
+
+  // Whether |g′| rises from a to b, away from 0, as towards the end of an infinite curve.
+  // \param sense  of φ from a to b
+  static bool rises(const Slope& a, const Slope& middle, const Slope& b, double sense) {
+    const double sign = a.slope < 0 ? -1 : 1, rise = sense * sign;
+    return sign * middle.slope > sign * a.slope && sign * b.slope > sign * middle.slope &&
+           rise * a.bend > 0 && rise * middle.bend > 0 && rise * b.bend > 0;
+  }
+
+  // Whether |g′| falls and then rises within the arc, and may have come to 0.
+  static bool may_turn_back(const Slope& a, const Slope& b) {
+    const double sign = a.slope < 0 ? -1 : 1, h = b.phi - a.phi;
+    const HermiteCubic size{sign * a.slope, sign * h * a.bend, sign * b.slope, sign * h * b.bend};
+    const double least = std::min(size.f0, size.f1);
+    return least > a.noise && size.d0 < 0 && size.d1 > 0 && size(size.lowest_at()) < least / 2;
+  }
+
+  // Newton's method would not settle where the bodies conform to all digits but a few.
+  void take(const Slope& a, const Slope& b) {
+    if (!(a.slope <= 0 && b.slope > 0)) {
       return;
     }
-    const bool no_maximum =
-        bend.low > 0 || std::abs(middle.slope) > arc.half * std::max(bend.high, -bend.low);
-    if (!no_maximum && arc.half >= kFinestArc) {
-      arcs_.push_back({arc.middle - arc.half / 2, arc.half / 2});
-      arcs_.push_back({arc.middle + arc.half / 2, arc.half / 2});
+    const auto slope = [&](double x) { return slope_of(normal_at(a.phi + x)); };
+    if (const auto x = root_between(slope, a.slope, b.phi - a.phi, b.slope)) {
+      found_.push_back(normal_at(a.phi + *x));
     }
   }
 
-  // F′ falls throughout the arc.
-  void take_maximum(const NormalArc& arc, const GapValue& middle) {
-    const double half = arc.half * (1 + kArcsOverlap);
-    const double end = std::copysign(half, middle.slope);  // the maximum is on this side of the middle
-    const double at_end = value(arc.middle + end).slope;
-    if (at_end * middle.slope > 0) {
-      return;
-    }
-    const auto slope = [&](double x) { return value(arc.middle + x).slope; };
-    if (const auto x = root_between(slope, middle.slope, end, at_end)) {
-      found_.push_back(arc.middle + *x);
-    }
-  }
-
-  const GapProblem& problem_;
-  double reach_;
-  std::vector<NormalArc> arcs_;
-  std::vector<double> found_;
+  const PlacedCurve<double>& curve1_;
+  const PlacedCurve<double>& curve2_;
+  int arcs_ = 0;
+  std::vector<CommonNormal> found_;
 };
 
 }  // namespace
 
 std::vector<CommonNormal> least_gaps(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                                      const Pose<double>& X_W2, double reach) {
-  const bool ring1 = curve1.side == Side::kOutside, ring2 = curve2.side == Side::kOutside;
   std::vector<CommonNormal> least;
-  if (!(ring1 || ring2) || is_line(curve1) || is_line(curve2)) {
+  if (!may_be_in_ring(curve1, curve2)) {
     return least;
   }
-  const GapProblem problem{place(curve1, X_W1), place(curve2, X_W2), -1};
-  const CommonNormals normals = common_normals(problem, ring1, ring2);
-  if (normals.empty) {
-    return least;
-  }
-  for (const double phi : LeastGaps(problem, reach).within(normals.arc.value_or(NormalArc{}))) {
-    const auto at = find_common_normal(curve1, X_W1, curve2, X_W2, unit_vector(phi));
-    const bool known = at && std::any_of(least.begin(), least.end(), [&](const CommonNormal& other) {
-                         return (other.n_W - at->n_W).norm() <= kArcsOverlap;
-                       });
-    if (at && !known && at->gap() <= reach) {
-      least.push_back(*at);
-    }
+  const auto placed1 = place(curve1, X_W1), placed2 = place(curve2, X_W2);
+  const CommonNormals normals = common_normals(placed1, placed2);
+  if (!normals.empty) {
+    least = LeastGaps(placed1, placed2).within(normals.arc);
+    std::erase_if(least, [&](const CommonNormal& at) { return !is_least_gap(at) || at.gap() > reach; });
   }
   return least;
 }
 
 bool overlap_far_out(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
                      const Pose<double>& X_W2) {
-  if (is_line(curve1) || is_line(curve2)) {
-    return false;
-  }
-  const GapProblem problem{place(curve1, X_W1), place(curve2, X_W2), -1};
-  return !common_normals(problem, curve1.side == Side::kOutside, curve2.side == Side::kOutside).cover_ring;
+  return may_be_in_ring(curve1, curve2) &&
+         !common_normals(place(curve1, X_W1), place(curve2, X_W2)).cover_ring;
 }
 
 std::optional<CommonNormal> moved_least_gap(const Curve& curve1, const Pose<double>& X_W1,
                                             const Curve& curve2, const Pose<double>& X_W2,
                                             const CommonNormal& before) {
   const auto at = find_common_normal(curve1, X_W1, curve2, X_W2, before.n_W);
-  return at && at->rho1 + at->rho2 + at->gap() < 0 ? at : std::nullopt;
+  return at && is_least_gap(*at) ? at : std::nullopt;
 }
 
 }  // namespace higherpair

@@ -1,6 +1,7 @@
 #include "higherpair/contact/near_places.hpp"
 
 #include "boundary_foot.hpp"
+#include "common_normals.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
@@ -12,26 +13,11 @@
 namespace higherpair {
 namespace {
 
-double curvature_of(double rho) {
-  return std::isinf(rho) ? 0 : 1 / rho;
-}
-
-// Whether the gap along a common normal is a minimum.
-bool is_least(const CommonNormal& at) {
-  const double g = at.gap();
-  if (at.rho1 == 0 || at.rho2 == 0) {
-    return 1 + g * curvature_of(at.rho1 == 0 ? at.rho2 : at.rho1) > 0;
-  }
-  const double kappa1 = curvature_of(at.rho1);
-  const double kappa2 = curvature_of(at.rho2);
-  return kappa1 + kappa2 + g * kappa1 * kappa2 > 0;
-}
-
 std::optional<NearPlace> common_normal_near(const Boundary& boundary1, const Pose<double>& X_W1,
                                             const Boundary& boundary2, const Pose<double>& X_W2,
                                             const BoundaryPlace& place1, const BoundaryPlace& place2) {
   const auto found = find_boundary_normal(boundary1, X_W1, boundary2, X_W2, place1, place2);
-  if (!found || !is_least(found->at)) {
+  if (!found || !is_least_gap(found->at)) {
     return std::nullopt;
   }
   return NearPlace{found->at, found->place1, found->place2, 0};

@@ -1,6 +1,6 @@
 #include "higherpair/contact/separation.hpp"
 
-#include "gap_of_normals.hpp"
+#include "common_normals.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -15,19 +15,61 @@ namespace {
 
 constexpr int kMaxArcs = 20000;
 
+// F is g for two convex bodies, -g for a body in a ring, so that a maximum of F is wanted in both cases.
+struct Value {
+  double f = 0;
+  double slope = 0;
+  double rho_sum = 0;
+};
+
+struct GapProblem {
+  PlacedCurve<double> first;
+  PlacedCurve<double> second;
+  double sign = 1;  // F = sign g
+};
+
+Value value_at(const GapProblem& problem, const Vector2d& n) {
+  const Vector2d inward = -n;
+  const SupportPoint<double> s1 = support_point(problem.first, n);
+  const SupportPoint<double> s2 = support_point(problem.second, inward);
+  const Vector2d d = s2.p_W - s1.p_W;
+  return {problem.sign * d.dot(n), problem.sign * d.dot(perp(n)), s1.rho + s2.rho};
+}
+
+// A bound R >= -sign (ρ1 + ρ2) for all normals within `half` of n.
+double curvature_bound(const GapProblem& problem, const Vector2d& n, const Rotation<double>& half) {
+  const Bounds rho1 = radius_bounds(problem.first, n, half);
+  const Bounds rho2 = radius_bounds(problem.second, -n, half);
+  return problem.sign > 0 ? -(rho1.low + rho2.low) : rho1.high + rho2.high;
+}
+
 struct ArcPiece {
   NormalArc arc;
-  GapValue value;
+  Value value;
   double bound = kInf;
 
   bool operator<(const ArcPiece& other) const { return bound < other.bound; }
 };
 
+double bound_of(const Value& value, const Rotation<double>& half, double R) {
+  if (!std::isfinite(R)) {
+    return kInf;
+  }
+  const double a = value.f - R;
+  const double b = std::abs(value.slope);
+  // R + √(a² + b²) or R + a cos + b sin, rearranged to avoid cancellation for a huge R.
+  if (b * half.cos <= a * half.sin) {
+    return a > 0 ? value.f + b * b / (std::sqrt(a * a + b * b) + a) : R;
+  }
+  const double versine = half.sin * half.sin / (1 + half.cos);
+  return value.f - a * versine + b * half.sin;
+}
+
 ArcPiece make_piece(const GapProblem& problem, const NormalArc& arc) {
   const Vector2d n = unit_vector(arc.middle);
   const auto half = Rotation<double>::from_angle(arc.half);
-  ArcPiece piece{arc, gap_value(problem, n), kInf};
-  piece.bound = largest_gap(piece.value, half, curvature_bounds(problem, n, half).high);
+  ArcPiece piece{arc, value_at(problem, n), kInf};
+  piece.bound = bound_of(piece.value, half, curvature_bound(problem, n, half));
   return piece;
 }
 
@@ -38,7 +80,7 @@ struct Height {
 };
 
 // A few Newton steps uphill; returns the best value.
-Height climb(const GapProblem& problem, const NormalArc& within, double phi, GapValue value) {
+Height climb(const GapProblem& problem, const NormalArc& within, double phi, Value value) {
   Height best{phi, value.f};
   for (int i = 0; i < 6; ++i) {
     const double second = -problem.sign * value.rho_sum - value.f;
@@ -49,7 +91,7 @@ Height climb(const GapProblem& problem, const NormalArc& within, double phi, Gap
     if (!(std::abs(phi - within.middle) < within.half)) {
       break;
     }
-    value = gap_value(problem, unit_vector(phi));
+    value = value_at(problem, unit_vector(phi));
     if (!(value.f > best.f)) {
       break;
     }
@@ -115,7 +157,7 @@ std::optional<Separation> between_apart(const GapProblem& problem, const Vector2
   double phi = angle_of(Vector2d(center2 - center1));
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector2d n = unit_vector(phi);
-    const GapValue value = gap_value(problem, n);
+    const Value value = value_at(problem, n);
     if (std::hypot(value.f, value.slope) - value.f <= tolerance) {
       return Separation{value.f, n};
     }
@@ -170,15 +212,13 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
       return *apart;
     }
   }
-  const bool ring1 = curve1.side == Side::kOutside;
-  const bool ring2 = curve2.side == Side::kOutside;
-  const CommonNormals normals = common_normals(problem, ring1, ring2);
   // Every normal of a ring limits the body inside; where that one has no point with such a normal, it crosses
   // the ring.
+  const CommonNormals normals = common_normals(problem.first, problem.second);
   if (normals.empty || !normals.cover_ring) {
     return {-kInf, Vector2d::UnitX()};
   }
-  problem.sign = ring1 || ring2 ? -1 : 1;
+  problem.sign = curve1.side == Side::kOutside || curve2.side == Side::kOutside ? -1 : 1;
   return maximum(problem, normals.arc.value_or(NormalArc{}), tolerance);
 }
 

@@ -8,9 +8,9 @@
 namespace higherpair {
 
 /// The common normals of a body and the ring that it is in at which their gap has a local minimum of at most
-/// `reach` [m]: all of them, by subdivision of the normals until the gap's curvature g″ = -(ρ1 + ρ2) - g or
-/// its slope has one sign on an arc. Only where the bodies nearly conform over a whole arc, to some 1e-7 of
-/// their size, are arcs left undecided. Empty if neither body is a ring, or one is a line.
+/// `reach` [m]: the zeros of g′(φ) = (p2 - p1)·t at which it rises, g″ = -(ρ1 + ρ2) - g > 0, isolated by
+/// halving arcs of normals until g′ is nearly a cubic on each. Empty if neither body is a ring, or one is a
+/// line.
 /// \param reach  may be infinite
 [[nodiscard]] std::vector<CommonNormal> least_gaps(const Curve& curve1, const Pose<double>& X_W1,
                                                    const Curve& curve2, const Pose<double>& X_W2,
