@@ -21,7 +21,8 @@ struct JerkRow {
 /// drivers, differentiated once more. None where the row has no rates, and where the conditions leave a
 /// group's jerks undetermined, or determined by rounding, next to where branches nearly cross; for the frozen
 /// linkage also where a body's motion was determined by a rolling contact alone (discs about their centres).
-/// Allocates. \param higher  rates of the drivers; none: their accelerations are constant
+/// Allocates.
+/// \param higher  rates of the drivers; none: their accelerations are constant
 [[nodiscard]] JerkRow jerks_of(const Run& run, std::span<const HigherRates> higher = {});
 
 /// Only JerkRow::bodies.
