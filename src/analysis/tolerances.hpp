@@ -202,6 +202,8 @@ inline constexpr double kKeepsChangePoint = 1e-9;
 inline constexpr double kSlowestOutput = 1e-12;
 /// A shorter stroke is none [rad, of the size]: the ripple of a table, which steps may pass over.
 inline constexpr double kShortestStroke = 1e-6;
+/// The same for a stroke that had begun before the run did, or before the contact changed.
+inline constexpr double kShortestFirstStroke = 1e-8;
 /// A step in which the estimated least speed is below this fraction of the speeds at its ends is searched for
 /// reversals.
 inline constexpr double kMayReverse = 0.3;

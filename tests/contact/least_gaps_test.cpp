@@ -1,5 +1,6 @@
 #include "higherpair/contact/least_gaps.hpp"
 
+#include "higherpair/contact/separation.hpp"
 #include "higherpair/geometry/support.hpp"
 
 #include <algorithm>
@@ -106,8 +107,22 @@ TEST(LeastGaps, AreThoseWithinReachWhicheverBodyIsFirst) {
   }
 }
 
-// An ellipse in the middle of an ellipse with the same axes is nearest to it at points of symmetry, where arcs
-// of a regular subdivision end.
+TEST(LeastGaps, AreWithoutTheOneThatIsKnown) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Curve ring = random.ring(seed % 4), body = random.body();
+    const Pose<double> X_W1 = random.pose(), X_W2 = random.pose();
+    const auto all = least_gaps(body, X_W1, ring, X_W2, kAll);
+    for (const CommonNormal& known : all) {
+      auto expected = gaps_of(all);
+      std::erase(expected, known.gap());
+      EXPECT_EQ(gaps_of(least_gaps(body, X_W1, ring, X_W2, kAll, &known.n_W)), expected) << seed;
+    }
+  }
+}
+
+// An ellipse in the middle of an ellipse with the same axes is nearest to it at points of symmetry, where
+// arcs of a regular subdivision end.
 TEST(LeastGaps, AreFoundAtTheEndsOfTheAxes) {
   const Pose<double> origin;
   const Curve ring = make_ellipse({0, 0}, {3, 2}, 0, Side::kOutside).value();
@@ -120,8 +135,8 @@ TEST(LeastGaps, AreFoundAtTheEndsOfTheAxes) {
   }
 }
 
-// With semi-axes a, b and a - e, b - e, the gap along the normal at φ is √(a² c² + b² s²) less the same of the
-// other: to first order e (a c² + b s²)/√(a² c² + b² s²), least at c² = b/(a + b).
+// With semi-axes a, b and a - e, b - e, the gap along the normal at φ is √(a² c² + b² s²) less the same of
+// the other: to first order e (a c² + b s²)/√(a² c² + b² s²), least at c² = b/(a + b).
 TEST(LeastGaps, OfNearlyConformingEllipsesAreFound) {
   const Pose<double> origin;
   const Curve ring = make_ellipse({0, 0}, {3, 2}, 0, Side::kOutside).value();
@@ -133,6 +148,41 @@ TEST(LeastGaps, OfNearlyConformingEllipsesAreFound) {
       EXPECT_NEAR(gap / e, 2 * std::sqrt(6) / 5, 0.1 * e + 1e-14 / e) << e;
     }
   }
+}
+
+// Found another way, by bounds (separation.hpp).
+TEST(LeastGaps, TheLeastOfAllIsTheSeparation) {
+  for (unsigned seed = 0; seed < 20'000; ++seed) {
+    Random random(seed);
+    const double play = std::pow(10, random.between(-6, -0.3));
+    const double a = random.between(0.5, 3), b = a * std::pow(10, random.between(-1.5, 0));
+    const double turn = random.between(-3, 3);
+    const Curve ring = make_ellipse({0, 0}, {a, b}, turn, Side::kOutside).value();
+    const Vector2d center(play * random.between(-1, 1), play * random.between(-1, 1));
+    const Curve body = make_ellipse(center, {a * (1 - play), b * (1 - play * random.between(0.5, 1.5))},
+                                    turn + play * random.between(-1, 1))
+                           .value();
+    const Pose<double> X_WB = random.pose();
+    const auto gaps = gaps_of(least_gaps(body, X_WB, ring, X_WB, kAll));
+    ASSERT_FALSE(gaps.empty()) << seed;
+    EXPECT_NEAR(gaps.front(), separation(body, X_WB, ring, X_WB, 1e-12).gap, 3e-12) << seed;
+  }
+}
+
+// An ellipse that touches an ellipse around it and overlaps it slightly 22 degrees beside that.
+TEST(LeastGaps, OfWhichOneIsBesideAnotherAreTold) {
+  constexpr double kRadians = kPi / 180;
+  const Curve ring = make_ellipse({0, 0}, {42.737261914307936, 36.14534254690473}, 0, Side::kOutside).value();
+  const Curve body =
+      make_ellipse({0, 0}, {28.38657852025659, 23.621988036971494}, -1.6036259343962198 * kRadians).value();
+  const Pose<double> X_W1{Rotation<double>::from_angle(297.98 * kRadians),
+                          {-1.3010623976950921, 0.14974229014423418}};
+  const Pose<double> X_W2{Rotation<double>::from_angle(-9.499769213685061 * kRadians),
+                          {16.634952423598413, 2.1792928587087563}};
+  const auto gaps = gaps_of(least_gaps(body, X_W1, ring, X_W2, 1));
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_NEAR(gaps[0], -0.000400033, 1e-9);
+  EXPECT_NEAR(gaps[1], 0, 1e-12);
 }
 
 TEST(LeastGaps, AreFollowedAsTheBodiesMove) {

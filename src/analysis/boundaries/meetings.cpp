@@ -71,13 +71,15 @@ public:
            higherpair::overlap_far_out(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB);
   }
 
-  /// The places of least gap that are at most `reach` apart.
+  /// The places of least gap that are at most `reach` apart, with or without the contact itself.
   [[nodiscard]] std::vector<NearPlace> near(const Pairing& at, double reach) const {
     if (boundary1_ != nullptr) {
       return near_places(*boundary1_, at.body1.X_WB, *boundary2_, at.body2.X_WB, reach);
     }
     std::vector<NearPlace> places;
-    for (const CommonNormal& least : least_gaps(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB, reach)) {
+    const Vector2d* own = at.own ? &at.own->n_W : nullptr;
+    for (const CommonNormal& least :
+         least_gaps(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB, reach, own)) {
       places.push_back({least, {}, {}});
     }
     return places;

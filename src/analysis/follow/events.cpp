@@ -86,6 +86,7 @@ private:
     if (output.sense * before <= 0 && std::abs(before) > slow) {
       output.sense = before > 0 ? 1 : -1;
       output.from = first.position;
+      output.least = kShortestFirstStroke;
     }
     const int sense = after > 0 ? 1 : -1;
     if (sense == output.sense || std::abs(after) <= slow) {
@@ -99,6 +100,7 @@ private:
     const double to = motion ? motion->position : first.position;
     const bool ends_stroke = x && has_moved && is_stroke(run_, output, to);
     output.from = to;
+    output.least = kShortestStroke;
     if (!ends_stroke) {
       return;
     }
@@ -153,7 +155,7 @@ void note_conforming(Run& run, const Path& path, double s, double h) {
 }  // namespace
 
 bool is_stroke(const Run& run, const OutputJoint& output, double position) {
-  return !(std::abs(position - output.from) < kShortestStroke * unit_of(run, output));
+  return !(std::abs(position - output.from) < output.least * unit_of(run, output));
 }
 
 std::vector<OutputJoint> output_joints(const Mechanism& mechanism) {

@@ -2,10 +2,11 @@
 
 #include "common_normals.hpp"
 #include "higherpair/contact/tolerances.hpp"
-#include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
+#include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -21,26 +22,30 @@ bool may_be_in_ring(const Curve& curve1, const Curve& curve2) {
          !is_line(curve2);
 }
 
-// g′ and g″ at the normal with this angle.
+// g, g′ and g″ at the normal with this angle.
 struct Slope {
   double phi = 0;
+  double gap = 0;
   double slope = 0;
   double bend = 0;
   double noise = 0;  // of the slope, by rounding
 };
 
-// Finds the minima of the gap g. Arcs of normals are halved until g′ in the middle is what its values and
-// derivatives at the ends predict, as a cubic in φ: an arc with a narrow part, such as the flat side of a
-// slender ellipse, differs from it in value or derivative. That holds at any ratio of play to size, unlike
-// bounds of g″, in which the play is a small difference of large radii.
+// Finds the minima of the gap g. Arcs of normals are halved until the sign of g′ on both halves is that of
+// the cubic through its values and derivatives at their ends. How far g′ is from a cubic shows in the middle,
+// in value or derivative: an arc with a narrow part, such as the flat side of a slender ellipse, is halved.
+// That holds at any ratio of play to size, unlike bounds of g″, in which the play is a small difference of
+// large radii.
 class LeastGaps {
 public:
-  LeastGaps(const PlacedCurve<double>& curve1, const PlacedCurve<double>& curve2)
-      : curve1_(curve1), curve2_(curve2) {}
+  LeastGaps(const PlacedCurve<double>& curve1, const PlacedCurve<double>& curve2, double reach)
+      : curve1_(curve1), curve2_(curve2), reach_(reach) {}
 
   /// \param arc  of normals; none: all
-  std::vector<CommonNormal> within(const std::optional<NormalArc>& arc) {
+  /// \param known  the normal of one that is not wanted, or null
+  std::vector<CommonNormal> within(const std::optional<NormalArc>& arc, const Vector2d* known) {
     const NormalArc domain = arc.value_or(NormalArc{});
+    known_ = known == nullptr ? kNoValue : nearest_turn(angle_of(*known), domain.middle);
     const double half = arc ? domain.half * (1 - kFineGap) : domain.half;  // at its ends points are infinite
     const double begin = domain.middle - half, step = 2 * half / kStartArcs;
     const Slope first = at(begin);
@@ -69,15 +74,16 @@ private:
 
   [[nodiscard]] Slope at(double phi) const {
     const CommonNormal at = normal_at(phi);
-    return {phi, slope_of(at), -(at.rho1 + at.rho2) - at.gap(),
+    return {phi, at.gap(), slope_of(at), -(at.rho1 + at.rho2) - at.gap(),
             kRoundingOfSlope * (at.p1_W.norm() + at.p2_W.norm())};
   }
 
   void look_between(const Slope& a, const Slope& b) {
     const double h = b.phi - a.phi;
     const Slope middle = at(a.phi + h / 2);
-    const bool is_resolved =
-        is_cubic(a, middle, b) || (h <= kNarrowArc && (rises(a, middle, b, 1) || rises(b, middle, a, -1)));
+    const double error = distance_from_cubic(a, middle, b);
+    const bool is_resolved = (is_settled(a, middle, error) && is_settled(middle, b, error)) ||
+                             (h <= kNarrowArc && (rises(a, middle, b, 1) || rises(b, middle, a, -1)));
     if (++arcs_ >= kMostArcs || h <= kFinestArc || is_resolved) {
       take(a, middle);
       take(middle, b);
@@ -87,14 +93,23 @@ private:
     look_between(middle, b);
   }
 
-  static bool is_cubic(const Slope& a, const Slope& middle, const Slope& b) {
+  static double distance_from_cubic(const Slope& a, const Slope& middle, const Slope& b) {
     const double h = b.phi - a.phi;
     const double value = (a.slope + b.slope) / 2 + h / 8 * (a.bend - b.bend);
     const double derivative = 1.5 * (b.slope - a.slope) / h - (a.bend + b.bend) / 4;
-    const double error = std::abs(middle.slope - value) + h / 4 * std::abs(middle.bend - derivative);
-    const double size = std::abs(a.slope) + std::abs(middle.slope) + std::abs(b.slope);
-    return error <= kCubicSlope * size + middle.noise && !may_turn_back(a, middle) &&
-           !may_turn_back(middle, b);
+    return std::abs(middle.slope - value) + h / 4 * std::abs(middle.bend - derivative);
+  }
+
+  // Whether the cubic from a to b has no zero, or rises or falls throughout, by its Bernstein coefficients,
+  // each of which may be wrong by `error`. Where all are rounding the bodies conform.
+  static bool is_settled(const Slope& a, const Slope& b, double error) {
+    const double third = (b.phi - a.phi) / 3;
+    const std::array c{a.slope, a.slope + third * a.bend, b.slope - third * b.bend, b.slope};
+    const auto [least, most] = std::minmax_element(c.begin(), c.end());
+    const double least_step = std::min({c[1] - c[0], c[2] - c[1], c[3] - c[2]});
+    const double most_step = std::max({c[1] - c[0], c[2] - c[1], c[3] - c[2]});
+    return *least > error || *most < -error || least_step > error || most_step < -error ||
+           std::max(*most, -*least) <= a.noise;
   }
 
   // Whether |g′| rises from a to b, away from 0, as towards the end of an infinite curve.
@@ -105,17 +120,10 @@ private:
            rise * a.bend > 0 && rise * middle.bend > 0 && rise * b.bend > 0;
   }
 
-  // Whether |g′| falls and then rises within the arc, and may have come to 0.
-  static bool may_turn_back(const Slope& a, const Slope& b) {
-    const double sign = a.slope < 0 ? -1 : 1, h = b.phi - a.phi;
-    const HermiteCubic size{sign * a.slope, sign * h * a.bend, sign * b.slope, sign * h * b.bend};
-    const double least = std::min(size.f0, size.f1);
-    return least > a.noise && size.d0 < 0 && size.d1 > 0 && size(size.lowest_at()) < least / 2;
-  }
-
   // Newton's method would not settle where the bodies conform to all digits but a few.
   void take(const Slope& a, const Slope& b) {
-    if (!(a.slope <= 0 && b.slope > 0)) {
+    const bool is_known = a.phi < known_ && known_ < b.phi;
+    if (!(a.slope <= 0 && b.slope > 0) || is_known || is_out_of_reach(a, b)) {
       return;
     }
     const auto slope = [&](double x) { return slope_of(normal_at(a.phi + x)); };
@@ -124,8 +132,16 @@ private:
     }
   }
 
+  // For a minimum between a and b, where |g′| is not much larger than at the ends.
+  [[nodiscard]] bool is_out_of_reach(const Slope& a, const Slope& b) const {
+    const double h = 2 * (b.phi - a.phi);
+    return std::max(a.gap + h * a.slope, b.gap - h * b.slope) > reach_;
+  }
+
   const PlacedCurve<double>& curve1_;
   const PlacedCurve<double>& curve2_;
+  double reach_;
+  double known_ = kNoValue;  // angle of a normal
   int arcs_ = 0;
   std::vector<CommonNormal> found_;
 };
@@ -133,7 +149,7 @@ private:
 }  // namespace
 
 std::vector<CommonNormal> least_gaps(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
-                                     const Pose<double>& X_W2, double reach) {
+                                     const Pose<double>& X_W2, double reach, const Vector2d* known) {
   std::vector<CommonNormal> least;
   if (!may_be_in_ring(curve1, curve2)) {
     return least;
@@ -141,7 +157,7 @@ std::vector<CommonNormal> least_gaps(const Curve& curve1, const Pose<double>& X_
   const auto placed1 = place(curve1, X_W1), placed2 = place(curve2, X_W2);
   const CommonNormals normals = common_normals(placed1, placed2);
   if (!normals.empty) {
-    least = LeastGaps(placed1, placed2).within(normals.arc);
+    least = LeastGaps(placed1, placed2, reach).within(normals.arc, known);
     std::erase_if(least, [&](const CommonNormal& at) { return !is_least_gap(at) || at.gap() > reach; });
   }
   return least;

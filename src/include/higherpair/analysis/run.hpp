@@ -51,6 +51,7 @@ struct OutputJoint {
   int joint = 0;
   int sense = 0;       ///< 0: has not moved yet
   double from = 0;     ///< where this stroke began, or a little behind where it has come to [rad or m]
+  double least = 0;    ///< a shorter stroke is none, as a fraction of its unit
   double fastest = 0;  ///< speed in the last step, per unit of the path
 };
 

@@ -90,13 +90,11 @@ inline constexpr double kSameTouch = 1e-2;
 inline constexpr double kBesideTouch = 1e-6;
 inline constexpr double kFreeOverlap = 1e-10;  // overlap, by rounding, of bodies that only touch
 inline constexpr double kFinestArc = 1e-15;    // [rad]: shorter arcs of normals are not halved
-// On an arc of normals on which the slope of a gap is a cubic to within this fraction of its values, none of
-// its zeros is missed.
-inline constexpr double kCubicSlope = 0.02;
-// Arcs up to this are taken to have no narrower part if the slope seems to rise throughout [rad].
+// Arcs of normals up to this are taken to have no narrower part if the slope of the gap seems to rise
+// throughout [rad].
 inline constexpr double kNarrowArc = 1e-4;
 // Rounding error of that slope, as a fraction of the distances of the two points from the origin.
-inline constexpr double kRoundingOfSlope = 4 * kEps;
+inline constexpr double kRoundingOfSlope = 8 * kEps;
 
 // Newton's method for the extreme gap: once steps are shorter than this, they are expected to converge
 // quadratically; when they no longer do, what is left is rounding.
