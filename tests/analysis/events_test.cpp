@@ -567,6 +567,44 @@ TEST(Overlaps, ThatBeginAndEndWithinAStepAreFound) {
   }
 }
 
+// Curves drawn far from the origins of their bodies, as in a plan of a whole plant, are not larger for it.
+// The second of these contacts begins 22 degrees beside the first.
+TEST(SecondContacts, DoNotDependOnTheOriginsOfTheBodies) {
+  std::vector<double> expected;
+  for (const double shift : {0.0, 1e5, 1e6}) {
+    const Profile profile = testing::read(fmt::format(
+        R"(
+          [bodies.ground]
+          points.D = [{0}, 1.1571]
+          points.F = [{1}, -99.0105]
+          [bodies.body]
+          points.D = [{0}, 1.1571]
+          curves.c = {{ type = "ellipse", center = [{2}, 0], semi_axes = [28.3866, 23.622], rotation = -1.6 }}
+          [bodies.ring]
+          points.F = [{1}, -99.0105]
+          curves.c = {{ type = "ellipse", center = [{2}, 0], semi_axes = [42.7373, 36.1453], side = "outside" }}
+          [joints.drive]
+          type = "revolute"
+          between = ["ground.D", "body.D"]
+          [joints.follow]
+          type = "revolute"
+          between = ["ground.F", "ring.F"]
+          [contacts.touch]
+          between = ["body.c", "ring.c"]
+          [driver]
+          joint = "drive"
+          end = 360
+        )",
+        shift - 0.526, shift + 21.4313, shift));
+    const auto seconds = events_of(profile.mechanism, EventType::kSecondContact, 6);
+    ASSERT_EQ(seconds.size(), 2U) << shift;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (shift == 0) expected.push_back(seconds[i].driver);
+      EXPECT_NEAR(seconds[i].driver, expected[i], 1e-9) << shift;
+    }
+  }
+}
+
 // Where the slide comes to be parallel to the axis of a parabola, the contact runs off to infinity. The
 // rounding of its position there is no second contact.
 TEST(SecondContacts, AreNoneWhereAContactRunsOffToInfinity) {

@@ -156,8 +156,9 @@ public:
         s_(s),
         contact_(run.mechanism().contacts[contact]),
         index_(contact),
-        outlines_(run.mechanism(), contact_, size_at_contact(run, run.at.state, contact)),
-        depth_(kOverlapDepth * size_at_contact(run, run.at.state, contact)) {
+        size_(size_at_contact(run, run.at.state, contact)),
+        outlines_(run.mechanism(), contact_, size_),
+        depth_(kOverlapDepth * size_) {
     if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches && contact_.by_boundary) {
       corners_ = meeting_corners(boundary(contact_.first), boundary(contact_.second), own.place);
     }
@@ -389,6 +390,7 @@ private:
   double s_;
   const Contact& contact_;
   std::size_t index_;
+  double size_;  // at the contact [m]
   Outlines outlines_;
   double depth_;                               // a smaller depth is a touch
   std::optional<std::array<int, 2>> corners_;  // where the contact is at the start, if it is at two
@@ -402,9 +404,10 @@ double size_at_contact(const Run& run, const State& state, std::size_t contact) 
   const Contact& pair = run.mechanism().contacts[contact];
   const ContactMotion& motion = state.contacts[contact];
   double size = run.plan().size;
-  if (motion.touches) {
-    for (const int body : {pair.first.body, pair.second.body}) {
-      size = std::max(size, (motion.at.p_W() - state.bodies[body].X_WB.p_WB).norm());
+  if (motion.touches && !pair.by_boundary) {
+    for (const CurveRef& ref : {pair.first, pair.second}) {
+      const Vector2d anchor_W = state.bodies[ref.body].X_WB * anchor(curve_of(run.mechanism(), ref));
+      size = std::max(size, (motion.at.p_W() - anchor_W).norm());
     }
   }
   return size;

@@ -29,19 +29,18 @@ struct ContactMeeting {
   std::vector<NearPlace> sharing_before, sharing_after;
 };
 
-/// The first place at which the two bodies of a contact touch, other than their contact if they
-/// have one, between run.at.state, which is at s, and run.work.trial, h beyond it. Leaves run.work.trial
-/// unchanged.
+/// The first place at which the two bodies of a contact touch, other than their contact if they have one,
+/// between run.at.state, which is at s, and run.work.trial, h beyond it. Leaves run.work.trial unchanged.
 [[nodiscard]] ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s,
                                             double h);
 
 /// The length to which distances between the bodies of a contact are compared [m]: the size of the mechanism,
-/// or how far from the origins of its bodies the contact is: on a parabola or hyperbola it may run off to
-/// infinity, and the rounding of positions with it.
+/// or how far out on their curves the contact is: on a parabola or hyperbola it may run off to infinity, and
+/// the rounding of positions with it.
 [[nodiscard]] double size_at_contact(const Run& run, const State& state, std::size_t contact);
 
 /// Whether a place is that of a contact, to within the accuracy of its search.
-/// \param size  of both boundaries together [m]
+/// \param size  of both boundaries together; for curves size_at_contact() [m]
 [[nodiscard]] bool is_place_of(const CommonNormal& contact, const NearPlace& place, double size);
 
 /// Whether neither boundary touches there with an end or a corner.

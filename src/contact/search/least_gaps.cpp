@@ -14,6 +14,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kStartArcs = 8;
+// Ends the search where rounding leaves the sign of the slope open.
 constexpr int kMostArcs = 4000;
 
 // Whether one is a ring, and a body without flat parts may be in it.
