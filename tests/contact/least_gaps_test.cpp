@@ -16,18 +16,17 @@ namespace {
 
 // The local minima of the gap over all normals, by a fine grid and the parabola through three values.
 std::vector<double> least_on_grid(const Curve& curve1, const Pose<double>& X_W1, const Curve& curve2,
-                                  const Pose<double>& X_W2) {
-  constexpr int kCount = 40000;
+                                  const Pose<double>& X_W2, int count = 40'000) {
   const auto placed1 = place(curve1, X_W1), placed2 = place(curve2, X_W2);
   std::vector<double> gaps;
-  for (int i = 0; i < kCount; ++i) {
-    const Vector2d n = unit_vector(2 * kPi * i / kCount), inward = -n;
+  for (int i = 0; i < count; ++i) {
+    const Vector2d n = unit_vector(2 * kPi * i / count), inward = -n;
     const bool exist = has_point(placed1, n) && has_point(placed2, inward);
     gaps.push_back(exist ? (support_point(placed2, inward).p_W - support_point(placed1, n).p_W).dot(n) : NAN);
   }
   std::vector<double> least;
-  for (int i = 0; i < kCount; ++i) {
-    const double before = gaps[(i + kCount - 1) % kCount], here = gaps[i], after = gaps[(i + 1) % kCount];
+  for (int i = 0; i < count; ++i) {
+    const double before = gaps[(i + count - 1) % count], here = gaps[i], after = gaps[(i + 1) % count];
     if (here <= before && here < after) {
       least.push_back(here - (after - before) * (after - before) / (8 * (before - 2 * here + after)));
     }
@@ -150,9 +149,10 @@ TEST(LeastGaps, OfNearlyConformingEllipsesAreFound) {
   }
 }
 
-// Found another way, by bounds (separation.hpp).
+// Bodies that nearly conform to their rings: the bounds by which the separation is found otherwise do not tell
+// their arcs apart.
 TEST(LeastGaps, TheLeastOfAllIsTheSeparation) {
-  for (unsigned seed = 0; seed < 20'000; ++seed) {
+  for (unsigned seed = 0; seed < 2'000; ++seed) {
     Random random(seed);
     const double play = std::pow(10, random.between(-6, -0.3));
     const double a = random.between(0.5, 3), b = a * std::pow(10, random.between(-1.5, 0));
@@ -165,6 +165,7 @@ TEST(LeastGaps, TheLeastOfAllIsTheSeparation) {
     const Pose<double> X_WB = random.pose();
     const auto gaps = gaps_of(least_gaps(body, X_WB, ring, X_WB, kAll));
     ASSERT_FALSE(gaps.empty()) << seed;
+    EXPECT_NEAR(gaps.front(), least_on_grid(body, X_WB, ring, X_WB, 10'000).front(), 1e-5 * play) << seed;
     EXPECT_NEAR(gaps.front(), separation(body, X_WB, ring, X_WB, 1e-12).gap, 3e-12) << seed;
   }
 }

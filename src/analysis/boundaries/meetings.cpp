@@ -3,15 +3,13 @@
 #include "analysis/follow/step.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
-#include "higherpair/contact/least_gaps.hpp"
-#include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/hermite.hpp"
 #include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "outlines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -21,13 +19,6 @@ namespace {
 
 constexpr int kStepHalvings = 4;      // halvings of a step in which a place could not be followed
 constexpr int kHalvingsToTouch = 40;  // the same if the bodies overlap at its end
-
-// The two bodies at a position within the step.
-struct Pairing {
-  double x = 0;
-  BodyMotion body1, body2;
-  std::optional<CommonNormal> own;  // contact's normal, while the contact is closed
-};
 
 // A place with its gap and the rate of the gap.
 struct Seen {
@@ -41,128 +32,18 @@ double gap_rate(const Pairing& at, const CommonNormal& normal) {
                         motion_at_place(at.body1, normal.p1_W).v_W);
 }
 
-// The outlines of the two bodies of a contact: boundaries, or curves that are convex or concave throughout.
-class Outlines {
-public:
-  /// \param size  at the contact [m]
-  Outlines(const Mechanism& mechanism, const Contact& contact, double size) {
-    if (contact.by_boundary) {
-      boundary1_ = &boundary_of(mechanism, contact.first);
-      boundary2_ = &boundary_of(mechanism, contact.second);
-      first_is_smaller_ = boundary1_->size() < boundary2_->size();
-      const Boundary& smaller = first_is_smaller_ ? *boundary1_ : *boundary2_;
-      middle_B_ = smaller.middle_B();
-      reach_ = smaller.size();
-      size_ = boundary1_->size() + boundary2_->size();
-      return;
-    }
-    curve1_ = &curve_of(mechanism, contact.first);
-    curve2_ = &curve_of(mechanism, contact.second);
-    first_is_smaller_ = curve2_->side == Side::kOutside;
-    const Curve& smaller = first_is_smaller_ ? *curve1_ : *curve2_;
-    middle_B_ = middle_of(smaller).value_or(anchor(smaller));
-    reach_ = reach_from(smaller, middle_B_).value_or(kInf);
-    size_ = size;
-  }
-
-  /// Whether the outlines overlap however far out, where there is no place of least gap.
-  [[nodiscard]] bool overlap_far_out(const Pairing& at) const {
-    return curve1_ != nullptr &&
-           higherpair::overlap_far_out(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB);
-  }
-
-  /// The places of least gap that are at most `reach` apart, with or without the contact itself.
-  [[nodiscard]] std::vector<NearPlace> near(const Pairing& at, double reach) const {
-    if (boundary1_ != nullptr) {
-      return near_places(*boundary1_, at.body1.X_WB, *boundary2_, at.body2.X_WB, reach);
-    }
-    std::vector<NearPlace> places;
-    const Vector2d* own = at.own ? &at.own->n_W : nullptr;
-    for (const CommonNormal& least :
-         least_gaps(*curve1_, at.body1.X_WB, *curve2_, at.body2.X_WB, reach, own)) {
-      places.push_back({least, {}, {}});
-    }
-    return places;
-  }
-
-  /// The same place after the bodies have moved.
-  [[nodiscard]] std::optional<NearPlace> moved(const Pairing& to, const NearPlace& before) const {
-    if (boundary1_ != nullptr) {
-      return moved_place(*boundary1_, to.body1.X_WB, *boundary2_, to.body2.X_WB, before);
-    }
-    if (before.end != 0) {
-      return std::nullopt;
-    }
-    const auto at = moved_least_gap(*curve1_, to.body1.X_WB, *curve2_, to.body2.X_WB, before.at);
-    return at ? std::optional(NearPlace{*at, {}, {}}) : std::nullopt;
-  }
-
-  /// Upper bound of the speed of any point of the smaller body against the other, per unit of the path.
-  [[nodiscard]] double speed(const Pairing& at) const {
-    const BodyMotion& own = first_is_smaller_ ? at.body1 : at.body2;
-    const BodyMotion& other = first_is_smaller_ ? at.body2 : at.body1;
-    const PointMotion middle = point_motion(own, middle_B_);
-    const PointMotion there = motion_at_place(other, middle.p_W);
-    const double omega = std::abs(own.omega - other.omega);
-    return (middle.v_W - there.v_W).norm() + (omega == 0 ? 0 : omega * reach_);
-  }
-
-  /// Of both boundaries together; for curves at the contact [m].
-  [[nodiscard]] double size() const { return size_; }
-
-private:
-  const Boundary *boundary1_ = nullptr, *boundary2_ = nullptr;  // else the curves are set
-  const Curve *curve1_ = nullptr, *curve2_ = nullptr;
-  bool first_is_smaller_ = true;
-  Vector2d middle_B_ = Vector2d::Zero();  // of the smaller one
-  double reach_ = 0;                      // of its points from there [m]
-  double size_ = 0;
-};
-
-bool is_beside(const Boundary& boundary, int corner, int span) {
-  return span == corner || span == boundary.next_span(corner, true) ||
-         span == boundary.next_span(corner, false);
-}
-
-// The corners of both boundaries, if the contact is where they meet.
-std::optional<std::array<int, 2>> meeting_corners(const Boundary& boundary1, const Boundary& boundary2,
-                                                  const std::array<BoundaryPlace, 2>& place) {
-  const auto corner_at = [](const Boundary& boundary, const BoundaryPlace& at) -> std::optional<int> {
-    if (boundary.is_corner(at)) {
-      return at.span;
-    }
-    for (const bool high : {false, true}) {
-      const int next = boundary.next_span(at.span, high);
-      if (is_at_end(boundary, at, high, kAtSpanEnd) &&
-          boundary.joint_after(high ? at.span : next) != SpanJoint::kEnd &&
-          boundary.spans()[next]->is_corner()) {
-        return next;
-      }
-    }
-    return std::nullopt;
-  };
-  if (!boundary1.is_corner(place[0]) && !boundary2.is_corner(place[1])) {
-    return std::nullopt;
-  }
-  const auto corner1 = corner_at(boundary1, place[0]), corner2 = corner_at(boundary2, place[1]);
-  return corner1 && corner2 ? std::optional(std::array{*corner1, *corner2}) : std::nullopt;
-}
-
+template <class Outlines>
 class Search {
 public:
-  Search(Run& run, const Path& path, std::size_t contact, double s)
+  /// \param size  at the contact [m]
+  Search(Run& run, const Path& path, std::size_t contact, double s, double size, const Outlines& outlines)
       : run_(run),
         path_(path),
         s_(s),
         contact_(run.mechanism().contacts[contact]),
         index_(contact),
-        size_(size_at_contact(run, run.at.state, contact)),
-        outlines_(run.mechanism(), contact_, size_),
-        depth_(kOverlapDepth * size_) {
-    if (const ContactMotion& own = run.at.state.contacts[contact]; own.touches && contact_.by_boundary) {
-      corners_ = meeting_corners(boundary(contact_.first), boundary(contact_.second), own.place);
-    }
-  }
+        outlines_(outlines),
+        depth_(kOverlapDepth * size) {}
 
   [[nodiscard]] ContactMeeting all(double h) {
     found_.first = between(pairing(run_.at.state, 0), pairing(run_.work.trial, h), 0);
@@ -171,10 +52,6 @@ public:
   }
 
 private:
-  [[nodiscard]] const Boundary& boundary(const CurveRef& ref) const {
-    return boundary_of(run_.mechanism(), ref);
-  }
-
   struct Verdict {
     bool followed = true;
     std::optional<Meeting> meeting;
@@ -195,25 +72,12 @@ private:
 
   // Upper bound of how far any point of the smaller body moves against the other body from a to b.
   [[nodiscard]] double reach_between(const Pairing& a, const Pairing& b) const {
-    const double speed = std::max(outlines_.speed(a), outlines_.speed(b));
+    const double speed = std::max(outlines_.smaller().speed(a), outlines_.smaller().speed(b));
     return kFartherThanByRates * speed * std::abs(b.x - a.x) + 2 * depth_;
   }
 
   [[nodiscard]] bool is_own(const Pairing& at, const NearPlace& place) const {
     return at.own && is_place_of(*at.own, place, outlines_.size());
-  }
-
-  // Whether a corner of one boundary is beside a face of the other at the corners from which the contact
-  // starts. The contact's own tangent separates the bodies there. A corner that has gone over a sharp one is
-  // behind the face that it has left, but not within the body.
-  [[nodiscard]] bool leaves_corners(const NearPlace& place) const {
-    if (!corners_ || place.end != 0) {
-      return false;
-    }
-    const auto [corner1, corner2] = *corners_;
-    return (place.place1.span == corner1 &&
-            is_beside(boundary(contact_.second), corner2, place.place2.span)) ||
-           (place.place2.span == corner2 && is_beside(boundary(contact_.first), corner1, place.place1.span));
   }
 
   [[nodiscard]] Seen seen(const Pairing& at, const NearPlace& place) const {
@@ -308,7 +172,7 @@ private:
     std::vector<Seen> found;
     for (const NearPlace& place : outlines_.near(at, reach)) {
       const bool counts = !contact_.both_sides || place.end == 0;  // the end of a middle line is no wall
-      if (counts && !is_own(at, place) && !leaves_corners(place)) {
+      if (counts && !is_own(at, place) && !outlines_.leaves_corners(place)) {
         found.push_back(seen(at, place));
       }
     }
@@ -390,10 +254,8 @@ private:
   double s_;
   const Contact& contact_;
   std::size_t index_;
-  double size_;  // at the contact [m]
-  Outlines outlines_;
-  double depth_;                               // a smaller depth is a touch
-  std::optional<std::array<int, 2>> corners_;  // where the contact is at the start, if it is at two
+  const Outlines& outlines_;
+  double depth_;  // a smaller depth is a touch
   ContactMeeting found_;
   std::optional<StateAside> aside_;  // set once run.work.trial is used for other positions
 };
@@ -424,7 +286,14 @@ bool is_smooth_touch(const NearPlace& place) {
 }
 
 ContactMeeting meeting_within(Run& run, const Path& path, std::size_t contact, double s, double h) {
-  return Search(run, path, contact, s).all(h);
+  const Contact& pair = run.mechanism().contacts[contact];
+  const double size = size_at_contact(run, run.at.state, contact);
+  if (pair.by_boundary) {
+    const BoundaryOutlines outlines(run.mechanism(), pair, run.at.state.contacts[contact]);
+    return Search(run, path, contact, s, size, outlines).all(h);
+  }
+  const CurveOutlines outlines(run.mechanism(), pair, size);
+  return Search(run, path, contact, s, size, outlines).all(h);
 }
 
 }  // namespace higherpair

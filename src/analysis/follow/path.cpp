@@ -292,6 +292,7 @@ private:
     path_.positions(from, run_.at.lost.from);
     path_.positions(at, run_.at.lost.at);
     run_.at.lost.looked_to.reset();
+    run_.at.lost.other.reset();
     run_.at.lost.nearest.reset();
     report_limit(run_, path_, event);
     run_.at.on_branch = false;

@@ -272,6 +272,7 @@ private:
   std::optional<double> placed_up_to(double k, const std::optional<Outlook>& before, const Outlook& here);
   Taken take_up_row();
   bool come_to_beginning(double x);
+  std::optional<Run> followed_back_from(double x);
   Taken take_up_across(double pole, double begin, int poles);
   Taken follow_stretch(const Run& back, double begin, const State& found, double x);
   void go_on_from(const Run& back, const State& state, double from);
@@ -359,6 +360,28 @@ Taken StretchSearch::take_up_across(double pole, double begin, int poles) {
   return Taken::kNot;
 }
 
+// The branch placed at x, followed back to where this stretch of it begins; none if it is another branch. One
+// that has been found to be another is followed no farther than to there: else every probe along it would
+// follow all of it.
+std::optional<Run> StretchSearch::followed_back_from(double x) {
+  std::optional<OtherBranch> unused;
+  std::optional<OtherBranch>& other = line_.is_from_limit() ? run_.at.lost.other : unused;
+  const auto is_other = [&](const Run& back) {
+    return is_another_branch(back) &&
+           have_same_poses(back.at.state, other->state, run_.plan().size, kSameRunPosition);
+  };
+  if (other && is_before(other->x, x) && is_other(followed_back(run_, drivers_at(x), drivers_at(other->x)))) {
+    other = {x, run_.work.trial};
+    return std::nullopt;
+  }
+  Run back = followed_back(run_, drivers_at(x), drivers_at(searched_to_));
+  if (is_another_branch(back)) {
+    other = {x, run_.work.trial};
+    return std::nullopt;
+  }
+  return back;
+}
+
 Taken StretchSearch::take_up(double x, int poles) {
   if (!place_anew(run_, drivers_at(x)).complete) {
     return Taken::kNot;
@@ -372,24 +395,24 @@ Taken StretchSearch::take_up(double x, int poles) {
     }
     (void)place_anew(run_, drivers_at(x));
   }
-  const Run back = followed_back(run_, drivers_at(x), drivers_at(searched_to_));
-  if (is_another_branch(back)) {
+  const std::optional<Run> back = followed_back_from(x);
+  if (!back) {
     return Taken::kNot;
   }
   const State found = run_.work.trial;
-  const double begin = x_of(back.at.on_branch ? back.at.drivers : back.at.lost.from);
-  if (!back.at.on_branch && poles > 0) {
-    const Taken taken = take_up_across(x_of(back.at.lost.at), begin, poles - 1);
+  const double begin = x_of(back->at.on_branch ? back->at.drivers : back->at.lost.from);
+  if (!back->at.on_branch && poles > 0) {
+    const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
     }
   }
   if (is_before(to_, begin)) {
     begins_ahead_ = begin;
-    events_at_beginning_ = back.events;
+    events_at_beginning_ = back->events;
     return Taken::kNotYet;
   }
-  return follow_stretch(back, begin, found, x);
+  return follow_stretch(*back, begin, found, x);
 }
 
 // Follows a stretch from its beginning to the row; if that fails at once, as next to a pole, from x, where

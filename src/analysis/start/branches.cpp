@@ -71,23 +71,12 @@ bool is_gear_train(const Mechanism& mechanism, const Group& group) {
 }
 
 // At a dead centre two modes give the same assembly.
-bool is_same(const State& a, const State& b, double size) {
-  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
-    const Pose<double>& at = a.bodies[i].X_WB;
-    const Pose<double>& other = b.bodies[i].X_WB;
-    const double turned = std::abs(at.R_WB.cos - other.R_WB.cos) + std::abs(at.R_WB.sin - other.R_WB.sin);
-    if (!(turned <= kSameAssembly && (at.p_WB - other.p_WB).norm() <= kSameAssembly * size)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::vector<State> different(const std::vector<State>& states, double size) {
   std::vector<State> kept;
   for (const State& state : states) {
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](const State& other) { return is_same(state, other, size); })) {
+    if (std::none_of(kept.begin(), kept.end(), [&](const State& other) {
+          return have_same_poses(state, other, size, kSameAssembly);
+        })) {
       kept.push_back(state);
     }
   }

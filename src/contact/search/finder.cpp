@@ -41,7 +41,7 @@ Distance distance_at(const ContactPair& pair, double u, double q, double guess, 
   for (;;) {
     const Separation here = separation_at(pair, u, q, tolerance);
     const double needed = std::max(kRoughGap * std::abs(here.gap), finest);
-    if (tolerance <= 4 * needed) {
+    if (!(tolerance > 4 * needed)) {
       return {here, tolerance};
     }
     tolerance = needed;

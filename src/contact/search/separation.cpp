@@ -1,6 +1,7 @@
 #include "higherpair/contact/separation.hpp"
 
 #include "common_normals.hpp"
+#include "higherpair/contact/least_gaps.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/numeric/special_values.hpp"
@@ -14,6 +15,7 @@ namespace higherpair {
 namespace {
 
 constexpr int kMaxArcs = 20000;
+constexpr int kMaxArcsInRing = 100;  // many more would be needed where body and ring conform
 
 // F is g for two convex bodies, -g for a body in a ring, so that a maximum of F is wanted in both cases.
 struct Value {
@@ -100,7 +102,12 @@ Height climb(const GapProblem& problem, const NormalArc& within, double phi, Val
   return best;
 }
 
-Separation maximum(const GapProblem& problem, const NormalArc& domain, double tolerance) {
+struct Maximum {
+  Height best;
+  bool is_within = false;  // the tolerance
+};
+
+Maximum maximum(const GapProblem& problem, const NormalArc& domain, double tolerance, int max_arcs) {
   std::vector<ArcPiece> heap;
   Height best{domain.middle, -kInf};
   const auto add = [&](const NormalArc& arc) {
@@ -115,7 +122,8 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
   for (int i = 0; i < kStart; ++i) {
     add({domain.middle + domain.half * ((2 * i + 1.0) / kStart - 1), domain.half / kStart});
   }
-  for (int arcs = 0; !heap.empty() && heap.front().bound > best.f + tolerance && arcs < kMaxArcs; ++arcs) {
+  const auto is_within = [&] { return heap.empty() || heap.front().bound <= best.f + tolerance; };
+  for (int arcs = 0; !is_within() && arcs < max_arcs; ++arcs) {
     std::pop_heap(heap.begin(), heap.end());
     const NormalArc arc = heap.back().arc;
     heap.pop_back();
@@ -125,7 +133,7 @@ Separation maximum(const GapProblem& problem, const NormalArc& domain, double to
     add({arc.middle - arc.half / 2, arc.half / 2});
     add({arc.middle + arc.half / 2, arc.half / 2});
   }
-  return {problem.sign * best.f, unit_vector(best.phi)};
+  return {best, is_within()};
 }
 
 // Discs and points: along the line of centres.
@@ -218,8 +226,19 @@ Separation separation(const Curve& curve1, const Pose<double>& X_W1, const Curve
   if (normals.empty || !normals.cover_ring) {
     return {-kInf, Vector2d::UnitX()};
   }
-  problem.sign = curve1.side == Side::kOutside || curve2.side == Side::kOutside ? -1 : 1;
-  return maximum(problem, normals.arc.value_or(NormalArc{}), tolerance);
+  const bool in_ring = curve1.side == Side::kOutside || curve2.side == Side::kOutside;
+  problem.sign = in_ring ? -1 : 1;
+  const auto [best, is_within] =
+      maximum(problem, normals.arc.value_or(NormalArc{}), tolerance, in_ring ? kMaxArcsInRing : kMaxArcs);
+  Separation found{problem.sign * best.f, unit_vector(best.phi)};
+  if (in_ring && !is_within) {
+    for (const CommonNormal& least : least_gaps(curve1, X_W1, curve2, X_W2, kInf)) {
+      if (least.gap() < found.gap) {
+        found = {least.gap(), least.n_W};
+      }
+    }
+  }
+  return found;
 }
 
 }  // namespace higherpair

@@ -74,6 +74,12 @@ struct Nearest {
   std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups: how they were led there
 };
 
+/// Where a branch beyond a limit was found to be another one than the lost one.
+struct OtherBranch {
+  double x = 0;  ///< coordinate of the leading driver
+  State state;
+};
+
 /// A limit at which the motion was lost.
 struct Loss {
   std::vector<double> from;  ///< drivers at Run::state, the last position before it
@@ -82,6 +88,7 @@ struct Loss {
   /// How far on the straight line beyond it the branch has been searched for without success: coordinate of
   /// the leading driver.
   std::optional<double> looked_to;
+  std::optional<OtherBranch> other;  ///< the last one found on that line
   std::optional<Nearest> nearest;  ///< with coupled bodies: their closest approach to assembly there
   bool for_good = false;           ///< the path was given up and is not resumed
 };

@@ -40,6 +40,9 @@ struct State {
   std::vector<PairTrack> tracks;        ///< of Plan::groups; none where the group is not a tracked pair
 };
 
+/// Whether the bodies of both have the same poses to within `near` [rad, of the size].
+[[nodiscard]] bool have_same_poses(const State& a, const State& b, double size, double near);
+
 /// Continuation of coupled bodies from a limit to where they can be assembled again, along the path of least
 /// violation of their conditions F = 0: while the violation is not 0 the Jacobian J is singular. The sign of
 /// the determinant of J bordered by its singular vectors changes where another part of the bodies turns over.
