@@ -195,15 +195,26 @@ std::optional<Run> started_from_beside(const Run& run) {
 }
 
 // Sets the shares of all events. With a single driver, its coordinate at an event determines the share,
-// whatever path the event was found on; what rounding puts beyond a row is at the row.
+// whatever path the event was found on; what rounding puts beyond a row is at the row. A stretch beyond a
+// limit that is found late begins before the row before: its share is negative.
 void set_shares(Run& run) {
   const double from = run.work.row_before[0];
   const double to = run.at.targets[0];
   const double length = to - from;
   const bool by_driver = run.at.targets.size() == 1 && length != 0;
+  const double near =
+      kSameLimit * (by_driver ? (driver_scale(run, 0) + std::abs(from)) / std::abs(length) : 1);
   for (RunEvent& event : run.events) {
-    if (by_driver) event.driver = std::clamp(event.driver, std::min(from, to), std::max(from, to));
-    event.share = std::clamp(by_driver ? (event.driver - from) / length : event.share, 0.0, 1.0);
+    if (by_driver) {
+      event.share = (event.driver - from) / length;
+    }
+    if (event.share < -near) {
+      continue;
+    }
+    event.share = std::clamp(event.share, 0.0, 1.0);
+    if (by_driver) {
+      event.driver = std::clamp(event.driver, std::min(from, to), std::max(from, to));
+    }
   }
 }
 

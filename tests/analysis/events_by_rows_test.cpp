@@ -384,4 +384,124 @@ TEST(EventsByRows, ACornerReachesTheEndOfAFlatToFullPrecision) {
   }
 }
 
+// The oval of `oval_in_ring` on a rocker that a parallelogram turns as the driver does: in a chain the motion
+// goes over to second contacts as it does behind the driver itself.
+TEST(EventsByRows, AChainGoesOverToSecondContacts) {
+  const Profile chain = profile_of(R"(
+[bodies.ground]
+points.O1 = [0, 0]
+points.O2 = [-10, -80]
+points.O3 = [-200, -50]
+[bodies.cam]
+points.O = [0, 0]
+points.B = [30, 40]
+curves.oval = { type = "ellipse", center = [3, 1], semi_axes = [30, 12] }
+[bodies.ring]
+pose = { x = -10, y = -80, angle = 0 }
+points.O = [0, 0]
+curves.hole = { type = "circle", center = [10, 80], radius = 34, side = "outside" }
+[bodies.crank]
+pose = { x = -200, y = -50, angle = 0 }
+points.O = [0, 0]
+points.A = [30, 40]
+[bodies.rod]
+pose = { x = -170, y = -10, angle = 0 }
+points.A = [0, 0]
+points.B = [200, 50]
+[joints.cam_pivot]
+type = "revolute"
+between = ["ground.O1", "cam.O"]
+[joints.ring_pivot]
+type = "revolute"
+between = ["ground.O2", "ring.O"]
+[joints.crank_pivot]
+type = "revolute"
+between = ["ground.O3", "crank.O"]
+[joints.a]
+type = "revolute"
+between = ["crank.A", "rod.A"]
+[joints.b]
+type = "revolute"
+between = ["rod.B", "cam.B"]
+[contacts.touch]
+between = ["cam.oval", "ring.hole"]
+[driver]
+joint = "crank_pivot"
+end = 360
+velocity = "30 rpm"
+)");
+  const RunTable direct = run_with(shipped("oval_in_ring"), 61);
+  Places wanted = events_of(direct);
+  ASSERT_EQ(wanted.size(), 2U);
+  for (const std::int64_t rows : {2, 7, 61, 361}) {
+    const RunTable motion = run_with(chain, rows);
+    expect_all_ok(motion);
+    Places events = events_of(motion);
+    std::erase_if(events, [](const auto& event) { return event.first == name_of(EventType::kDeadPoint); });
+    expect_same(events, wanted, std::to_string(rows));
+    for (std::size_t k = 0; rows == 61 && k < motion.size(); ++k) {
+      EXPECT_NEAR(motion.value(k, "ring.angle"), direct.value(k, "ring.angle"), 1e-10) << k;
+      EXPECT_NEAR(motion.value(k, "ring.alpha"), direct.value(k, "ring.alpha"), 1e-8) << k;
+    }
+  }
+}
+
+// Where the oval comes back into its ring another contact is nearer, so that the stretch is found only from
+// the probes on at which its own is. Rows between are lost; it begins where it does.
+TEST(EventsByRows, AStretchThatIsFoundLateBeginsWhereItDoes) {
+  const Profile profile = profile_of(R"(
+[units]
+length="m"
+[bodies.ground]
+points.O=[0,0]
+points.D=[2.9478,0]
+points.R=[-1.0497,-0.5546]
+[bodies.crank]
+pose={x=0,y=0,angle=300.780}
+points.O=[0,0]
+points.A=[0.9692,0]
+[bodies.rod]
+pose={x=0.4960,y=-0.8327,angle=65.923}
+points.A=[0,0]
+points.B=[1.8679,0]
+curves.oval={type="ellipse",center=[1.1334,0.1624],semi_axes=[0.8152,0.5994],rotation=98.0}
+[bodies.rocker]
+pose={x=2.9478,y=0,angle=152.687}
+points.D=[0,0]
+points.B=[1.9018,0]
+[bodies.ring]
+pose={x=-1.0497,y=-0.5546,angle=0}
+points.O=[0,0]
+curves.hole={ type="ellipse",center=[1.8624,0.8287],semi_axes=[0.8266,0.8183],rotation=70.8,side="outside" }
+[joints.o]
+type="revolute"
+between=["ground.O","crank.O"]
+[joints.a]
+type="revolute"
+between=["crank.A","rod.A"]
+[joints.b]
+type="revolute"
+between=["rod.B","rocker.B"]
+[joints.d]
+type="revolute"
+between=["ground.D","rocker.D"]
+[joints.q]
+type="revolute"
+between=["ground.R","ring.O"]
+[contacts.touch]
+between=["rod.oval","ring.hole"]
+[driver]
+joint="o"
+start=300.780
+end=660.780
+velocity="30 rpm"
+)");
+  const Places wanted = events_of(run_with(profile, 61));
+  ASSERT_FALSE(wanted.empty());
+  EXPECT_NEAR(wanted.back().second, 652.457137199324, 1e-9);
+  for (const std::int64_t rows : {7, 91, 181, 241, 361, 721}) {
+    expect_same(events_of(run_with(profile, rows)), wanted, std::to_string(rows));
+  }
+}
+
 }  // namespace higherpair

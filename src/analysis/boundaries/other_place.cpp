@@ -66,7 +66,7 @@ std::optional<std::size_t> group_of_placing(const Run& run, int contact) {
   if (!g || !placing_contact(run.plan().groups[*g])) {
     return std::nullopt;
   }
-  const bool places = run.mechanism().contacts[contact].by_boundary ||
+  const bool places = std::holds_alternative<TouchingBody>(run.plan().groups[*g].kind) ||
                       std::holds_alternative<ContactTrack>(run.at.state.tracks[*g]);
   return places ? g : std::nullopt;
 }

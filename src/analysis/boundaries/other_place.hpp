@@ -24,8 +24,8 @@ void add_rate_jump(const Run& run, const Path& path, const CarriedBody& follower
 [[nodiscard]] double jump_size(const Run& run, const Path& path, const CarriedBody& follower,
                                const RateJump& jump);
 
-/// The group whose body is placed by this contact, if it is one that may go on at another place: a contact
-/// by_boundary, or one that is followed with its driver.
+/// The group whose body is placed by this contact, if it is one that may go on at another place: not if it
+/// rolls, or dwells.
 [[nodiscard]] std::optional<std::size_t> group_of_placing(const Run& run, int contact);
 
 /// \pre the group is a TouchingBody

@@ -63,7 +63,7 @@ Between on_line(const PlotSeries& series, Between place) {
 
 Between place_of(const Event& event) {
   const auto row = static_cast<std::size_t>(event.row);
-  return row == 0 ? Between{0, 0, 0} : Between{row - 1, row, event.share};
+  return row == 0 ? Between{0, 0, 0} : Between{row - 1, row, std::max(event.share, 0.0)};
 }
 
 // Where rows begin to have another status: at the event between `row` and the row before, else halfway.
