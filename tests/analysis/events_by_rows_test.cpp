@@ -504,4 +504,44 @@ velocity="30 rpm"
   }
 }
 
+// A crank's pin in a lever's slot is sqrt(50^2 + 20^2 + 2 50 20 sin u) from the lever's pivot, most at 90
+// degrees: it passes the slot's end and comes back, between two rows or at some of them.
+TEST(EventsByRows, AnEndThatIsPassedWithinAStepIsFound) {
+  for (const double beyond : {1e-2, 1e-4, 1e-7}) {
+    const double near = beyond < 1e-6 ? 5e-6 : 1e-10;  // an end is exceeded by a rounding of the size
+    const Profile profile = profile_of(fmt::format(R"(
+[bodies.ground]
+points.A = [0, 0]
+points.B = [0, 50]
+[bodies.crank]
+pose = {{ x = 0, y = 50, angle = 60 }}
+points.B = [0, 0]
+points.C = [20, 0]
+[bodies.lever]
+pose = {{ angle = 81 }}
+points.A = [0, 0]
+[joints]
+crank = {{ type = "revolute", between = ["ground.B", "crank.B"] }}
+lever = {{ type = "revolute", between = ["ground.A", "lever.A"] }}
+slot = {{ type = "slot", between = ["lever.A", "crank.C"], direction = [1, 0], to = {:.10f} }}
+[driver]
+joint = "crank"
+start = 0.5
+end = 360.5
+)",
+                                                   70 - beyond));
+    const double half = std::acos(((70 - beyond) * (70 - beyond) - 2900) / 2000) * kTurn;
+    const Places wanted = {{"end", 90 - half}, {"end", 90 + half}};
+    for (const std::int64_t rows : {2, 3, 7, 13, 61, 361, 721}) {
+      const Places events = events_of(run_with(profile, rows));
+      const std::string what = fmt::format("{} rows, {} mm", rows, beyond);
+      ASSERT_EQ(events.size(), 2U) << what;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(events[i].first, "end") << what;
+        EXPECT_NEAR(events[i].second, wanted[i].second, near) << what;
+      }
+    }
+  }
+}
+
 }  // namespace higherpair

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/groups/group_solver.hpp"
+#include "higherpair/analysis/run.hpp"
 
 #include <optional>
 
@@ -22,5 +23,9 @@ struct JointEnd {
 
 /// The first joint of a group that is at an end of its line, to within the accuracy of a search for it.
 [[nodiscard]] std::optional<JointEnd> joint_at_end(const Planned& model, std::size_t g, const State& state);
+
+/// Where in a step from run.at.state, which is at s, to run.work.trial, h ahead, a joint is beyond an end of
+/// its line that it comes back from: distance ahead on the path. Leaves run.work.trial unchanged.
+[[nodiscard]] std::optional<double> end_passed_within(Run& run, const Path& path, double s, double h);
 
 }  // namespace higherpair

@@ -8,6 +8,7 @@
 #include "higherpair/contact/step_length.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "joint_ends.hpp"
 #include "limit_events.hpp"
 #include "step.hpp"
 #include "straight_path.hpp"
@@ -115,6 +116,10 @@ private:
     near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
     if (const auto shorter = better_length(ok)) {
       length_.shorten(*shorter);
+      return Outcome::kGoesOn;
+    }
+    if (const auto beyond = ok ? end_passed_within(run_, path_, at_.s, step_) : std::nullopt) {
+      length_.shorten(std::abs(*beyond));
       return Outcome::kGoesOn;
     }
     return ok ? take() : refuse(result.group);
