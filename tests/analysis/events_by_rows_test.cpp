@@ -508,7 +508,8 @@ velocity="30 rpm"
 // degrees: it passes the slot's end and comes back, between two rows or at some of them.
 TEST(EventsByRows, AnEndThatIsPassedWithinAStepIsFound) {
   for (const double beyond : {1e-2, 1e-4, 1e-7}) {
-    const double near = beyond < 1e-6 ? 5e-6 : 1e-10;  // an end is exceeded by a rounding of the size
+    // An end counts as passed where it is exceeded by 1e-12 of the size.
+    const double near = kTurn * 2e-10 / std::sqrt(4 * beyond * 1000 / 140);
     const Profile profile = profile_of(fmt::format(R"(
 [bodies.ground]
 points.A = [0, 0]
@@ -541,6 +542,69 @@ end = 360.5
         EXPECT_NEAR(events[i].second, wanted[i].second, near) << what;
       }
     }
+  }
+}
+
+// A disc of radius 20 slides away over a pad of an arm, from its face onto the edge at its end, 60 from the
+// arm's pivot. It slips off where its centre, 20 above the pivot, is in line with both: there the arm stays.
+TEST(EventsByRows, AFollowerThatSlipsOffStaysWhereItDoes) {
+  const Profile profile = profile_of(R"(
+[bodies.ground]
+points.O = [0, 0]
+points.G = [-50, 20]
+[bodies.block]
+pose = { x = -50, y = 20 }
+points.G = [0, 0]
+curves.disc = { type = "circle", center = [0, 0], radius = 20 }
+[bodies.arm]
+points.O = [0, 0]
+curves.pad = { type = "segment", from = [-40, 0], to = [-60, 0] }
+[joints]
+guide = { type = "prismatic", between = ["ground.G", "block.G"], direction = [-1, 0] }
+arm = { type = "revolute", between = ["ground.O", "arm.O"] }
+[contacts]
+touch = { between = ["block.disc", "arm.pad"], keep = "gap" }
+[driver]
+joint = "guide"
+start = 0
+end = 60
+)");
+  const double far = std::sqrt(6000);
+  for (const std::int64_t rows : {2, 5, 7, 31, 601}) {
+    const RunTable motion = run_with(profile, rows);
+    ASSERT_EQ(motion.events().size(), 2U) << rows;
+    EXPECT_NEAR(motion.events()[1].driver, (far - 50) / 1000, 1e-14) << rows;
+    EXPECT_NEAR(motion.value(motion.size() - 1, "arm.angle"), kTurn * std::atan2(20, -far) - 180, 1e-9)
+        << rows;
+  }
+}
+
+// An eccentric that lifts a valve by 10 mm about 20: at 25 it is on its stop, and pushed on; at 15 on its
+// seat, which the eccentric goes on from.
+TEST(EventsByRows, AFollowerAtTheEndOfItsGuidePartsOnlyIfItIsNotPushed) {
+  const Profile profile = profile_of(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.disc = { type = "circle", center = [10, 0], radius = 20 }
+[bodies.valve]
+pose = { x = 0, y = 20 }
+points.P = [0, 0]
+curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "valve.P"], direction = [0, 1], from = 15, to = 25 }
+[contacts]
+touch = { between = ["cam.disc", "valve.face"], keep = "gap" }
+[driver]
+joint = "pivot"
+start = 0
+end = 360
+)");
+  const Places wanted = {{"end", 30}, {"end", 150}, {"release", 210}, {"engage", 330}};
+  for (const std::int64_t rows : {2, 5, 7, 61, 361}) {
+    expect_same(events_of(run_with(profile, rows)), wanted, std::to_string(rows));
   }
 }
 

@@ -89,16 +89,21 @@ bool close_open_contact(OnPath& at, double h) {
   });
 }
 
-bool part_contact(OnPath& at, std::size_t g) {
+bool part_contact(OnPath& at, const PathLimit& limit) {
   if (at.s != at.parted_at) {
     at.parted.clear();
   }
-  const auto group = static_cast<int>(g);
-  const auto reason = contains(at.parted, group) ? std::nullopt : why_parting(at.run, g);
+  const auto group = static_cast<int>(limit.group);
+  const auto reason = contains(at.parted, group) ? std::nullopt : why_parting(at.run, limit.group);
   if (!reason) {
     return false;
   }
-  release(at.run, at.path, at.s, g, *reason);
+  const bool turns_back = place_at_limit(at.run, at.path, limit, at.s);
+  if (turns_back) {
+    std::swap(at.run.at.state, at.run.work.trial);
+    at.s = limit.s;
+  }
+  release(at.run, at.path, at.s, limit.group, *reason, !turns_back);
   at.parted_at = at.s;
   at.parted.push_back(group);
   at.open = true;

@@ -39,8 +39,8 @@ void advance(OnPath& at, double x);
 /// joint of spans before that. Otherwise returns false and leaves run.work.trial unchanged.
 [[nodiscard]] bool close_open_contact(OnPath& at, double h);
 
-/// Where the motion of group g cannot go on, goes on without a contact that may part; false if there is none.
-[[nodiscard]] bool part_contact(OnPath& at, std::size_t g);
+/// At a limit, goes on without a contact that may part; false if there is none.
+[[nodiscard]] bool part_contact(OnPath& at, const PathLimit& limit);
 
 /// Moves to where touching bodies meet elsewhere in a step of `h` to run.work.trial, and goes on with the
 /// contact there if that is possible; false where they do not meet.

@@ -7,6 +7,7 @@
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/edges.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "meetings.hpp"
 #include "other_place.hpp"
 #include "passings.hpp"
@@ -159,6 +160,15 @@ double rest_of(const Run& run, std::size_t g) {
   return follower.sign * (end->upper ? *joint.to : *joint.from);
 }
 
+// Whether a follower comes to an end of its guide and the other body goes on away from it. One that would
+// push it farther can not: with the follower held, the gap opens only if it does so where the follower goes
+// back.
+bool rests_at_end(const Run& run, const TouchingBody& touching, std::size_t g) {
+  const auto end = joint_at_end(model_of(run), g, run.at.state);
+  const double towards = end && end->upper ? touching.follower.sign : -touching.follower.sign;
+  return end && !contact_of(run, touching).both_sides && run.at.state.groups[g].mode * towards < 0;
+}
+
 // The part of an event's sentence that names the curve which touches with the edge at its end.
 std::string edge_text(const Run& run, const TouchingBody& touching) {
   const Contact& contact = contact_of(run, touching);
@@ -256,7 +266,7 @@ std::optional<std::string> why_parting(const Run& run, std::size_t g) {
   if (end_reached(run, g)) {
     return "the contact leaves the end of a curve";
   }
-  if (joint_at_end(model_of(run), g, run.at.state)) {
+  if (rests_at_end(run, *touching, g)) {
     return fmt::format("{} comes to the end of its guide", follower_name(run, *touching));
   }
   if (slipped_off(run, g)) {
@@ -265,9 +275,9 @@ std::optional<std::string> why_parting(const Run& run, std::size_t g) {
   return std::nullopt;
 }
 
-void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason) {
+void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason, bool has_rates) {
   const TouchingBody& touching = touching_of(run, g);
-  const double before = follower_rate(run.at.state, touching.follower);
+  const double before = has_rates ? follower_rate(run.at.state, touching.follower) : kNoValue;
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.open = true;
@@ -280,7 +290,9 @@ void release(Run& run, const Path& path, double s, std::size_t g, const std::str
   RunEvent& event = report_contact(
       run, EventType::kRelease, path, s, contact,
       fmt::format("{}: the bodies part and {} stays where it is", reason, follower_name(run, touching)));
-  add_rate_jump(run, path, touching.follower, {before, 0}, event);
+  if (has_rates) {
+    add_rate_jump(run, path, touching.follower, {before, 0}, event);
+  }
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

@@ -40,7 +40,8 @@ struct Engagement {
 [[nodiscard]] std::optional<std::string> why_parting(const Run& run, std::size_t g);
 
 /// Opens the contact of group g in run.at.state, which is at s on the path. Adds an event.
-void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason);
+/// \param has_rates  whether the rates of run.at.state are bounded
+void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason, bool has_rates);
 
 /// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, the body
 /// neither touches nor overlaps. Between two walls only if no contact is possible.

@@ -149,6 +149,20 @@ double left_until_they_coincide(const Asymptotes& asymptotes) {
 
 }  // namespace
 
+bool place_at_limit(Run& run, const Path& path, const PathLimit& limit, double s) {
+  const double near = kSameLimit * unit_of(run, path);
+  Reduction reduction(run, path, limit.group, s);
+  auto found = reduction.limit_ahead(limit.s - s);
+  if (!found) {  // from next to it, where the branch is no parabola any more
+    found = reduction.singular_point(std::abs(limit.s - s) + near);
+  }
+  if (!found || found->is_saddle || std::abs(s + found->ahead - limit.s) > near) {
+    return false;
+  }
+  reduction.place_limit(*found);
+  return true;
+}
+
 double LimitAhead::longest_step(double s) const {
   return limit_ ? kShareToLimit * std::abs(limit_->s - s) : kInf;
 }

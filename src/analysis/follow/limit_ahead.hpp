@@ -14,6 +14,10 @@ struct PathLimit {
   double s = 0;
 };
 
+/// Places run.work.trial at a limit ahead of run.at.state, which is at s, if the positions of its group turn
+/// back there: their rates are unbounded. False at other limits, as at the end of a curve.
+[[nodiscard]] bool place_at_limit(Run& run, const Path& path, const PathLimit& limit, double s);
+
 /// The first known limit on a path ahead of run.at.state, which is at s.
 class LimitAhead {
 public:

@@ -258,7 +258,7 @@ private:
     if (const auto outcome = look_beyond(limit)) {
       return *outcome;
     }
-    if (part_contact(at_, limit.group)) {
+    if (part_contact(at_, limit)) {
       return go_on_anew();
     }
     const RunEvent event = limit_event(run_, limit.group, path_, limit.s);

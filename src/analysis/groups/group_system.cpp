@@ -4,6 +4,7 @@
 #include "group_kinds.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
+#include "higherpair/geometry/edges.hpp"
 #include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
@@ -58,10 +59,12 @@ bool set_local_curves(const Planned& model, const Contact& contact, const State&
     const bool face = is_flat(boundary, place);
     if (!face) {  // a face has only one normal, which is a condition of its own
       const auto found = place_with_normal(boundary, place, state.bodies[ref.body].X_WB.R_WB.inverse() * n_W);
-      if (!found) {
+      // An edge is the same point for all normals: its conditions go on beyond its last one, where the limit
+      // at which a body slips off may be.
+      if (!found && !is_edge(boundary, place.span)) {
         return false;
       }
-      place = *found;
+      place = found.value_or(place);
     }
     curve = dimensions_of(local_curve(boundary.at(place), boundary.is_corner(place)));
     return true;
