@@ -1,7 +1,6 @@
 #include "analysis_impl.hpp"
 #include "demands.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
-#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/driver_name.hpp"

@@ -3,7 +3,6 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace higherpair {
 

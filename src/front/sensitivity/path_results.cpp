@@ -2,7 +2,6 @@
 
 #include "front/check/check_parts.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 

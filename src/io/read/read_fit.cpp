@@ -6,8 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/core.h>
-
 namespace higherpair {
 namespace io_detail {
 namespace {

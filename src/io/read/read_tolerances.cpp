@@ -1,11 +1,9 @@
 // [tolerances]: which numbers of the profile scatter, and which results of the run are wanted.
 #include "higherpair/io/tasks.hpp"
-#include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
