@@ -4,6 +4,7 @@
 #include "front/tolerances.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +69,7 @@ public:
       } else if (const auto* followed = objective.followed()) {
         for (std::size_t i = 0; i < followed->values.size(); ++i) {
           const double off = off_of(*followed, place, i);
-          residuals(static_cast<Eigen::Index>(i)) = root * (std::isfinite(off) ? off : kMissing);
+          residuals(eigen_index(i)) = root * (std::isfinite(off) ? off : kMissing);
         }
       } else if (const double value = measured(place); objective.target) {
         residuals(0) = root * (std::isfinite(value) ? value - *objective.target : kMissing);

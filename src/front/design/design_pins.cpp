@@ -4,6 +4,7 @@
 #include "front/tolerances.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -174,10 +175,10 @@ void PinnedRows::add_transmission_slopes(std::size_t transmission, double factor
 
 const Eigen::Matrix2Xd& PinnedRows::slopes_here(const PointRef& point) {
   const std::size_t count = setup_->numbers.task().variables.size();
-  point_slopes_.resize(2, static_cast<Eigen::Index>(count));
+  point_slopes_.resize(2, eigen_index(count));
   for (std::size_t i = 0; i < count; ++i) {
     linkage_.differentiate(setup_->numbers.slopes(i));
-    point_slopes_.col(static_cast<Eigen::Index>(i)) = linkage_.place_slope(point);
+    point_slopes_.col(eigen_index(i)) = linkage_.place_slope(point);
   }
   return point_slopes_;
 }

@@ -2,6 +2,7 @@
 
 #include "front/other_units.hpp"
 #include "front/tolerances.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted
   double mean_off = 0, mean = 0, count = 0;
   const auto each = [&](auto use) {
     for (std::size_t k = 0; k < measured.size(); ++k) {
-      const double own = fitted(static_cast<Eigen::Index>(k));
+      const double own = fitted(eigen_index(k));
       if (std::isfinite(measured[k]) && std::isfinite(own)) use(factor * measured[k] - own, own);
     }
   };
@@ -69,7 +70,7 @@ std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<
   if (!table) return std::nullopt;
   double sum = 0;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
-    sum += std::min(2.0, misfit(data.columns[c].values, table->col(static_cast<Eigen::Index>(c)), 1, true));
+    sum += std::min(2.0, misfit(data.columns[c].values, table->col(eigen_index(c)), 1, true));
   }
   return sum / static_cast<double>(data.columns.size());
 }
@@ -84,7 +85,7 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
   if (!table) return suspicions;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
     const FitColumn& column = data.columns[c];
-    const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
+    const Eigen::VectorXd fitted = table->col(eigen_index(c));
     const double as_it_is = misfit(column.values, fitted, 1, column.offset);
     if (!is_presumed(data, c) || !(as_it_is > kFarMisfit)) continue;
     std::optional<OtherUnit> best;
