@@ -48,13 +48,12 @@ private:
   [[nodiscard]] std::vector<std::vector<SlopePlace>> slope_places() const {
     std::vector<std::vector<SlopePlace>> places;
     if (pins_ != nullptr) return places;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path()) continue;
-      auto& path = places.emplace_back();
+    for (const DesignTask::PointPath* path : task_.paths()) {
+      auto& of_path = places.emplace_back();
       for (const PathMiss& miss : candidate_.places[places.size() - 1]) {
         const bool is_row = miss.row.has_value();
-        path.push_back({objective.path()->ref, is_row ? *miss.row : row_near(miss.driver),
-                        is_row ? std::nullopt : std::optional(miss.driver)});
+        of_path.push_back({path->ref, is_row ? *miss.row : row_near(miss.driver),
+                           is_row ? std::nullopt : std::optional(miss.driver)});
       }
     }
     return places;

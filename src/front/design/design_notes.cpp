@@ -76,10 +76,9 @@ private:
   // The profile's motion, with the columns of the measures and the paths.
   [[nodiscard]] std::optional<Motion> run() const {
     RunSettings settings = setup_.settings;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path()) continue;
+    for (const DesignTask::PointPath* path : task_.paths()) {
       for (const char* end : {".x", ".y"}) {
-        const std::string name = objective.path()->point + end;
+        const std::string name = path->point + end;
         if (!contains(settings.columns, name)) settings.columns.push_back(name);
       }
     }

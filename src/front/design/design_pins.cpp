@@ -22,13 +22,10 @@ std::optional<PinnedRows> PinnedRows::of(const DesignSetup& setup) {
 
 PinnedRows::PinnedRows(const DesignSetup& setup, PinLinkage linkage)
     : setup_(&setup), linkage_(std::move(linkage)) {
-  for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
-    if (objective.path()) points_.push_back(objective.path()->ref);
-  }
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (constraint.transmission()) {
-      transmissions_.push_back(linkage_.dyad_at(constraint.transmission()->joint).value_or(0));
-    }
+  const DesignTask& task = setup.numbers.task();
+  for (const DesignTask::PointPath* path : task.paths()) points_.push_back(path->ref);
+  for (const DesignTask::Transmission* one : task.transmissions()) {
+    transmissions_.push_back(linkage_.dyad_at(one->joint).value_or(0));
   }
   add_places(setup);
   largest_.resize(linkage_.dyads());

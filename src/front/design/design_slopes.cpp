@@ -107,15 +107,13 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
     };
     for (const WeightedRow& at : rows.gap_rows[k]) add(at, gap, slopes.gaps, k);
   }
-  std::size_t k = 0;
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (!constraint.transmission()) continue;
-    const auto sine = [joint = constraint.transmission()->joint](const Plan& plan,
-                                                                 const std::vector<BodyMotion>& bodies) {
+  const auto transmissions = setup.numbers.task().transmissions();
+  for (std::size_t k = 0; k < rows.transmission_rows.size(); ++k) {
+    const auto sine = [joint = transmissions[k]->joint](const Plan& plan,
+                                                        const std::vector<BodyMotion>& bodies) {
       return std::abs(transmission_sine(plan, joint, bodies).value_or(0));
     };
-    if (k < rows.transmission_rows.size()) add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
-    ++k;
+    add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
   }
 }
 
