@@ -214,10 +214,7 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
       !std::holds_alternative<DesignTask::Followed>(*of)) {
     objective.target = table.take("target", as_number_in, unit_of_goal(reading, of, profile.mechanism));
   }
-  if (const auto weight = table.take("weight")) {
-    objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
-    if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
-  }
+  objective.weight = table.take("weight", as_positive_in, no_unit()).value_or(1);
   if (!of) return std::nullopt;
   objective.of = *std::move(of);
   return objective;

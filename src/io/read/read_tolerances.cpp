@@ -161,13 +161,9 @@ void read_results_of(TableReader& table, const Mechanism& mechanism, ToleranceTa
                  ToleranceResult result;
                  result.name = name;
                  result.measure = measure.value_or(Measure());
-                 if (const auto within = entry.take("within")) {
-                   result.within =
-                       as_number_in(entry.reading(), *within,
-                                    unit_of_column(entry.reading(), mechanism, result.measure.column));
-                   if (result.within && !(*result.within > 0))
-                     report(entry.reading(), *within, "must be > 0");
-                 }
+                 result.within =
+                     entry.take("within", as_positive_in,
+                                unit_of_column(entry.reading(), mechanism, result.measure.column));
                  task.results.push_back(std::move(result));
                });
 }
