@@ -44,10 +44,8 @@ std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const U
 std::string further_drivers_text(const RunEvent& what, const Mechanism& mechanism, const Units& units) {
   std::string text;
   for (std::size_t i = 0; i < what.further_drivers.size(); ++i) {
-    const Dimension dimension = driver_dimension(mechanism, i + 1);
-    text +=
-        fmt::format("{} driver.{} = {:.10g} {}", i == 0 ? "; with" : ",", mechanism.drivers[i + 1].name,
-                    from_si(dimension, units).apply(what.further_drivers[i]), unit_text(dimension, units));
+    text += fmt::format("{} driver.{} = {}", i == 0 ? "; with" : ",", mechanism.drivers[i + 1].name,
+                        with_unit(what.further_drivers[i], driver_dimension(mechanism, i + 1), units, 10));
   }
   return text;
 }

@@ -161,8 +161,8 @@ private:
   [[nodiscard]] std::string rest_text(double rest) const {
     const Dimension of = coordinate_dimension(cam_.motion.follower.turns);
     return fmt::format(
-        "the follower's pose {} by {:.10g} {}", cam_.motion.follower.turns ? "turned" : "moved",
-        from_si(of, profile_.units).apply(rest - cam_.motion.follower_rest), unit_text(of, profile_.units));
+        "the follower's pose {} by {}", turns ? "turned" : "moved",
+        with_unit(rest - cam_.motion.follower_rest, coordinate_dimension(turns), profile_.units, 10));
   }
 
   void add_size(const std::string& quantity, const std::optional<CamSize>& size) {
@@ -185,9 +185,8 @@ private:
     const auto size = smallest_with_offset(cam_, limits);
     if (size && !(here && here->radius <= size->radius * (1 + kNoFlankSize))) {
       figures_.add("prime_circle_with_offset", dimension::kLength, size->radius, std::nullopt,
-                   fmt::format("with the guide {:.10g} {} to the side of the cam's pivot",
-                               from_si(dimension::kLength, profile_.units).apply(size->offset),
-                               unit_text(dimension::kLength, profile_.units)));
+                   fmt::format("with the guide {} to the side of the cam's pivot",
+                               with_unit(size->offset, dimension::kLength, profile_.units, 10)));
     }
   }
 

@@ -19,8 +19,7 @@ namespace {
 using FlankPath = ExportSettings::Path;
 
 std::string length_text(const Model& model, double metres) {
-  return fmt::format("{:.6g} {}", from_si(dimension::kLength, model.units()).apply(metres),
-                     name_of(model.units().length));
+  return with_unit(metres, dimension::kLength, model.units());
 }
 
 // The length rounded down to a few digits, so that it can be used as given.

@@ -165,8 +165,8 @@ std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& 
 void check_transmission_limit(TableReader& table, const std::optional<double>& limit, const Units& units) {
   const double right = from_si(dimension::kAngle, units).apply(kPi / 2);
   if (limit && !(*limit >= 0 && *limit <= right)) {
-    report_whole(table, fmt::format("a transmission angle is from 0 to {:.6g} {}, not {}", right,
-                                    unit_text(dimension::kAngle, units), *limit));
+    report_whole(table, fmt::format("a transmission angle is from 0 to {}, not {}",
+                                    with_unit(kPi / 2, dimension::kAngle, units), *limit));
   }
 }
 
