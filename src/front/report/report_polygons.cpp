@@ -189,11 +189,7 @@ void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
   json.key("flat").boolean(polygon.flat);
   write_view(json, polygon, limit);
   json.key("equations").open('[');
-  for (const std::vector<std::string>& equations : polygon.equations) {
-    json.open('[');
-    for (const std::string& equation : equations) json.string(equation);
-    json.close(']');
-  }
+  for (const std::vector<std::string>& equations : polygon.equations) json.strings(equations);
   json.close(']').key("equationsOf");
   write_packed(json, polygon.set_of_row, 1);
   json.key("points").open('[');
@@ -223,8 +219,6 @@ void write_polygons(JsonWriter& json, const Model& model, const ReportData& data
                                               forces ? &data.reactions[row] : nullptr, model.units())) {
       collector.add(polygon, row);
     }
-    to_units(polygons, model.units());
-    for (const Polygon& polygon : polygons) collector.add(polygon, row);
   }
   json.key("polygons").open('[');
   for (const MovingPolygon& polygon : collector.all) write_polygon(json, polygon);
