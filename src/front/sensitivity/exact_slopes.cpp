@@ -171,7 +171,7 @@ void ExactSlopes::take_rows() {
     std::vector<Stop> stops;
     std::vector<std::vector<double>> at;
     for (; row < rows && stops.size() < kChunk && !stopped(); ++row) {
-      const PathPlace place{static_cast<double>(row), columns_.parameter_of(row)};
+      const PathPlace place = columns_.place_of_row(row);
       stops.push_back(stop_at(place, walk.go_to(place)));
       columns_.values(stops.back().run, place, values);
       at.push_back(values);
