@@ -91,6 +91,11 @@ private:
   std::optional<InverseDynamics> dynamics_;
 };
 
+/// The values of all columns for a run from which no further rows are computed. \param forces  whether there
+/// are columns of forces
+[[nodiscard]] std::vector<double> values_of(ColumnSet& columns, bool forces, const Run& run,
+                                            const std::vector<DriverState>& drivers, double time);
+
 /// The same for a run whose mechanism has other numbers than the model.
 /// \param like  a copy of the model's data; its mechanism is overwritten by that of the run
 [[nodiscard]] std::vector<double> columns_of_run(Model::Data& like, const RunSettings& settings,

@@ -80,12 +80,9 @@ std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<Driver
 // Some of the measured columns in row k, for a mechanism displaced in that row.
 std::vector<double> measured_of(FitCandidate& candidate, const FitData& data, std::size_t k,
                                 const Run& displaced, const std::vector<std::size_t>& wanted) {
-  std::optional<InverseDynamics> dynamics;
-  if (data.settings.forces) dynamics.emplace(displaced);
-  std::vector<double> all, values;
-  candidate.columns.fill({displaced, candidate.rows[k], candidate.times[k],
-                          dynamics ? &dynamics->solve(displaced) : nullptr, false},
-                         all);
+  const std::vector<double> all =
+      values_of(candidate.columns, data.settings.forces, displaced, candidate.rows[k], candidate.times[k]);
+  std::vector<double> values;
   for (const std::size_t c : wanted) values.push_back(all[candidate.slots[c]]);
   return values;
 }
