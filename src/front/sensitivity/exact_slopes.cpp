@@ -31,8 +31,7 @@ ExactSlopes::ExactSlopes(PathColumns& columns, const std::vector<PathResult>& re
     : columns_(columns), results_(results), measures_(measures), slopes_(slopes), threads_(threads) {}
 
 bool ExactSlopes::stopped() const {
-  const std::atomic<bool>* const stop = columns_.settings().stop;
-  return is_raised(stop);
+  return is_raised(columns_.settings().stop);
 }
 
 void ExactSlopes::take() {
