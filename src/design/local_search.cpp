@@ -1,3 +1,4 @@
+#include "numeric/eigen_index.hpp"
 #include "numeric/least_norm.hpp"
 #include "search.hpp"
 #include "tolerances.hpp"
@@ -158,16 +159,15 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
     if (u(i) < kActiveConstraint || u(i) > 1 - kActiveConstraint) free(i) = 0;
   }
   while (!active.empty()) {
-    Eigen::MatrixXd A(u.size(), static_cast<Eigen::Index>(active.size()));
+    Eigen::MatrixXd A(u.size(), eigen_index(active.size()));
     for (std::size_t k = 0; k < active.size(); ++k) {
-      A.col(static_cast<Eigen::Index>(k)) =
-          free.cwiseProduct(jacobian.constraints.row(active[k]).transpose());
+      A.col(eigen_index(k)) = free.cwiseProduct(jacobian.constraints.row(active[k]).transpose());
     }
     const Eigen::VectorXd lambda = LeastNormSolver(A).solve(-free.cwiseProduct(slope));
     Eigen::Index worst = 0;
     if (lambda.minCoeff(&worst) >= 0) {
       for (std::size_t k = 0; k < active.size(); ++k) {
-        multipliers[active[k]] = lambda(static_cast<Eigen::Index>(k));
+        multipliers[active[k]] = lambda(eigen_index(k));
       }
       break;
     }

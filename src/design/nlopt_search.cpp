@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <nlopt.h>
-#include <span>
 
 // This uses NLopt's C interface: the C++ one turns every outcome but success into an exception, and reports
 // exceptions of the callbacks as a failure without a reason. The point that NLopt returns is ignored: SLSQP

@@ -1,6 +1,7 @@
 #include "search.hpp"
 
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 #include "tolerances.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void Search::fix(std::size_t variable, double value) {
 Eigen::VectorXd Search::unit_of(const std::vector<double>& x) const {
   Eigen::VectorXd u(size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    u(static_cast<Eigen::Index>(i)) = to_unit(problem_.variables[i], x[i]);
+    u(eigen_index(i)) = to_unit(problem_.variables[i], x[i]);
   }
   return u;
 }
@@ -95,7 +96,7 @@ Eigen::VectorXd Search::best_unit() const {
 
 void Search::set_x(const Eigen::VectorXd& u) {
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    x_[i] = fixed_[i] ? fixed_x_[i] : from_unit(problem_.variables[i], u(static_cast<Eigen::Index>(i)));
+    x_[i] = fixed_[i] ? fixed_x_[i] : from_unit(problem_.variables[i], u(eigen_index(i)));
   }
 }
 
@@ -150,7 +151,7 @@ const DesignJacobian& Search::differentiate(const Eigen::VectorXd& u) {
   }
   ++evaluations_;
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
+    const auto column = eigen_index(i);
     const double scale = fixed_[i] ? 0 : slope(i);
     jacobian_.cost(column) *= scale;
     jacobian_.residuals.col(column) *= scale;

@@ -2,6 +2,7 @@
 
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/numeric/stop.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
   Search(const DesignProblem& problem, int branch, const Deadline& deadline);
 
   [[nodiscard]] const DesignProblem& problem() const { return problem_; }
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(problem_.variables.size()); }
+  [[nodiscard]] Eigen::Index size() const { return eigen_index(problem_.variables.size()); }
 
   /// Values at u, which is clamped to its range; values that are not finite become a violation.
   const DesignValues& evaluate(const Eigen::VectorXd& u);

@@ -1,7 +1,6 @@
 #include "analysis_impl.hpp"
 #include "demands.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
-#include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/notes.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
@@ -108,10 +107,7 @@ double travel_of(const DriverSchedule& schedule, std::size_t driver) {
 std::string travel_objection(const Model::Data& model, std::size_t driver, double travel) {
   const Profile& profile = model.profile;
   const std::string name = driver_name(profile.mechanism.drivers[driver]);
-  const auto length = [&](double metres) {
-    return fmt::format("{:.6g} {}", from_si(dimension::kLength, profile.units).apply(metres),
-                       unit_text(dimension::kLength, profile.units));
-  };
+  const auto length = [&](double metres) { return with_unit(metres, dimension::kLength, profile.units); };
   const double longest = kLongestDriverSlide * model.plan->size;
   if (has_angle(driven_joint(profile.mechanism, driver).type)) {
     const double turns = travel / (2 * kPi);
@@ -390,27 +386,22 @@ namespace {
 std::string idle_text(const Analysis::Impl& impl, std::size_t body) {
   const Mechanism& mechanism = impl.model->profile.mechanism;
   const auto [moment, row] = impl.found.idle[body];
-  const Dimension of_driver = driver_dimension(mechanism);
   return fmt::format(
-      "bodies.{}: it turns freely, and nothing balances the moment about its pin, {:.6g} {} at driver = "
-      "{:.6g} {}, so that the forces are not those of equilibrium; put loads, springs and the centre of mass "
-      "on the pin, or set rolling = true",
-      mechanism.bodies[body].name, from_si(dimension::kTorque, impl.units).apply(moment),
-      unit_text(dimension::kTorque, impl.units),
-      from_si(of_driver, impl.units).apply(impl.schedule.state(row).si.position),
-      unit_text(of_driver, impl.units));
+      "bodies.{}: it turns freely, and nothing balances the moment about its pin, {} at driver = {}, so that "
+      "the forces are not those of equilibrium; put loads, springs and the centre of mass on the pin, or set "
+      "rolling = true",
+      mechanism.bodies[body].name, with_unit(moment, dimension::kTorque, impl.units),
+      with_unit(impl.schedule.state(row).si.position, driver_dimension(mechanism), impl.units));
 }
 
 std::string inexact_text(const Analysis::Impl& impl) {
   const InexactRows& rows = impl.found.inexact;
   const Dimension of_driver = driver_dimension(impl.model->profile.mechanism);
   return fmt::format(
-      "{} of {} rows are `not_converged`, the first at driver = {:.6g} {}: conditions are met to {:.3g} {}, "
-      "where the tolerance is {:.3g}",
-      rows.count, impl.next,
-      from_si(of_driver, impl.units).apply(impl.schedule.state(rows.first).si.position),
-      unit_text(of_driver, impl.units), from_si(dimension::kLength, impl.units).apply(rows.residual),
-      unit_text(dimension::kLength, impl.units),
+      "{} of {} rows are `not_converged`, the first at driver = {}: conditions are met to {}, where the "
+      "tolerance is {:.3g}",
+      rows.count, impl.next, with_unit(impl.schedule.state(rows.first).si.position, of_driver, impl.units),
+      with_unit(rows.residual, dimension::kLength, impl.units, 3),
       from_si(dimension::kLength, impl.units).apply(impl.run.tolerance * impl.run.plan().size));
 }
 

@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::array kRates = {"position", "velocity", "acceleration"};
 
+// A value in some units, converted to others; the same to the last digit where they are equal.
+double converted(double value, const Dimension& dimension, const Units& from, const Units& to) {
+  return from == to ? value : from_si(dimension, to).apply(to_si(dimension, from).apply(value));
+}
+
 // Order along the path. The driver may pass a position twice, so only time or share can decide.
 bool is_earlier(const Event& a, const Event& b) {
   if (a.row != b.row) {
@@ -39,10 +44,8 @@ std::string jump_text(const EventJump& jump, const Mechanism& mechanism, const U
 std::string further_drivers_text(const RunEvent& what, const Mechanism& mechanism, const Units& units) {
   std::string text;
   for (std::size_t i = 0; i < what.further_drivers.size(); ++i) {
-    const Dimension dimension = driver_dimension(mechanism, i + 1);
-    text +=
-        fmt::format("{} driver.{} = {:.10g} {}", i == 0 ? "; with" : ",", mechanism.drivers[i + 1].name,
-                    from_si(dimension, units).apply(what.further_drivers[i]), unit_text(dimension, units));
+    text += fmt::format("{} driver.{} = {}", i == 0 ? "; with" : ",", mechanism.drivers[i + 1].name,
+                        with_unit(what.further_drivers[i], driver_dimension(mechanism, i + 1), units, 10));
   }
   return text;
 }
@@ -76,11 +79,8 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
   event.driver = from_si(driver_dimension(mechanism), units).apply(what.driver);
   if (schedule.is_timed()) {
     const double position = from_si(driver_dimension(mechanism), model->profile.units).apply(what.driver);
-    const double time = schedule.passing_time(next, position, share);
-    event.time = units == model->profile.units
-                     ? time
-                     : from_si(dimension::kTime, units)
-                           .apply(to_si(dimension::kTime, model->profile.units).apply(time));
+    event.time = converted(schedule.passing_time(next, position, share), dimension::kTime,
+                           model->profile.units, units);
   }
   event.joint = what.joint;
   event.contact = what.contact;
@@ -122,16 +122,13 @@ void Analysis::Impl::add_law_jumps() {
         (jump.time - schedule.time(next - 1)) / (schedule.time(next) - schedule.time(next - 1)), 0.0, 1.0);
     event.driver_si = schedule.at_time(to_si(dimension::kTime, profile.units).apply(jump.time), 0).position;
     event.driver = from_si(driver_dimension(profile.mechanism), units).apply(event.driver_si);
-    event.time =
-        from_si(dimension::kTime, units).apply(to_si(dimension::kTime, profile.units).apply(jump.time));
+    event.time = converted(jump.time, dimension::kTime, profile.units, units);
     event.joint = profile.mechanism.drivers[jump.driver].joint;
     event.item = joint.name;
     for (std::size_t k = 1; k <= 2; ++k) {
       dimension = rate_of(dimension);
       if (jump.join.jumps(k)) {
-        const auto shown = [&](double value) {
-          return from_si(dimension, units).apply(to_si(dimension, profile.units).apply(value));
-        };
+        const auto shown = [&](double value) { return converted(value, dimension, profile.units, units); };
         event.cause +=
             fmt::format("{} jumps from {:.6g} to {:.6g} {}",
                         event.cause.empty() ? profile.programs[jump.driver].law_name + ": " + kRates[k]

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {

@@ -274,9 +274,10 @@ int exit_failed(const Error& error) {
 }
 
 void print_notes(const Diagnostics& notes, bool quiet) {
+  if (quiet) return;
   for (Diagnostic note : notes) {
     note.place.source = in_options(note.place.source);
-    if (!quiet) tell("{}\n", note_text(note));
+    tell("{}\n", note_text(note));
   }
 }
 

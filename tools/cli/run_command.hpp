@@ -4,7 +4,6 @@
 #include "output_options.hpp"
 
 #include <atomic>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -127,8 +127,7 @@ std::string_view name_of(Verdict verdict) {
 }
 
 std::string CheckFigures::place(double driver) const {
-  const Dimension of = driver_dimension(profile_.mechanism);
-  return fmt::format("{:.6g} {}", from_si(of, profile_.units).apply(driver), unit_text(of, profile_.units));
+  return with_unit(driver, driver_dimension(profile_.mechanism), profile_.units);
 }
 
 CheckFigure& CheckFigures::add(const std::string& quantity, const Dimension& dimension,

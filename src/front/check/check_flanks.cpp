@@ -4,6 +4,7 @@
 #include "higherpair/cam/sizing.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/contains.hpp"
 
@@ -15,10 +16,6 @@
 
 namespace higherpair {
 namespace {
-
-const NamedCurve& curve_named(const Mechanism& mechanism, const CurveRef& ref) {
-  return mechanism.bodies[ref.body].curves[ref.curve];
-}
 
 // Whether the only driver moves this body, the cam of a flank, on ground.
 bool drives(const Mechanism& mechanism, int body) {
@@ -35,7 +32,7 @@ struct ShapedFlank {
 std::vector<CurveRef> curves_of(const Mechanism& mechanism, const Contact& contact) {
   std::vector<CurveRef> curves;
   for (const CurveRef& ref : {contact.first, contact.second}) {
-    const std::vector<int>& parts = curve_named(mechanism, ref).parts;
+    const std::vector<int>& parts = described_curve(mechanism, ref).parts;
     if (parts.empty()) {
       curves.push_back(ref);
     }
@@ -86,9 +83,9 @@ void add_passages(const DriverPath& path, double coordinate, bool turns, std::ve
 }  // namespace
 
 const NamedCurve& named_curve(const Mechanism& mechanism, const CurveRef& ref) {
-  const NamedCurve& curve = curve_named(mechanism, ref);
+  const NamedCurve& curve = described_curve(mechanism, ref);
   return curve.copy_of < 0 || !curve.parts.empty() ? curve
-                                                   : curve_named(mechanism, {ref.body, curve.copy_of});
+                                                   : described_curve(mechanism, {ref.body, curve.copy_of});
 }
 
 std::string name_of_curve(const Mechanism& mechanism, const CurveRef& ref) {
@@ -159,10 +156,10 @@ private:
   }
 
   [[nodiscard]] std::string rest_text(double rest) const {
-    const Dimension of = coordinate_dimension(cam_.motion.follower.turns);
+    const bool turns = cam_.motion.follower.turns;
     return fmt::format(
-        "the follower's pose {} by {:.10g} {}", cam_.motion.follower.turns ? "turned" : "moved",
-        from_si(of, profile_.units).apply(rest - cam_.motion.follower_rest), unit_text(of, profile_.units));
+        "the follower's pose {} by {}", turns ? "turned" : "moved",
+        with_unit(rest - cam_.motion.follower_rest, coordinate_dimension(turns), profile_.units, 10));
   }
 
   void add_size(const std::string& quantity, const std::optional<CamSize>& size) {
@@ -185,9 +182,8 @@ private:
     const auto size = smallest_with_offset(cam_, limits);
     if (size && !(here && here->radius <= size->radius * (1 + kNoFlankSize))) {
       figures_.add("prime_circle_with_offset", dimension::kLength, size->radius, std::nullopt,
-                   fmt::format("with the guide {:.10g} {} to the side of the cam's pivot",
-                               from_si(dimension::kLength, profile_.units).apply(size->offset),
-                               unit_text(dimension::kLength, profile_.units)));
+                   fmt::format("with the guide {} to the side of the cam's pivot",
+                               with_unit(size->offset, dimension::kLength, profile_.units, 10)));
     }
   }
 

@@ -3,7 +3,6 @@
 #include "higherpair/cam/hertz.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/dynamics/reactions.hpp"
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"

@@ -3,11 +3,9 @@
 #include "front/columns/path_columns.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/analysis/jerk.hpp"
-#include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "higherpair/analysis/derivatives.hpp"
-#include "higherpair/analysis/jerk.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/reactions.hpp"
 #include "higherpair/front/motion.hpp"

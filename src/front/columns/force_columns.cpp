@@ -3,8 +3,6 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 
-#include <optional>
-
 namespace higherpair {
 void add_force_columns(ColumnSet& set, const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {

@@ -1,5 +1,7 @@
 // Columns of jerk and of higher derivatives, each kind as one block, since its columns are computed together.
 #include "column_set.hpp"
+#include "higherpair/analysis/derivatives.hpp"
+#include "higherpair/analysis/jerk.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/group_traits.hpp"

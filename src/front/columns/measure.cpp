@@ -6,7 +6,6 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
-#include "measure_series.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -126,16 +126,20 @@ void PathColumns::values(const Run& run, const PathPlace& place, std::vector<dou
   columns_.fill({run, states, drivers_.time(place), reactions, false}, values);
 }
 
+std::vector<double> values_of(ColumnSet& columns, bool forces, const Run& run,
+                              const std::vector<DriverState>& drivers, double time) {
+  std::optional<InverseDynamics> dynamics;
+  if (forces) dynamics.emplace(run);
+  std::vector<double> values;
+  columns.fill({run, drivers, time, dynamics ? &dynamics->solve(run) : nullptr, false}, values);
+  return values;
+}
+
 std::vector<double> columns_of_run(Model::Data& like, const RunSettings& settings, const Run& run,
                                    const std::vector<DriverState>& drivers, double time) {
   like.profile.mechanism = run.mechanism();
   ColumnSet columns = columns_of(like, settings, like.profile.units).value();
-  std::optional<InverseDynamics> dynamics;
-  if (settings.forces) dynamics.emplace(run);
-  const Reactions* reactions = dynamics ? &dynamics->solve(run) : nullptr;
-  std::vector<double> values;
-  columns.fill({run, drivers, time, reactions, false}, values);
-  return values;
+  return values_of(columns, settings.forces, run, drivers, time);
 }
 
 const Run& PathWalk::go_to(const PathPlace& place) {

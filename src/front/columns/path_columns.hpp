@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace higherpair {
@@ -72,13 +71,16 @@ public:
   [[nodiscard]] const DriverPlaces& drivers() const { return drivers_; }
   [[nodiscard]] double rate() const { return rate_; }  ///< largest_rate()
   [[nodiscard]] PathPlace place(double at) const { return {path_.row(at), at}; }
-  /// The parameter of a row.
-  [[nodiscard]] double parameter_of(std::int64_t row) const;
+  [[nodiscard]] PathPlace place_of_row(std::int64_t row) const {
+    return {static_cast<double>(row), parameter_of(row)};
+  }
 
   /// The values of all columns at the place to which `run`, of this model, has moved; NaN: undefined.
   void values(const Run& run, const PathPlace& place, std::vector<double>& values);
 
 private:
+  [[nodiscard]] double parameter_of(std::int64_t row) const;
+
   std::shared_ptr<const Model::Data> data_;
   RunSettings settings_;
   Run start_;
@@ -88,6 +90,11 @@ private:
   ColumnSet columns_;
   std::optional<InverseDynamics> dynamics_;
 };
+
+/// The values of all columns for a run from which no further rows are computed. \param forces  whether there
+/// are columns of forces
+[[nodiscard]] std::vector<double> values_of(ColumnSet& columns, bool forces, const Run& run,
+                                            const std::vector<DriverState>& drivers, double time);
 
 /// The same for a run whose mechanism has other numbers than the model.
 /// \param like  a copy of the model's data; its mechanism is overwritten by that of the run

@@ -3,6 +3,7 @@
 #include "front/tolerances.hpp"
 #include "higherpair/io/column_dimension.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -104,7 +105,7 @@ double column_slope(const BodyColumn& column, const Run& run, const Mechanism& d
     p_B_slope = derivative.bodies[column.body].points[*column.point].p_B;
   }
   const auto slopes = point_slopes(run.row.bodies[column.body], change, p_B, p_B_slope);
-  return column.scale * slopes[k](static_cast<Eigen::Index>(column.quantity % 3));
+  return column.scale * slopes[k](eigen_index(column.quantity % 3));
 }
 
 std::vector<WeightedRow> rows_of(const Measure& measure, std::span<const double> values,

@@ -1,7 +1,6 @@
 #include "design_direct.hpp"
 
 #include "front/tolerances.hpp"
-#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/row_path.hpp"
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 #include "front/tolerances.hpp"
 #include "higherpair/design/optimise.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace higherpair {
 namespace {
@@ -47,12 +47,11 @@ public:
   explicit ModelEvaluator(const DesignSetup& setup)
       : setup_(setup),
         task_(setup.numbers.task()),
+        paths_(task_.paths()),
         unit_(to_si(dimension::kLength, setup.numbers.model().units()).apply(1)),
         candidates_(setup) {
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (objective.path()) timed_rows_.push_back(timed_rows(setup, *objective.path()));
-    }
-    misses_.resize(timed_rows_.size());
+    for (const DesignTask::PointPath* path : paths_) timed_rows_.push_back(timed_rows(setup, *path));
+    misses_.resize(paths_.size());
   }
 
   void evaluate(std::span<const double> x, int branch, DesignValues& values) override {
@@ -69,7 +68,7 @@ public:
       } else if (const auto* followed = objective.followed()) {
         for (std::size_t i = 0; i < followed->values.size(); ++i) {
           const double off = off_of(*followed, place, i);
-          residuals(static_cast<Eigen::Index>(i)) = root * (std::isfinite(off) ? off : kMissing);
+          residuals(eigen_index(i)) = root * (std::isfinite(off) ? off : kMissing);
         }
       } else if (const double value = measured(place); objective.target) {
         residuals(0) = root * (std::isfinite(value) ? value - *objective.target : kMissing);
@@ -127,13 +126,8 @@ private:
     x_.assign(x.begin(), x.end());
     branch_ = branch;
     rows_ = &candidates_.work_out(x, branch);
-    std::size_t path = 0;
     places_.clear();
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path()) continue;
-      misses_of_path(*objective.path(), path);
-      ++path;
-    }
+    for (std::size_t k = 0; k < paths_.size(); ++k) misses_of_path(*paths_[k], k);
   }
 
   void misses_of_path(const DesignTask::PointPath& path, std::size_t k) {
@@ -192,6 +186,7 @@ private:
 
   const DesignSetup& setup_;
   const DesignTask& task_;
+  std::vector<const DesignTask::PointPath*> paths_;
   double unit_;
   DesignCandidates candidates_;
   std::vector<std::vector<std::size_t>> timed_rows_;  // of each path

@@ -5,9 +5,7 @@
 #include "higherpair/design/optimise.hpp"
 
 #include <memory>
-#include <optional>
 #include <span>
-#include <vector>
 
 namespace higherpair {
 

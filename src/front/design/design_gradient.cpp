@@ -1,6 +1,6 @@
 #include "design_gradient.hpp"
 
-#include "design_evaluator.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ public:
 
 private:
   void set_sizes() {
-    const auto variables = static_cast<Eigen::Index>(candidate_.x.size());
+    const auto variables = eigen_index(candidate_.x.size());
     jacobian_.cost.setZero(variables);
     jacobian_.residuals.setZero(setup_.residuals, variables);
     jacobian_.constraints.setZero(setup_.constraints, variables);
@@ -48,13 +48,12 @@ private:
   [[nodiscard]] std::vector<std::vector<SlopePlace>> slope_places() const {
     std::vector<std::vector<SlopePlace>> places;
     if (pins_ != nullptr) return places;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path()) continue;
-      auto& path = places.emplace_back();
+    for (const DesignTask::PointPath* path : task_.paths()) {
+      auto& of_path = places.emplace_back();
       for (const PathMiss& miss : candidate_.places[places.size() - 1]) {
         const bool is_row = miss.row.has_value();
-        path.push_back({objective.path()->ref, is_row ? *miss.row : row_near(miss.driver),
-                        is_row ? std::nullopt : std::optional(miss.driver)});
+        of_path.push_back({path->ref, is_row ? *miss.row : row_near(miss.driver),
+                           is_row ? std::nullopt : std::optional(miss.driver)});
       }
     }
     return places;
@@ -70,7 +69,7 @@ private:
   // Derivatives of the k-th number of the quantity of an objective or constraint.
   template <class Place>
   [[nodiscard]] auto slope(const Place& place, std::size_t k = 0) const {
-    return slopes_->measured.row(static_cast<Eigen::Index>(setup_.quantities[place.quantity].first + k));
+    return slopes_->measured.row(eigen_index(setup_.quantities[place.quantity].first + k));
   }
 
   void add_objectives() {
@@ -94,7 +93,7 @@ private:
 
   void add_followed(const DesignTask::Followed& followed, const ObjectivePlace& place, double root) {
     for (std::size_t k = 0; k < followed.values.size(); ++k) {
-      auto row = jacobian_.residuals.row(place.residual + static_cast<Eigen::Index>(k));
+      auto row = jacobian_.residuals.row(place.residual + eigen_index(k));
       row = root * slope(place, k);
       if (followed.change) row -= root * slope(place);
     }
@@ -107,11 +106,11 @@ private:
       return slopes_->paths[k];
     }
     const std::vector<PathMiss>& places = candidate_.places[k];
-    Eigen::MatrixXd slopes(2 * static_cast<Eigen::Index>(places.size()), jacobian_.cost.size());
+    Eigen::MatrixXd slopes(2 * eigen_index(places.size()), jacobian_.cost.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      slopes.middleRows<2>(2 * static_cast<Eigen::Index>(i)) =
-          places[i].row ? pins_->point_slopes(path.ref, *places[i].row)
-                        : pins_->point_slopes_at(path.ref, places[i].driver);
+      slopes.middleRows<2>(2 * eigen_index(i)) = places[i].row
+                                                     ? pins_->point_slopes(path.ref, *places[i].row)
+                                                     : pins_->point_slopes_at(path.ref, places[i].driver);
     }
     return slopes;
   }
@@ -129,7 +128,7 @@ private:
       jacobian_.residuals.middleRows(row, slopes.rows()) = scale * slopes;
     } else {
       for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto index = static_cast<Eigen::Index>(i);
+        const auto index = eigen_index(i);
         const Vector2d off = places[i].p_W - places[i].compared_with(path.through[i]);
         const double factor = places[i].shared ? places[i].shared->factor : 1;
         const Vector2d outward =
@@ -159,7 +158,7 @@ private:
         } else if (pins_ != nullptr && rows_.started) {
           pins_->add_transmission_slopes(place.transmission, sign, J, at);
         } else if (slopes_) {
-          J.row(at) = sign * slopes_->transmissions.row(static_cast<Eigen::Index>(place.transmission));
+          J.row(at) = sign * slopes_->transmissions.row(eigen_index(place.transmission));
         }
       };
       if (place.above) add(-1, *place.above);
@@ -181,7 +180,7 @@ private:
 
 Eigen::Index residual_count(const DesignTask::Objective& objective) {
   if (const auto* path = objective.path()) return miss_count(*path);
-  if (const auto* followed = objective.followed()) return static_cast<Eigen::Index>(followed->values.size());
+  if (const auto* followed = objective.followed()) return eigen_index(followed->values.size());
   return objective.target ? 1 : 0;
 }
 

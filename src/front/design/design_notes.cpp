@@ -27,16 +27,9 @@ std::optional<OtherUnit> meant_unit(double wanted, double present, const std::st
   if (!(wanted > 0) || !(present > 0) || is_within(wanted, present, kTargetApart)) {
     return std::nullopt;
   }
-  std::optional<OtherUnit> meant;
-  double least = kTargetAsMuch;
-  for (const OtherUnit& other : other_units(unit, units)) {
-    const double times = std::max(wanted * other.factor / present, present / (wanted * other.factor));
-    if (times < least) {
-      least = times;
-      meant = other;
-    }
-  }
-  return meant;
+  return best_unit(unit, units, kTargetAsMuch, [&](const OtherUnit& other) {
+    return std::max(wanted * other.factor / present, present / (wanted * other.factor));
+  });
 }
 
 double spread_of(const std::vector<double>& values) {
@@ -76,10 +69,9 @@ private:
   // The profile's motion, with the columns of the measures and the paths.
   [[nodiscard]] std::optional<Motion> run() const {
     RunSettings settings = setup_.settings;
-    for (const DesignTask::Objective& objective : task_.objectives) {
-      if (!objective.path()) continue;
+    for (const DesignTask::PointPath* path : task_.paths()) {
       for (const char* end : {".x", ".y"}) {
-        const std::string name = objective.path()->point + end;
+        const std::string name = path->point + end;
         if (!contains(settings.columns, name)) settings.columns.push_back(name);
       }
     }

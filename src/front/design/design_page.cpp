@@ -125,8 +125,8 @@ std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report)
 
 Result<Scenes> scenes_with_paths(const Model& model) {
   SceneSettings settings;
-  for (const DesignTask::Objective& objective : model.profile().design->objectives) {
-    if (objective.path()) settings.traces.push_back(objective.path()->point);
+  for (const DesignTask::PointPath* path : model.profile().design->paths()) {
+    settings.traces.push_back(path->point);
   }
   return scenes_of(model, settings);
 }

@@ -4,6 +4,7 @@
 #include "front/tolerances.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -384,7 +385,7 @@ std::vector<PathMiss> nearest_places(const DesignTask::PointPath& path, DesignRo
 }
 
 Eigen::Index miss_count(const DesignTask::PointPath& path) {
-  return static_cast<Eigen::Index>(path.through.size()) * (path.timed ? 2 : 1);
+  return eigen_index(path.through.size()) * (path.timed ? 2 : 1);
 }
 
 PathPlacement placement_of(const DesignTask::PointPath& path, std::span<const PathMiss> misses) {
@@ -407,7 +408,7 @@ Eigen::VectorXd misses_of(const DesignTask::PointPath& path, std::span<const Pat
   Eigen::VectorXd numbers(miss_count(path));
   for (std::size_t i = 0; i < misses.size(); ++i) {
     const Vector2d off = (misses[i].p_W - misses[i].compared_with(path.through[i])) / unit;
-    const auto k = static_cast<Eigen::Index>(i);
+    const auto k = eigen_index(i);
     if (path.timed) {
       numbers.segment<2>(2 * k) = off;
     } else if (misses[i].shared && misses[i].shared->factor == 0) {

@@ -4,6 +4,7 @@
 #include "front/tolerances.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +22,10 @@ std::optional<PinnedRows> PinnedRows::of(const DesignSetup& setup) {
 
 PinnedRows::PinnedRows(const DesignSetup& setup, PinLinkage linkage)
     : setup_(&setup), linkage_(std::move(linkage)) {
-  for (const DesignTask::Objective& objective : setup.numbers.task().objectives) {
-    if (objective.path()) points_.push_back(objective.path()->ref);
-  }
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (constraint.transmission()) {
-      transmissions_.push_back(linkage_.dyad_at(constraint.transmission()->joint).value_or(0));
-    }
+  const DesignTask& task = setup.numbers.task();
+  for (const DesignTask::PointPath* path : task.paths()) points_.push_back(path->ref);
+  for (const DesignTask::Transmission* one : task.transmissions()) {
+    transmissions_.push_back(linkage_.dyad_at(one->joint).value_or(0));
   }
   add_places(setup);
   largest_.resize(linkage_.dyads());
@@ -174,10 +172,10 @@ void PinnedRows::add_transmission_slopes(std::size_t transmission, double factor
 
 const Eigen::Matrix2Xd& PinnedRows::slopes_here(const PointRef& point) {
   const std::size_t count = setup_->numbers.task().variables.size();
-  point_slopes_.resize(2, static_cast<Eigen::Index>(count));
+  point_slopes_.resize(2, eigen_index(count));
   for (std::size_t i = 0; i < count; ++i) {
     linkage_.differentiate(setup_->numbers.slopes(i));
-    point_slopes_.col(static_cast<Eigen::Index>(i)) = linkage_.place_slope(point);
+    point_slopes_.col(eigen_index(i)) = linkage_.place_slope(point);
   }
   return point_slopes_;
 }

@@ -1,5 +1,6 @@
 #include "design_placement.hpp"
 
+#include "numeric/eigen_index.hpp"
 #include "numeric/least_norm.hpp"
 #include "numeric/similarity.hpp"
 
@@ -20,7 +21,7 @@ double dot(const Complex& a, const Complex& b) {
 
 PathPlacement::PathPlacement(const DesignTask::PointPath& path, std::span<const Vector2d> places)
     : path_(path) {
-  const auto count = static_cast<Eigen::Index>(places.size());
+  const auto count = eigen_index(places.size());
   P_.resize(count);
   T_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -100,7 +101,7 @@ Eigen::VectorXd PathPlacement::distances(std::span<const Vector2d> along) const 
 
 // Derivatives of the distances by the free parameters of the placement.
 Eigen::MatrixXd PathPlacement::freedoms(std::span<const Complex> normals) const {
-  const auto count = static_cast<Eigen::Index>(normals.size());
+  const auto count = eigen_index(normals.size());
   Eigen::MatrixXd J(count,
                     (path_.free_position ? 2 : 0) + (path_.free_turn ? 1 : 0) + (path_.free_scale ? 1 : 0));
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -2,6 +2,7 @@
 #include "design_gradient.hpp"
 #include "design_setup.hpp"
 #include "higherpair/front/design.hpp"
+#include "numeric/eigen_index.hpp"
 
 namespace higherpair {
 
@@ -13,7 +14,7 @@ void set_places(DesignSetup& setup) {
     ++(objective.path() ? path : quantity);
     setup.residuals += residual_count(objective);
   }
-  setup.constraints = static_cast<Eigen::Index>(setup.closures) + 1;
+  setup.constraints = eigen_index(setup.closures) + 1;
   for (const DesignTask::Constraint& constraint : task.constraints) {
     ConstraintPlace& place = setup.constraint_places.emplace_back();
     place.transmission = transmission;

@@ -4,26 +4,25 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace higherpair {
 
 RowReader::RowReader(const DesignSetup& setup, const Mechanism& mechanism, const Plan& plan, DesignRows& rows)
-    : setup_(setup), mechanism_(mechanism), plan_(plan), rows_(rows) {
+    : quantities_(setup.quantities),
+      paths_(setup.numbers.task().paths()),
+      transmissions_(setup.numbers.task().transmissions()),
+      mechanism_(mechanism),
+      plan_(plan),
+      rows_(rows) {
   for (const Group& group : plan.groups) {
     modes_.push_back(rows_.gaps.size());
     if (traits_of(group).two_modes) rows_.gaps.push_back(-kInf);
   }
   rows_.gap_rows.resize(rows_.gaps.size());
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (constraint.transmission()) rows_.transmissions.push_back(1);
-  }
-  const auto& objectives = setup.numbers.task().objectives;
-  rows_.points.resize(static_cast<std::size_t>(
-      std::count_if(objectives.begin(), objectives.end(),
-                    [](const DesignTask::Objective& objective) { return objective.path() != nullptr; })));
-  for (const DesignQuantity& quantity : setup.quantities) {
+  rows_.transmissions.assign(transmissions_.size(), 1);
+  rows_.points.resize(paths_.size());
+  for (const DesignQuantity& quantity : quantities_) {
     if (const auto* extent = quantity.as<DesignTask::Extent>()) rows_.extents.push_back(terms_of(*extent));
   }
 }
@@ -35,11 +34,9 @@ void RowReader::take(const std::vector<BodyMotion>& bodies, bool assembled, doub
     take_transmissions(bodies);
     take_extents(bodies);
   }
-  std::size_t path = 0;
-  for (const DesignTask::Objective& objective : setup_.numbers.task().objectives) {
-    if (!objective.path()) continue;
-    const PointRef& ref = objective.path()->ref;
-    std::vector<Vector2d>& points = rows_.points[path++];
+  for (std::size_t k = 0; k < paths_.size(); ++k) {
+    const PointRef& ref = paths_[k]->ref;
+    std::vector<Vector2d>& points = rows_.points[k];
     points.push_back(assembled || points.empty() ? bodies[ref.body].X_WB * point_of(mechanism_, ref)
                                                  : points.back());
   }
@@ -71,22 +68,19 @@ void RowReader::finish(int limits) {
 }
 
 void RowReader::take_transmissions(const std::vector<BodyMotion>& bodies) {
-  std::size_t k = 0;
-  for (const DesignTask::Constraint& constraint : setup_.numbers.task().constraints) {
-    if (!constraint.transmission()) continue;
-    const auto sine = transmission_sine(plan_, constraint.transmission()->joint, bodies);
-    rows_.transmission_rows.resize(rows_.transmissions.size());
-    if (std::abs(sine.value_or(0)) < rows_.transmissions[k]) {
-      rows_.transmissions[k] = std::abs(sine.value_or(0));
+  rows_.transmission_rows.resize(transmissions_.size());
+  for (std::size_t k = 0; k < transmissions_.size(); ++k) {
+    const double sine = std::abs(transmission_sine(plan_, transmissions_[k]->joint, bodies).value_or(0));
+    if (sine < rows_.transmissions[k]) {
+      rows_.transmissions[k] = sine;
       rows_.transmission_rows[k] = rows_.positions.size() - 1;
     }
-    ++k;
   }
 }
 
 void RowReader::take_extents(const std::vector<BodyMotion>& bodies) {
   std::size_t k = 0;
-  for (const DesignQuantity& quantity : setup_.quantities) {
+  for (const DesignQuantity& quantity : quantities_) {
     const auto* extent = quantity.as<DesignTask::Extent>();
     if (extent == nullptr) continue;
     for (ExtentTerm& term : rows_.extents[k++]) {

@@ -26,7 +26,9 @@ private:
   void take_transmissions(const std::vector<BodyMotion>& bodies);
   void take_extents(const std::vector<BodyMotion>& bodies);
 
-  const DesignSetup& setup_;
+  const std::vector<DesignQuantity>& quantities_;
+  std::vector<const DesignTask::PointPath*> paths_;
+  std::vector<const DesignTask::Transmission*> transmissions_;
   const Mechanism& mechanism_;
   const Plan& plan_;
   DesignRows& rows_;

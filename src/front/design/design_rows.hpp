@@ -6,7 +6,6 @@
 #include "design_placement.hpp"
 #include "design_quantities.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/analysis/direct_motion.hpp"
 #include "higherpair/front/measure.hpp"
 

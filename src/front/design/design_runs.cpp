@@ -1,7 +1,6 @@
 #include "design_runs.hpp"
 
 #include "front/analysis_impl.hpp"
-#include "front/tolerances.hpp"
 #include "higherpair/io/row_path.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"

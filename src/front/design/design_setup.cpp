@@ -4,7 +4,6 @@
 #include "design_paths.hpp"
 #include "front/analysis_impl.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 

@@ -5,6 +5,7 @@
 #include "higherpair/analysis/displaced.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "higherpair/numeric/stencil.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlope
     for (std::size_t i = 0; i < places[path].size(); ++i) {
       const SlopePlace place = places[path][i];
       Eigen::MatrixXd& J = slopes.paths[path];
-      const auto at = static_cast<Eigen::Index>(2 * i);
+      const auto at = eigen_index(2 * i);
       tasks[place.row].add(RatesAsked::kNone, [place, &J, at](const SlopeRun& run, const auto& of_row) {
         const std::optional<SlopeRun> beside =
             place.driver ? std::optional(run.beside(*place.driver)) : std::nullopt;
@@ -73,9 +74,8 @@ void add_path_tasks(std::span<const std::vector<SlopePlace>> places, DesignSlope
             beside ? beside->sensitivities(RatesAsked::kNone) : std::vector<RowSensitivity>();
         if (beside && aside.empty()) return false;
         for (std::size_t v = 0; v < of_row.size(); ++v) {
-          J.block<2, 1>(at, static_cast<Eigen::Index>(v)) =
-              beside ? point_slope(*beside, v, place.point, aside[v])
-                     : point_slope(run, v, place.point, of_row[v]);
+          J.block<2, 1>(at, eigen_index(v)) = beside ? point_slope(*beside, v, place.point, aside[v])
+                                                     : point_slope(run, v, place.point, of_row[v]);
         }
         return true;
       });
@@ -89,7 +89,7 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
     tasks[at.row].add(
         RatesAsked::kNone, [value, &J, index, weight = at.weight](const SlopeRun& run, const auto& of_row) {
           for (std::size_t v = 0; v < of_row.size(); ++v) {
-            J(static_cast<Eigen::Index>(index), static_cast<Eigen::Index>(v)) +=
+            J(eigen_index(index), eigen_index(v)) +=
                 weight * run.slope_of(v, of_row[v], [&](const Run& displaced) {
                   return value(redimensioned(displaced.plan(), displaced.mechanism()), displaced.row.bodies);
                 });
@@ -107,15 +107,13 @@ void add_group_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSlo
     };
     for (const WeightedRow& at : rows.gap_rows[k]) add(at, gap, slopes.gaps, k);
   }
-  std::size_t k = 0;
-  for (const DesignTask::Constraint& constraint : setup.numbers.task().constraints) {
-    if (!constraint.transmission()) continue;
-    const auto sine = [joint = constraint.transmission()->joint](const Plan& plan,
-                                                                 const std::vector<BodyMotion>& bodies) {
+  const auto transmissions = setup.numbers.task().transmissions();
+  for (std::size_t k = 0; k < rows.transmission_rows.size(); ++k) {
+    const auto sine = [joint = transmissions[k]->joint](const Plan& plan,
+                                                        const std::vector<BodyMotion>& bodies) {
       return std::abs(transmission_sine(plan, joint, bodies).value_or(0));
     };
-    if (k < rows.transmission_rows.size()) add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
-    ++k;
+    add({rows.transmission_rows[k], 1}, sine, slopes.transmissions, k);
   }
 }
 
@@ -133,8 +131,7 @@ void add_extent_tasks(const DesignSetup& setup, const DesignRows& rows, DesignSl
           return far_along(*extent, term.direction_W, displaced.mechanism(), displaced.row.bodies);
         };
         for (std::size_t v = 0; v < of_row.size(); ++v) {
-          slopes.measured(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(v)) +=
-              unit * run.slope_of(v, of_row[v], far);
+          slopes.measured(eigen_index(q), eigen_index(v)) += unit * run.slope_of(v, of_row[v], far);
         }
         return true;
       });
@@ -152,7 +149,7 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
       const auto room = [&](double h) {
         return grashof_room(displaced(*candidate.mechanism, derivatives[v].numbers, h), *grashof).value_or(0);
       };
-      slopes.measured(static_cast<Eigen::Index>(quantity.first), static_cast<Eigen::Index>(v)) =
+      slopes.measured(eigen_index(quantity.first), eigen_index(v)) =
           unit * eighth_order_difference(room, kGrashofStep * setup.size);
     }
   }
@@ -161,8 +158,7 @@ void add_rooms(const DesignSetup& setup, const DesignCandidate& candidate,
 DesignSlopes no_slopes(std::size_t variables, const DesignRows& rows,
                        std::span<const std::vector<SlopePlace>> places) {
   const auto zeros = [variables](std::size_t count) {
-    return Eigen::MatrixXd(
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(variables)));
+    return Eigen::MatrixXd(Eigen::MatrixXd::Zero(eigen_index(count), eigen_index(variables)));
   };
   DesignSlopes slopes;
   slopes.measured = zeros(rows.measured.size());
@@ -219,7 +215,7 @@ AlongRows add_column_tasks(const DesignSetup& setup, const std::vector<std::opti
       const RatesAsked rates = order_of(*column) == 0 ? RatesAsked::kNone : RatesAsked::kAll;
       tasks[row].add(rates, [&slopes, share, &column](const SlopeRun& run, const auto& of_row) {
         for (std::size_t v = 0; v < of_row.size(); ++v) {
-          slopes.measured(static_cast<Eigen::Index>(share.number), static_cast<Eigen::Index>(v)) +=
+          slopes.measured(eigen_index(share.number), eigen_index(v)) +=
               share.weight * column_slope(*column, run.run(), run.by(v).derivative(), of_row[v]);
         }
         return true;
@@ -237,7 +233,7 @@ void add_along_tasks(const AlongRows& along, std::optional<Model::Data>& like, c
       for (std::size_t v = 0; v < of_row.size(); ++v) {
         const std::vector<double> table = run.table_slopes(*like, v, of_row[v]);
         for (const WeightedColumn& share : wanted) {
-          slopes.measured(static_cast<Eigen::Index>(share.number), static_cast<Eigen::Index>(v)) +=
+          slopes.measured(eigen_index(share.number), eigen_index(v)) +=
               share.weight * table[rows.table_slots[share.measure]];
         }
       }

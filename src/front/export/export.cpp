@@ -5,6 +5,7 @@
 #include "higherpair/cam/cutter_path.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace {
 using FlankPath = ExportSettings::Path;
 
 std::string length_text(const Model& model, double metres) {
-  return fmt::format("{:.6g} {}", from_si(dimension::kLength, model.units()).apply(metres),
-                     name_of(model.units().length));
+  return with_unit(metres, dimension::kLength, model.units());
 }
 
 // The length rounded down to a few digits, so that it can be used as given.
@@ -40,10 +40,6 @@ struct NamedRef {
   std::string name;
   CurveRef ref;
 };
-
-const NamedCurve& named(const Model& model, const CurveRef& ref) {
-  return model.mechanism().bodies[ref.body].curves[ref.curve];
-}
 
 // The curves of the profile, without the copies made for contacts.
 std::vector<NamedRef> all_curves(const Model& model) {
@@ -82,7 +78,7 @@ Result<std::vector<NamedRef>> curves_of_body(const Model& model, const std::stri
   std::vector<NamedRef> curves = all_curves(model);
   std::erase_if(curves, [&](const NamedRef& curve) {
     return curve.ref.body != found - bodies.begin() ||
-           (path == FlankPath::kCurve && is_point(named(model, curve.ref).curve));
+           (path == FlankPath::kCurve && is_point(described_curve(model.mechanism(), curve.ref).curve));
   });
   if (curves.empty()) {
     return wrong(model, fmt::format("the body {} has no curves to draw", name));
@@ -119,7 +115,7 @@ Result<std::vector<NamedRef>> wanted_curves(const Model& model, const ExportSett
 }
 
 Result<Boundary> boundary_of(const Model& model, const NamedRef& wanted, const ExportSettings& settings) {
-  const NamedCurve& curve = named(model, wanted.ref);
+  const NamedCurve& curve = described_curve(model.mechanism(), wanted.ref);
   if (curve.boundary) {
     return *curve.boundary;
   }
@@ -145,13 +141,13 @@ std::vector<std::pair<std::string, double>> rollers_of(const Model& model, const
   std::vector<std::pair<std::string, double>> rollers;
   const auto is_it = [&](const CurveRef& ref) {
     const auto& curves = model.mechanism().bodies[curve.body].curves;
-    return ref.body == curve.body &&
-           (is_or_has(curves, ref.curve, curve.curve) || named(model, ref).copy_of == curve.curve);
+    return ref.body == curve.body && (is_or_has(curves, ref.curve, curve.curve) ||
+                                      described_curve(model.mechanism(), ref).copy_of == curve.curve);
   };
   for (const Contact& contact : model.mechanism().contacts) {
     for (const auto& [own, other] :
          {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
-      const Curve& roller = named(model, other).curve;
+      const Curve& roller = described_curve(model.mechanism(), other).curve;
       const bool round =
           is_point(roller) || (roller.kind == CurveKind::kCircle && roller.side == Side::kInside);
       if (is_it(own) && round) {

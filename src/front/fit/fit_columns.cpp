@@ -1,9 +1,9 @@
 #include "fit_columns.hpp"
 
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace higherpair {
 
@@ -31,7 +31,7 @@ RatesAsked FitColumns::rates() const {
 void FitColumns::derivatives(const Run& run, const Mechanism& derivative, const RowSensitivity& of_row,
                              Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> out) const {
   for (const Motion& motion : motions_) {
-    out(static_cast<Eigen::Index>(motion.column)) = column_slope(motion.of, run, derivative, of_row);
+    out(eigen_index(motion.column)) = column_slope(motion.of, run, derivative, of_row);
   }
 }
 

@@ -143,7 +143,7 @@ void add_numbers(const BoundaryFit& fit, const Form& form, CurveFitReport& repor
   const double quantile = student_quantile(
       static_cast<double>(report.points.size()) - static_cast<double>(freedoms_used), report.confidence);
   for (std::size_t i = 0; i < form.names.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
+    const auto k = eigen_index(i);
     const double scale = form.angles[i] ? kDegrees : 1;
     const double error = scale * std::sqrt(fit.covariance(k, k));
     report.numbers.push_back({form.names[i], form.angles[i] ? "deg" : report.unit, scale * fit.parameters[i],

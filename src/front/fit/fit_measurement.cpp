@@ -1,6 +1,5 @@
 #include "fit_measurement.hpp"
 
-#include "fit_columns.hpp"
 #include "numeric/similarity.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit_motion.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <optional>
 #include <string>
@@ -9,11 +10,6 @@
 #include <Eigen/Core>
 
 namespace higherpair {
-
-/// An index as Eigen's index type.
-[[nodiscard]] inline Eigen::Index eigen_index(std::size_t i) {
-  return static_cast<Eigen::Index>(i);
-}
 
 /// An unknown of a fit: first the variables of the profile, then the unknowns of the measurement.
 struct FitUnknown {

@@ -7,6 +7,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/numbers.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,12 +80,9 @@ std::vector<DriverMotion> shift_of(const FitData& data, const std::vector<Driver
 // Some of the measured columns in row k, for a mechanism displaced in that row.
 std::vector<double> measured_of(FitCandidate& candidate, const FitData& data, std::size_t k,
                                 const Run& displaced, const std::vector<std::size_t>& wanted) {
-  std::optional<InverseDynamics> dynamics;
-  if (data.settings.forces) dynamics.emplace(displaced);
-  std::vector<double> all, values;
-  candidate.columns.fill({displaced, candidate.rows[k], candidate.times[k],
-                          dynamics ? &dynamics->solve(displaced) : nullptr, false},
-                         all);
+  const std::vector<double> all =
+      values_of(candidate.columns, data.settings.forces, displaced, candidate.rows[k], candidate.times[k]);
+  std::vector<double> values;
   for (const std::size_t c : wanted) values.push_back(all[candidate.slots[c]]);
   return values;
 }
@@ -103,10 +101,10 @@ std::optional<FitTable> FitMotion::table(std::span<const double> variables,
                                          std::span<const double> offsets) const {
   auto candidate = start(variables, offsets);
   if (!candidate) return std::nullopt;
-  FitTable table(static_cast<Eigen::Index>(data_.rows()), static_cast<Eigen::Index>(data_.columns.size()));
+  FitTable table(eigen_index(data_.rows()), eigen_index(data_.columns.size()));
   for_each_row(*candidate, [&](std::size_t k, const auto&, const std::vector<double>& values) {
     for (std::size_t c = 0; c < candidate->slots.size(); ++c) {
-      table(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) = values[candidate->slots[c]];
+      table(eigen_index(k), eigen_index(c)) = values[candidate->slots[c]];
     }
   });
   return table;
@@ -145,9 +143,9 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
   const auto parameters = parameters_of(*candidate, data_, numbers_, variables);
   if (!parameters) return std::nullopt;
   const FitColumns closed(candidate->run.mechanism(), data_);
-  std::vector<FitTable> tables(parameters->size(),
-                               FitTable::Constant(static_cast<Eigen::Index>(data_.rows()),
-                                                  static_cast<Eigen::Index>(data_.columns.size()), kNoValue));
+  std::vector<FitTable> tables(
+      parameters->size(),
+      FitTable::Constant(eigen_index(data_.rows()), eigen_index(data_.columns.size()), kNoValue));
   bool made = true;
   for_each_row(*candidate, [&](std::size_t k, const auto& motions, const std::vector<double>& values) {
     const bool there = std::any_of(candidate->slots.begin(), candidate->slots.end(),
@@ -158,7 +156,7 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
           by.of_row(candidate->run, motions, shift_of(data_, candidate->rows[k], offset), closed.rates());
       made = of_row.has_value();
       if (!made) return;
-      auto row = tables[p].row(static_cast<Eigen::Index>(k));
+      auto row = tables[p].row(eigen_index(k));
       closed.derivatives(candidate->run, by.derivative(), *of_row, row);
       if (closed.others().empty()) continue;
       const std::vector<double> others =
@@ -166,7 +164,7 @@ std::optional<std::vector<FitTable>> FitMotion::exact_derivatives(std::span<cons
             return measured_of(*candidate, data_, k, displaced, closed.others());
           });
       for (std::size_t i = 0; i < others.size(); ++i) {
-        row(static_cast<Eigen::Index>(closed.others()[i])) = others[i];
+        row(eigen_index(closed.others()[i])) = others[i];
       }
     }
   });

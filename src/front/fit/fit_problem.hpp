@@ -4,7 +4,6 @@
 #include "fit_motion.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>

@@ -3,12 +3,12 @@
 
 #include "front/columns/column_set.hpp"
 #include "front/demands.hpp"
+#include "front/pictures/column_scales.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
@@ -40,11 +40,7 @@ namespace {
 
 // A deviation so small that rounding alone exceeds it.
 std::string objection_to(const FitTask::Column& task, const FitColumn& column) {
-  double largest = 0;
-  for (const double value : column.values) {
-    if (!std::isnan(value)) largest = std::max(largest, std::abs(value));
-  }
-  const double least = kNoiseRounding * largest;
+  const double least = kNoiseRounding * largest_of(column.values);
   if (task.deviation.value_or(kInf) >= least) return "";
   return fmt::format(
       "{}.deviation = {:.6g} {}: the rounding of {} is more, {:.2g} {}: expected that of the instrument",

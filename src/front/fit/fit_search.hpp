@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fit_problem.hpp"
-#include "numeric/least_squares.hpp"
 
 #include <vector>
 

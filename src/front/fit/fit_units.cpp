@@ -2,6 +2,7 @@
 
 #include "front/other_units.hpp"
 #include "front/tolerances.hpp"
+#include "numeric/eigen_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ double misfit(const std::vector<double>& measured, const Eigen::VectorXd& fitted
   double mean_off = 0, mean = 0, count = 0;
   const auto each = [&](auto use) {
     for (std::size_t k = 0; k < measured.size(); ++k) {
-      const double own = fitted(static_cast<Eigen::Index>(k));
+      const double own = fitted(eigen_index(k));
       if (std::isfinite(measured[k]) && std::isfinite(own)) use(factor * measured[k] - own, own);
     }
   };
@@ -69,36 +70,32 @@ std::optional<double> whole_misfit(const FitProblem& problem, const std::vector<
   if (!table) return std::nullopt;
   double sum = 0;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
-    sum += std::min(2.0, misfit(data.columns[c].values, table->col(static_cast<Eigen::Index>(c)), 1, true));
+    sum += std::min(2.0, misfit(data.columns[c].values, table->col(eigen_index(c)), 1, true));
   }
   return sum / static_cast<double>(data.columns.size());
 }
 
-}  // namespace
-
-Diagnostics unit_suspicions(const FitProblem& problem) {
-  const FitData& data = problem.data();
+// Columns that would fit in another unit.
+Diagnostics column_suspicions(const FitData& data, const FitTable& table) {
   Diagnostics suspicions;
-  const std::vector<double> variables = start_values(*data.variables);
-  const auto table = problem.motion().table(variables, std::vector<double>(data.where.size(), 0.0));
-  if (!table) return suspicions;
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
     const FitColumn& column = data.columns[c];
-    const Eigen::VectorXd fitted = table->col(static_cast<Eigen::Index>(c));
+    const Eigen::VectorXd fitted = table.col(eigen_index(c));
     const double as_it_is = misfit(column.values, fitted, 1, column.offset);
     if (!is_presumed(data, c) || !(as_it_is > kFarMisfit)) continue;
-    std::optional<OtherUnit> best;
-    double least = std::min(kNearMisfit, kBetterMisfit * as_it_is);
-    for (const OtherUnit& other : other_units(column.unit, data.model.units())) {
-      const double there = misfit(column.values, fitted, other.factor, column.offset);
-      if (there < least) {
-        least = there;
-        best = other;
-      }
-    }
+    const auto best = best_unit(
+        column.unit, data.model.units(), std::min(kNearMisfit, kBetterMisfit * as_it_is),
+        [&](const OtherUnit& other) { return misfit(column.values, fitted, other.factor, column.offset); });
     if (best) suspicions.push_back({column.place, advice(column.name, column.unit, *best)});
   }
-  if (!suspicions.empty()) return suspicions;
+  return suspicions;
+}
+
+// Drivers, or the time, with which everything would fit in another unit, together with the columns that are
+// presumed to have the same one, or without them.
+Diagnostics driver_suspicions(const FitProblem& problem, const std::vector<double>& variables) {
+  const FitData& data = problem.data();
+  Diagnostics suspicions;
   const auto as_it_is = whole_misfit(problem, variables, data);
   for (std::size_t i = 0; as_it_is && *as_it_is > kFarMisfit && i < data.where.size(); ++i) {
     const FitWhere& where = data.where[i];
@@ -131,6 +128,17 @@ Diagnostics unit_suspicions(const FitProblem& problem) {
     }
   }
   return suspicions;
+}
+
+}  // namespace
+
+Diagnostics unit_suspicions(const FitProblem& problem) {
+  const FitData& data = problem.data();
+  const std::vector<double> variables = start_values(*data.variables);
+  const auto table = problem.motion().table(variables, std::vector<double>(data.where.size(), 0.0));
+  if (!table) return {};
+  Diagnostics suspicions = column_suspicions(data, *table);
+  return suspicions.empty() ? driver_suspicions(problem, variables) : suspicions;
 }
 
 }  // namespace higherpair

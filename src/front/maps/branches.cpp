@@ -10,6 +10,7 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -95,11 +96,9 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
   report.driver = schedule.state(0).profile.position;
   report.complete = branches.complete;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const Driver& driver = mechanism.drivers[i];
     const bool turns = has_angle(driven_joint(mechanism, i).type);
-    report.drivers +=
-        fmt::format("{}driver{}{} = {} {}", i == 0 ? "" : ", ", driver.name.empty() ? "" : ".", driver.name,
-                    schedule.state(0, i).profile.position, unit_of(profile, turns));
+    report.drivers += fmt::format("{}{} = {} {}", i == 0 ? "" : ", ", driver_name(mechanism.drivers[i]),
+                                  schedule.state(0, i).profile.position, unit_of(profile, turns));
   }
   for (const Joint& joint : mechanism.joints) {
     report.joints.push_back(joint.name);

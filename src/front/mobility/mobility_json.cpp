@@ -57,20 +57,19 @@ public:
   }
 
 private:
-  [[nodiscard]] const std::string& joint(int index) const { return mechanism.joints[index].name; }
-  [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
+  template <class Items>
+  [[nodiscard]] static Json names(const std::vector<int>& indices, const Items& items) {
     Json names = Json::array();
     for (const int index : indices) {
-      names.push_back(body(index));
+      names.push_back(items[index].name);
     }
     return names;
   }
+  [[nodiscard]] Json bodies(const std::vector<int>& indices) const {
+    return names(indices, mechanism.bodies);
+  }
   [[nodiscard]] Json joints(const std::vector<int>& indices) const {
-    Json names = Json::array();
-    for (const int index : indices) {
-      names.push_back(joint(index));
-    }
-    return names;
+    return names(indices, mechanism.joints);
   }
 
   [[nodiscard]] Json count() const {
@@ -121,14 +120,10 @@ private:
   [[nodiscard]] Json redundant() const {
     Json json = Json::array();
     for (const Redundancy& set : findings.mobility.redundancies) {
-      Json contacts = Json::array();
-      for (const int contact : set.contacts) {
-        contacts.push_back(mechanism.contacts[contact].name);
-      }
       json.push_back({{"conditions", set.conditions},
                       {"cause", cause_of(set)},
                       {"joints", joints(set.joints)},
-                      {"contacts", contacts},
+                      {"contacts", names(set.contacts, mechanism.contacts)},
                       {"bodies", bodies(set.bodies)}});
     }
     return json;

@@ -1,21 +1,32 @@
+#include "polygon.hpp"
+
 #include "higherpair/drawing/row_polygons.hpp"
 #include "higherpair/dynamics/inverse_dynamics.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "polygon_units.hpp"
 #include "reach.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace higherpair {
 
-void to_units(std::vector<Polygon>& polygons, const Units& units) {
+std::vector<Polygon> polygons_in(const Mechanism& mechanism, const MotionRow& row, const Reactions* reactions,
+                                 const Units& units) {
+  std::vector<Polygon> polygons = {velocity_polygon(mechanism, row), acceleration_polygon(mechanism, row)};
+  if (reactions != nullptr) {
+    auto forces = force_polygons(mechanism, row, *reactions);
+    std::move(forces.begin(), forces.end(), std::back_inserter(polygons));
+  }
   for (Polygon& polygon : polygons) {
     const Dimension& of = polygon.kind == Polygon::Kind::kVelocity       ? dimension::kVelocity
                           : polygon.kind == Polygon::Kind::kAcceleration ? dimension::kAcceleration
                                                                          : dimension::kForce;
     polygon = in_unit(std::move(polygon), from_si(of, units).apply(1), unit_text(of, units));
   }
+  return polygons;
 }
 
 Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) {
@@ -31,14 +42,10 @@ Result<Polygons> polygons_of(const Model& model, const PolygonSettings& wanted) 
   const Run& run = reached->run;
   all.driver = reached->driver;
   all.driver_unit = unit_text(driver_dimension(run.mechanism()), model.units());
-  all.polygons = {velocity_polygon(run.mechanism(), run.row), acceleration_polygon(run.mechanism(), run.row)};
-  if (wanted.forces) {
-    InverseDynamics dynamics(run);
-    for (Polygon& polygon : force_polygons(run.mechanism(), run.row, dynamics.solve(run))) {
-      all.polygons.push_back(std::move(polygon));
-    }
-  }
-  to_units(all.polygons, model.units());
+  std::optional<InverseDynamics> dynamics;
+  if (wanted.forces) dynamics.emplace(run);
+  all.polygons =
+      polygons_in(run.mechanism(), run.row, dynamics ? &dynamics->solve(run) : nullptr, model.units());
   return all;
 }
 

@@ -16,10 +16,6 @@
 namespace higherpair {
 namespace {
 
-Error interrupted(const Model& model) {
-  return error_about(model.data(), ErrorKind::kInput, "interrupted");
-}
-
 Result<Reached> nearest_row(const Model& model, const RunSettings& settings, double at) {
   auto analysis = model.start(settings);
   if (!analysis) {
@@ -37,7 +33,7 @@ Result<Reached> nearest_row(const Model& model, const RunSettings& settings, dou
     }
   }
   if (analysis->stopped()) {
-    return tl::unexpected(interrupted(model));
+    return wrong(model, "interrupted");
   }
   if (!best) {
     return tl::unexpected(*nothing_to_draw(model, {}));
@@ -68,7 +64,7 @@ Result<Reached> go_to(const Model& model, RunSettings settings, double from, dou
   while (analysis->next(row)) {
   }
   if (analysis->stopped()) {
-    return tl::unexpected(interrupted(model));
+    return wrong(model, "interrupted");
   }
   Reached reached{analysis->impl().run, at, std::nullopt, analysis->impl().faults_before(row.number)};
   // The last one: earlier ones may be ends of curves from which the contact went on over the edge.

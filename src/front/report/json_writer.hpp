@@ -28,6 +28,13 @@ public:
     return *this;
   }
   JsonWriter& string(std::string_view value);
+  /// A list of texts.
+  template <class Texts>
+  JsonWriter& strings(const Texts& texts) {
+    open('[');
+    for (const auto& text : texts) string(text);
+    return close(']');
+  }
   JsonWriter& boolean(bool value) { return plain(value ? "true" : "false"); }
   JsonWriter& null() { return plain("null"); }
   JsonWriter& integer(long long value);

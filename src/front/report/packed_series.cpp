@@ -1,5 +1,6 @@
 #include "packed_series.hpp"
 
+#include "front/pictures/column_scales.hpp"
 #include "front/tolerances.hpp"
 
 #include <algorithm>
@@ -65,11 +66,7 @@ void write_gaps(JsonWriter& json, std::span<const double> values) {
 
 // The exponent e for which 10^-e <= step.
 int exponent_for(std::span<const double> values, double step) {
-  double largest = 0;
-  for (const double value : values) {
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  }
-  const double rounded = std::max(step, largest / kMostSteps);
+  const double rounded = std::max(step, largest_of(values) / kMostSteps);
   return static_cast<int>(
       std::clamp(std::ceil(-std::log10(rounded) - kPowerOfTen), -1.0 * kMostExponent, 1.0 * kMostExponent));
 }

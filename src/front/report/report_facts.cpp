@@ -2,7 +2,6 @@
 #include "front/outputs.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "report_data.hpp"
 
 #include <algorithm>

@@ -20,24 +20,25 @@ namespace {
 constexpr int kValueDigits = 10;
 constexpr double kValueSteps = 4e10;  // into which the largest value of a column is divided
 
-void write_values(JsonWriter& json, const ReportData& data, std::size_t column) {
+std::vector<double> values_of(const ReportData& data, std::size_t column) {
   std::vector<double> values;
-  for (const Row& row : data.rows) {
-    values.push_back(row.values[column]);
-  }
+  for (const Row& row : data.rows) values.push_back(row.values[column]);
+  return values;
+}
+
+void write_values(JsonWriter& json, const ReportData& data, std::size_t column) {
   const auto& [low, high] = data.extremes[column];
   const double largest = std::max(std::abs(low.value), std::abs(high.value));
   const bool words = !data.columns[column].words.empty();
   json.key("values");
-  write_packed(json, values, words ? 1 : largest / kValueSteps);
+  write_packed(json, values_of(data, column), words ? 1 : largest / kValueSteps);
 }
 
 // The rows that no line of a plot may join to the row before.
 void write_breaks(JsonWriter& json, const ReportData& data, std::size_t column) {
   if (!data.columns[column].words.empty()) return;
-  std::vector<double> values;
-  for (const Row& row : data.rows) values.push_back(row.values[column]);
-  const auto jumps = jumps_of(values, data.events, [&](std::int64_t row) { return page_row(data, row); });
+  const auto jumps =
+      jumps_of(values_of(data, column), data.events, [&](std::int64_t row) { return page_row(data, row); });
   if (jumps.empty()) return;
   json.key("breaks").open('[');
   for (const std::size_t row : jumps) json.integer(static_cast<long long>(row));
@@ -50,11 +51,7 @@ void write_columns(JsonWriter& json, const ReportData& data) {
     const Column& column = data.columns[k];
     json.open('{').key("name").string(column.name).key("unit").string(column.unit);
     json.key("noise").number(kColumnNoise * data.scales[k], 3);
-    if (!column.words.empty()) {
-      json.key("words").open('[');
-      for (const std::string_view word : column.words) json.string(word);
-      json.close(']');
-    }
+    if (!column.words.empty()) json.key("words").strings(column.words);
     write_values(json, data, k);
     write_breaks(json, data, k);
     json.close('}');
@@ -100,11 +97,7 @@ void write_facts(JsonWriter& json, const Model& model, const ReportData& data) {
     json.close(']').close('}');
   }
   json.close(']').key("plots").open('[');
-  for (const std::vector<std::string>& plot : first_plots(mechanism, data)) {
-    json.open('[');
-    for (const std::string& column : plot) json.string(column);
-    json.close(']');
-  }
+  for (const std::vector<std::string>& plot : first_plots(mechanism, data)) json.strings(plot);
   json.close(']');
 }
 

@@ -1,4 +1,5 @@
 #include "front/columns/column_set.hpp"
+#include "front/pictures/column_scales.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/front/map.hpp"
 #include "higherpair/front/pictures.hpp"
@@ -106,8 +107,7 @@ void write_map(JsonWriter& json, const Model& model, const ReportData& data, con
     branch.push_back(place.branch > 0 ? place.branch : kNoValue);
   }
   const auto step = [](const std::vector<double>& values) {
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
+    const double largest = largest_of(values);
     return largest > 0 ? largest / kAxisSteps : 1;
   };
   json.open('{').key("contact").string(map.contact).key("picture").string(plots_svg({plot}, kWidth));

@@ -1,7 +1,5 @@
-#include "front/pictures/polygon_units.hpp"
+#include "front/pictures/polygon.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/drawing/row_polygons.hpp"
-#include "higherpair/front/pictures.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "packed_series.hpp"
 #include "report_parts.hpp"
@@ -191,11 +189,7 @@ void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
   json.key("flat").boolean(polygon.flat);
   write_view(json, polygon, limit);
   json.key("equations").open('[');
-  for (const std::vector<std::string>& equations : polygon.equations) {
-    json.open('[');
-    for (const std::string& equation : equations) json.string(equation);
-    json.close(']');
-  }
+  for (const std::vector<std::string>& equations : polygon.equations) json.strings(equations);
   json.close(']').key("equationsOf");
   write_packed(json, polygon.set_of_row, 1);
   json.key("points").open('[');
@@ -220,15 +214,11 @@ void write_polygon(JsonWriter& json, const MovingPolygon& polygon) {
 void write_polygons(JsonWriter& json, const Model& model, const ReportData& data) {
   Collector collector(data.motions.size());
   for (std::size_t row = 0; row < data.motions.size(); ++row) {
-    const MotionRow& motion = data.motions[row];
-    std::vector<Polygon> polygons = {velocity_polygon(model.mechanism(), motion),
-                                     acceleration_polygon(model.mechanism(), motion)};
-    if (!data.reactions.empty() && data.reactions[row].defined) {
-      auto forces = force_polygons(model.mechanism(), motion, data.reactions[row]);
-      std::move(forces.begin(), forces.end(), std::back_inserter(polygons));
+    const bool forces = !data.reactions.empty() && data.reactions[row].defined;
+    for (const Polygon& polygon : polygons_in(model.mechanism(), data.motions[row],
+                                              forces ? &data.reactions[row] : nullptr, model.units())) {
+      collector.add(polygon, row);
     }
-    to_units(polygons, model.units());
-    for (const Polygon& polygon : polygons) collector.add(polygon, row);
   }
   json.key("polygons").open('[');
   for (const MovingPolygon& polygon : collector.all) write_polygon(json, polygon);

@@ -31,8 +31,7 @@ ExactSlopes::ExactSlopes(PathColumns& columns, const std::vector<PathResult>& re
     : columns_(columns), results_(results), measures_(measures), slopes_(slopes), threads_(threads) {}
 
 bool ExactSlopes::stopped() const {
-  const std::atomic<bool>* const stop = columns_.settings().stop;
-  return is_raised(stop);
+  return is_raised(columns_.settings().stop);
 }
 
 void ExactSlopes::take() {
@@ -171,7 +170,7 @@ void ExactSlopes::take_rows() {
     std::vector<Stop> stops;
     std::vector<std::vector<double>> at;
     for (; row < rows && stops.size() < kChunk && !stopped(); ++row) {
-      const PathPlace place{static_cast<double>(row), columns_.parameter_of(row)};
+      const PathPlace place = columns_.place_of_row(row);
       stops.push_back(stop_at(place, walk.go_to(place)));
       columns_.values(stops.back().run, place, values);
       at.push_back(values);

@@ -2,7 +2,6 @@
 
 #include "front/check/check_parts.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/io/coordinate.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "numeric/peaks.hpp"
 
@@ -246,12 +245,9 @@ void PathResults::take_rows(Analysis& analysis, std::span<const Measure> measure
     result.column = column_slot(analysis.columns(), measures[m].column);
     result.value = set.value(m).value;
     result.rounding = rounding_of(columns_, result.column);
-    const auto row_place = [&](std::int64_t number) {
-      return PathPlace{static_cast<double>(number), columns_.parameter_of(number)};
-    };
-    if (measures[m].of == MeasureKind::kFirst && first >= 0) result.where = row_place(first);
-    if (measures[m].of == MeasureKind::kLast && last >= 0) result.where = row_place(last);
-    if (measures[m].of == MeasureKind::kAt && last >= 0) result.where = row_place(at[m]);
+    if (measures[m].of == MeasureKind::kFirst && first >= 0) result.where = columns_.place_of_row(first);
+    if (measures[m].of == MeasureKind::kLast && last >= 0) result.where = columns_.place_of_row(last);
+    if (measures[m].of == MeasureKind::kAt && last >= 0) result.where = columns_.place_of_row(at[m]);
     if (result.where) result.parts = {{{*result.where, 1}}};
   }
 }

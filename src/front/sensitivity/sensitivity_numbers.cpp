@@ -7,7 +7,6 @@
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/tasks.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>

@@ -147,7 +147,7 @@ private:
 
   [[nodiscard]] bool take_row(const Run& run, const Row& row,
                               const std::function<bool(const RowSlopes&)>& take) {
-    const PathPlace place{static_cast<double>(row.number), columns_->parameter_of(row.number)};
+    const PathPlace place = columns_->place_of_row(row.number);
     std::vector<double> values, slopes(numbers_.size() * slots_.size(), kNoValue);
     for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
     const RatesAsked rates = rates_to_ask(*columns_, run, place);

@@ -119,6 +119,12 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("\"{}{}\"", visible(head), head.size() < text.size() ? "…" : "");
 }
 
+const Entry* find_entry(const Table& table, std::string_view key) {
+  const auto entry =
+      std::find_if(table.begin(), table.end(), [&](const Entry& candidate) { return candidate.key == key; });
+  return entry == table.end() ? nullptr : &*entry;
+}
+
 std::string items_text(const Array& items) {
   std::string text = "[";
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -133,9 +139,8 @@ std::string items_text(const Array& items) {
 }  // namespace
 
 const Value* find(const Table& table, std::string_view key) {
-  const auto entry =
-      std::find_if(table.begin(), table.end(), [&](const Entry& candidate) { return candidate.key == key; });
-  return entry == table.end() ? nullptr : &entry->value;
+  const Entry* entry = find_entry(table, key);
+  return entry == nullptr ? nullptr : &entry->value;
 }
 
 PathEnd end_of_path(const Table& document, std::string_view path) {
@@ -147,10 +152,8 @@ PathEnd end_of_path(const Table& document, std::string_view path) {
     if (table == nullptr) {
       end.value = find_part(*end.value, part);
     } else {
-      const auto entry = std::find_if(table->begin(), table->end(),
-                                      [&](const Entry& candidate) { return candidate.key == part; });
-      const bool found = entry != table->end();
-      end = {found ? &entry->value : nullptr, found ? &*entry : end.entry};
+      const Entry* entry = find_entry(*table, part);
+      end = entry == nullptr ? PathEnd{nullptr, end.entry} : PathEnd{&entry->value, entry};
     }
     table = end.value == nullptr ? nullptr : std::get_if<Table>(&end.value->content);
   } while (end.value != nullptr && !path.empty());

@@ -7,8 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/core.h>
-
 namespace higherpair {
 using io_detail::Table;
 

@@ -2,9 +2,7 @@
 
 #include "document.hpp"
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 namespace higherpair::io_detail {
 

@@ -36,9 +36,8 @@ void count_decimals(const DxfGroup& group, DxfSweep sweep, DxfDecimals& decimals
 }
 
 std::string_view value_of(const DxfGroup& group, int code, std::string_view otherwise) {
-  const auto pair =
-      std::find_if(group.pairs.begin(), group.pairs.end(), [&](const DxfPair& p) { return p.code == code; });
-  return pair == group.pairs.end() ? otherwise : pair->value;
+  const DxfPair* pair = group.find(code);
+  return pair == nullptr ? otherwise : pair->value;
 }
 
 class DxfReader {

@@ -6,7 +6,6 @@
 #include "io/tables/csv_fields.hpp"
 #include "io/tolerances.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -40,12 +39,12 @@ public:
   double length(const DxfPair& pair) { return number(pair, unit_); }
 
   std::optional<double> find(int code) {
-    const DxfPair* pair = pair_of(code);
+    const DxfPair* pair = entity_.find(code);
     return pair == nullptr ? std::nullopt : std::optional(value(*pair));
   }
 
   double need(int code, std::string_view what, const Scaling& scaling = Scaling()) {
-    const DxfPair* pair = pair_of(code);
+    const DxfPair* pair = entity_.find(code);
     if (pair == nullptr) refuse(fmt::format("has no {} (group {})", what, code));
     return pair == nullptr ? 0 : number(*pair, scaling);
   }
@@ -80,12 +79,6 @@ public:
   }
 
 private:
-  [[nodiscard]] const DxfPair* pair_of(int code) const {
-    const auto pair = std::find_if(entity_.pairs.begin(), entity_.pairs.end(),
-                                   [&](const DxfPair& p) { return p.code == code; });
-    return pair == entity_.pairs.end() ? nullptr : &*pair;
-  }
-
   double number(const DxfPair& pair, const Scaling& scaling) {
     const auto x = number_in(pair.value);
     const double scaled = scaling.apply(x.value_or(0));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +38,13 @@ struct DxfGroup {
   std::string_view type;
   int line = 0;
   std::vector<DxfPair> pairs;
+
+  /// The first pair with this code; null if there is none.
+  [[nodiscard]] const DxfPair* find(int code) const {
+    const auto pair =
+        std::find_if(pairs.begin(), pairs.end(), [&](const DxfPair& p) { return p.code == code; });
+    return pair == pairs.end() ? nullptr : &*pair;
+  }
 };
 
 }  // namespace higherpair::io_detail

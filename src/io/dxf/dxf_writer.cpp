@@ -1,7 +1,6 @@
 #include "higherpair/io/dxf_writer.hpp"
 
 #include "dxf_units.hpp"
-#include "higherpair/numeric/special_values.hpp"
 #include "io/tolerances.hpp"
 #include "numeric/decimal.hpp"
 

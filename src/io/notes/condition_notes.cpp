@@ -3,7 +3,6 @@
 #include "io/tolerances.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include <fmt/core.h>
 

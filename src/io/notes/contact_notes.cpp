@@ -1,6 +1,5 @@
 #include "contact_notes.hpp"
 
-#include "higherpair/geometry/curve_queries.hpp"
 #include "higherpair/geometry/involute_span.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "io/tolerances.hpp"

@@ -4,7 +4,6 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
-#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/schedule/schedule_timing.hpp"

@@ -114,6 +114,15 @@ std::optional<double> as_number_in(Reading& reading, const Item& item, const Num
   return quantity ? std::optional(quantity->profile) : std::nullopt;
 }
 
+std::optional<double> as_positive_in(Reading& reading, const Item& item, const NumberUnit& unit) {
+  const auto number = as_number_in(reading, item, unit);
+  if (number && !(*number > 0)) {
+    report(reading, item, "must be > 0");
+    return std::nullopt;
+  }
+  return number;
+}
+
 std::optional<std::vector<double>> as_numbers_in(Reading& reading, const Item& item, const NumberUnit& unit,
                                                  std::size_t count) {
   const std::vector<Item> items = items_of(item);

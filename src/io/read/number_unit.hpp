@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace higherpair::io_detail {
@@ -39,6 +38,9 @@ struct NumberUnit {
 
 /// A number in the profile's unit: a plain one, or one with its own unit, which is converted.
 [[nodiscard]] std::optional<double> as_number_in(Reading& reading, const Item& item, const NumberUnit& unit);
+/// The same for a number that must be > 0.
+[[nodiscard]] std::optional<double> as_positive_in(Reading& reading, const Item& item,
+                                                   const NumberUnit& unit);
 /// A list of them; any number of them where `count` is 0.
 [[nodiscard]] std::optional<std::vector<double>> as_numbers_in(Reading& reading, const Item& item,
                                                                const NumberUnit& unit, std::size_t count);

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/core.h>
-
 namespace higherpair::io_detail {
 namespace {
 

@@ -4,7 +4,6 @@
 #include "number_unit.hpp"
 #include "reading.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <utility>
 

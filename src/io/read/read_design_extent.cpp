@@ -2,8 +2,6 @@
 #include "read_design.hpp"
 
 #include <numeric>
-#include <string>
-#include <utility>
 
 #include <fmt/core.h>
 

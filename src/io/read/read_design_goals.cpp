@@ -165,8 +165,8 @@ std::optional<DesignTask::Grashof> read_grashof(TableReader& table, const Item& 
 void check_transmission_limit(TableReader& table, const std::optional<double>& limit, const Units& units) {
   const double right = from_si(dimension::kAngle, units).apply(kPi / 2);
   if (limit && !(*limit >= 0 && *limit <= right)) {
-    report_whole(table, fmt::format("a transmission angle is from 0 to {:.6g} {}, not {}", right,
-                                    unit_text(dimension::kAngle, units), *limit));
+    report_whole(table, fmt::format("a transmission angle is from 0 to {}, not {}",
+                                    with_unit(kPi / 2, dimension::kAngle, units), *limit));
   }
 }
 
@@ -214,10 +214,7 @@ std::optional<DesignTask::Objective> read_objective(TableReader& table, Profile&
       !std::holds_alternative<DesignTask::Followed>(*of)) {
     objective.target = table.take("target", as_number_in, unit_of_goal(reading, of, profile.mechanism));
   }
-  if (const auto weight = table.take("weight")) {
-    objective.weight = as_number_in(reading, *weight, no_unit()).value_or(1);
-    if (!(objective.weight > 0)) report(reading, *weight, "must be > 0");
-  }
+  objective.weight = table.take("weight", as_positive_in, no_unit()).value_or(1);
   if (!of) return std::nullopt;
   objective.of = *std::move(of);
   return objective;

@@ -1,5 +1,4 @@
 // The path of a point as a design's objective.
-#include "higherpair/io/diagnostic.hpp"
 #include "io/tables/named_file.hpp"
 #include "number_unit.hpp"
 #include "read_design.hpp"

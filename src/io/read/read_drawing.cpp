@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include <fmt/core.h>
-
 namespace higherpair::io_detail {
 namespace {
 

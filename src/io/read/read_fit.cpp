@@ -6,8 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include <fmt/core.h>
-
 namespace higherpair {
 namespace io_detail {
 namespace {
@@ -41,16 +39,6 @@ public:
   }
 
 private:
-  std::optional<double> positive(TableReader& table, const std::string& key, const NumberUnit& unit) {
-    const auto item = table.take(key);
-    const auto number = item ? as_number_in(reading_, *item, unit) : std::nullopt;
-    if (number && !(*number > 0)) {
-      report(reading_, *item, "must be > 0");
-      return std::nullopt;
-    }
-    return number;
-  }
-
   void read_column(TableReader& table) {
     FitTask::Column column;
     column.place = place_of(reading_, table.mark());
@@ -58,8 +46,9 @@ private:
     if (const auto name = table.need("column", "the name of a measured column, or a glob")) {
       column.column = as_text(reading_, *name).value_or("");
     }
-    column.deviation = positive(table, "deviation", unit_of_column(reading_, mechanism_, column.column));
-    column.weight = positive(table, "weight", no_unit()).value_or(1);
+    column.deviation =
+        table.take("deviation", as_positive_in, unit_of_column(reading_, mechanism_, column.column));
+    column.weight = table.take("weight", as_positive_in, no_unit()).value_or(1);
     column.offset = table.flag("offset", false);
     task_.columns.push_back(std::move(column));
   }

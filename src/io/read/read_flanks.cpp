@@ -2,7 +2,6 @@
 #include "higherpair/cam/sizing.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/io/coordinate.hpp"
-#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/tolerances.hpp"

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
-
 namespace higherpair::io_detail {
 namespace {
 

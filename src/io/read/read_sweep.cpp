@@ -6,7 +6,6 @@
 #include "sweep_reading.hpp"
 
 #include <array>
-#include <memory>
 #include <utility>
 
 #include <fmt/core.h>

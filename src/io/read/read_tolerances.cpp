@@ -1,11 +1,9 @@
 // [tolerances]: which numbers of the profile scatter, and which results of the run are wanted.
 #include "higherpair/io/tasks.hpp"
-#include "read_measure.hpp"
 #include "reading.hpp"
 #include "sweep_reading.hpp"
 
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -163,13 +161,9 @@ void read_results_of(TableReader& table, const Mechanism& mechanism, ToleranceTa
                  ToleranceResult result;
                  result.name = name;
                  result.measure = measure.value_or(Measure());
-                 if (const auto within = entry.take("within")) {
-                   result.within =
-                       as_number_in(entry.reading(), *within,
-                                    unit_of_column(entry.reading(), mechanism, result.measure.column));
-                   if (result.within && !(*result.within > 0))
-                     report(entry.reading(), *within, "must be > 0");
-                 }
+                 result.within =
+                     entry.take("within", as_positive_in,
+                                unit_of_column(entry.reading(), mechanism, result.measure.column));
                  task.results.push_back(std::move(result));
                });
 }

@@ -1,9 +1,5 @@
 #include "reading.hpp"
 
-#include <array>
-
-#include <fmt/core.h>
-
 namespace higherpair::io_detail {
 namespace {
 

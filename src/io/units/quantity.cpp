@@ -6,7 +6,6 @@
 #include "unit_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>

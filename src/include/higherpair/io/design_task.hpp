@@ -125,6 +125,22 @@ struct DesignTask {
   std::optional<std::uint64_t> seed;
   std::optional<double> target;  ///< of the objective: the search ends when it is reached
   Place place;
+
+  /// Those of the objectives that are paths, and of the constraints on transmission angles, in their order.
+  [[nodiscard]] std::vector<const PointPath*> paths() const {
+    std::vector<const PointPath*> paths;
+    for (const Objective& objective : objectives) {
+      if (objective.path()) paths.push_back(objective.path());
+    }
+    return paths;
+  }
+  [[nodiscard]] std::vector<const Transmission*> transmissions() const {
+    std::vector<const Transmission*> transmissions;
+    for (const Constraint& constraint : constraints) {
+      if (constraint.transmission()) transmissions.push_back(constraint.transmission());
+    }
+    return transmissions;
+  }
 };
 
 }  // namespace higherpair
