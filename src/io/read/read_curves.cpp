@@ -247,9 +247,9 @@ private:
       return;
     }
     const auto name = as_text(reading_, offset.of);
-    const auto index =
-        name ? named_thing(reading_, offset.of, *name, has_no(body_.name, "curve"), body_.curves)
-             : std::nullopt;
+    const auto index = name ? named_thing(reading_, offset.of, *name, has_no(body_.name, "curve"),
+                                          body_.curves, fmt::format("bodies.{}.curves", body_.name))
+                            : std::nullopt;
     const auto source = static_cast<std::size_t>(index.value_or(0));
     if (!index || states_[source] == State::kWrong) {
       states_[offset.curve] = State::kWrong;

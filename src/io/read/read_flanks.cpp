@@ -60,7 +60,8 @@ private:
     if (!name) {
       return std::nullopt;
     }
-    const auto index = named_thing(reading_, late.contact, *name, "there is no contact", mechanism_.contacts);
+    const auto index =
+        named_thing(reading_, late.contact, *name, "there is no contact", mechanism_.contacts, "contacts");
     if (!index) {
       return std::nullopt;
     }
