@@ -85,6 +85,14 @@ TEST(ProfileMessages, KeepMistakesThatOnlyLookAlike) {
               ElementsAre(HasSubstr("there is no body `camm`"), HasSubstr("there is no body `kam`")));
 }
 
+TEST(ProfileMessages, TellOfUnknownKeysOfAnOffsetBesideOtherMistakes) {
+  EXPECT_THAT(messages(kCamProfile + std::string("[bodies.cam.curves.far]\ntype = \"offset\"\nof = \"diss\"\n"
+                                                 "by = \"abc\"\nmateriel = 3\n")),
+              ElementsAre(HasSubstr("far.of = \"diss\": body `cam` has no curve `diss`"),
+                          HasSubstr("far.by = \"abc\": does not begin with a number"),
+                          HasSubstr("far.materiel: unknown key")));
+}
+
 TEST(ProfileMessages, TellTheAngleOfASlideFromItsDirection) {
   std::string text = slider_profile();
   const auto direction = text.find("direction");
