@@ -375,11 +375,11 @@ TEST(ProfileMessages, UnitsAsTheyAreWrittenElsewhere) {
     return all.empty() ? "" : all.front().substr(all.front().find("\": ") + 3);
   };
   const std::string expected = "; expected an angular velocity, such as \"25.4 deg/s\"";
-  EXPECT_EQ(velocity("degrees/s"), "degrees is no unit (did you mean `deg`?)" + expected);
-  EXPECT_EQ(velocity("rad/sec"), "sec is no unit (did you mean `s`?)" + expected);
+  EXPECT_EQ(velocity("degrees/s"), "degrees is no unit (did you mean `deg/s`?)" + expected);
+  EXPECT_EQ(velocity("rad/sec"), "sec is no unit (did you mean `rad/s`?)" + expected);
   EXPECT_EQ(velocity("°/s"), "has the sign °: write deg" + expected);
   EXPECT_EQ(velocity("Hz"), "Hz is no unit: write rev/s" + expected);
-  EXPECT_EQ(velocity("Nm"), "Nm is no unit (did you mean `N m`?)" + expected);
+  EXPECT_EQ(velocity("Nm"), "Nm is no unit" + expected);
   EXPECT_EQ(velocity("upm"), "upm is no unit (did you mean `rpm`?)" + expected);
 }
 
