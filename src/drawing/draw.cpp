@@ -38,7 +38,7 @@ text.name { font-style: italic; }
 .curvature.filled { fill: #0072b2; stroke: none; }
 .contact { fill: #d55e00; stroke: #fff; stroke-width: 0.8; }
 .linkage { stroke: #d55e00; stroke-width: 2.6; } .linkage.filled { fill: #fff; stroke-width: 1.8; }
-.center { fill: #cc79a7; stroke: none; }
+.center { fill: #b0508a; stroke: #b0508a; stroke-width: 1.4; } text[data-role=center] { fill: #b0508a; }
 .trace { stroke: #009e73; stroke-width: 1.3; }
 .velocity { stroke: #0072b2; stroke-width: 1.6; } .velocity.head { fill: #0072b2; }
 .acceleration { stroke: #d55e00; stroke-width: 1.6; stroke-dasharray: 6 2; }

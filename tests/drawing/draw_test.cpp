@@ -582,6 +582,44 @@ TEST(Drawing, OfAStripHasThePositionsOfTheDriver) {
   EXPECT_EQ(captions[1], "driver = 10 deg");
 }
 
+// Of a centre outside of the frame an arrow within it points there; one inside has none.
+TEST(Drawing, PointsToCentresOutsideOfTheFrame) {
+  const Model model = shipped("sixbar_slider");
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  int outside = 0, inside = 0;
+  for (const MotionRow& row : rows) {
+    const Scene& scene = maker.at(row);
+    const auto holds = [&](const Vector2d& p) {
+      return (p.array() >= scene.view.low.array()).all() && (p.array() <= scene.view.high.array()).all();
+    };
+    std::map<std::string, Shape> arrows, texts;
+    for (const Shape& shape : scene.moving) {
+      if (shape.role != Role::kCenter) continue;
+      if (shape.kind == Shape::Kind::kArrow) arrows[shape.name] = shape;
+      if (shape.kind == Shape::Kind::kText) texts[shape.text] = shape;
+    }
+    for (std::size_t b = 1; b < row.bodies.size(); ++b) {
+      const BodyMotion& body = row.bodies[b];
+      const std::string& name = model.mechanism().bodies[b].name;
+      const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+      const std::vector<double>& n = arrows.at(name).numbers;
+      EXPECT_EQ(texts.at("centre of " + name).numbers.empty(), n.empty());
+      if (n.empty()) {
+        inside += p.allFinite() && holds(p) ? 1 : 0;
+        EXPECT_TRUE(body.omega == 0 || holds(p) || p.norm() > 100 * scene.view.size().norm()) << name;
+        continue;
+      }
+      ++outside;
+      const Vector2d tail(n[0], n[1]), tip(n[2], n[3]);
+      EXPECT_TRUE(holds(tail) && holds(tip) && !holds(p)) << name;
+      EXPECT_NEAR((tip - tail).normalized().dot((p - tip).normalized()), 1, 1e-9) << name;
+    }
+  }
+  EXPECT_GT(outside, 0);
+  EXPECT_GT(inside, 0);
+}
+
 // A dot has no name, and an arrow does not show which of two bodies it acts on.
 TEST(Drawing, TellsWhoseItsCentresAndForcesAre) {
   SceneSettings wanted;

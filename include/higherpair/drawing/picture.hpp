@@ -47,7 +47,7 @@ enum class Role {  // in drawing order, later ones on top
   kNormal,         ///< common normal
   kLinkage,        ///< the equivalent linkage
   kContact,        ///< the touching point
-  kCenter,         ///< instant centres
+  kCenter,         ///< instant centres; of those outside of the frame arrows at its edge
   kTrace,          ///< path of a point
   kVelocity,       ///< arrows
   kAcceleration,   ///< arrows
