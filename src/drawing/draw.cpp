@@ -197,17 +197,18 @@ private:
         break;
     }
     if (told) svg_.close();
-    if (!ghost) add_ink(shape.kind, px);
+    if (!ghost) add_ink(shape, px);
   }
 
-  void add_ink(Kind kind, const std::vector<double>& px) {
-    if (kind == Kind::kCircle) {
+  void add_ink(const Shape& shape, std::vector<double> px) {
+    if (shape.kind == Kind::kCircle) {
       const int count = std::clamp(static_cast<int>(2 * kPi * px[2] / kInkEvery), 4, 400);
       for (int i = 0; i < count; ++i) {
         ink_.emplace_back(Vector2d(px[0], px[1]) + px[2] * unit_vector(2 * kPi * i / count));
       }
       return;
     }
+    if (shape.closed) px.insert(px.end(), {px[0], px[1]});  // the last side, often a long one
     for (std::size_t i = 0; i + 3 < px.size(); i += 2) {
       const Vector2d a(px[i], px[i + 1]), b(px[i + 2], px[i + 3]);
       if (!a.allFinite() || !b.allFinite()) {

@@ -620,6 +620,39 @@ TEST(Drawing, PointsToCentresOutsideOfTheFrame) {
   EXPECT_GT(inside, 0);
 }
 
+// The distance of a point from the closed path of an element [px].
+double distance_from(const Element& element, const Vector2d& p) {
+  const std::vector<double> n = path_numbers(element);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < n.size(); i += 2) {
+    const std::size_t k = (i + 2) % n.size();
+    const Vector2d a(n[i], n[i + 1]), side = Vector2d(n[k], n[k + 1]) - a;
+    const double share = side.norm() > 0 ? std::clamp((p - a).dot(side) / side.squaredNorm(), 0.0, 1.0) : 0;
+    least = std::min(least, (p - a - share * side).norm());
+  }
+  return least;
+}
+
+// The last side of a closed outline counts as the others do: the names stood across the right sides of these.
+TEST(Drawing, WritesNamesBesideNarrowBarsNotAcrossTheirSides) {
+  SceneSettings wanted;
+  wanted.at = 30;
+  const auto all = read_back(draw_svg(scenes_of(shipped("toggle_press"), wanted).value().scenes, {}));
+  int found = 0;
+  for (const Element& label : all) {
+    if (label.role != "label" || (label.text != "upper" && label.text != "lower")) continue;
+    const double half = 3 * static_cast<double>(label.text.size());
+    for (const Element& bar : all) {
+      if (bar.role != "link" || bar.name != label.text) continue;
+      for (const double x : {-half, -half / 2, 0.0, half / 2, half}) {
+        EXPECT_GT(distance_from(bar, {label.number("x") + x, label.number("y")}), 3) << label.text;
+      }
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 2);
+}
+
 // A dot has no name, and an arrow does not show which of two bodies it acts on.
 TEST(Drawing, TellsWhoseItsCentresAndForcesAre) {
   SceneSettings wanted;
