@@ -65,6 +65,9 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   for (std::size_t i = 1; i < row.bodies.size(); ++i) {
     add_motion(row, static_cast<int>(i));
   }
+  for (const Driver& driver : mechanism_->drivers) {
+    add_driver(row, driver);
+  }
   if (forces_ && reactions != nullptr) {
     add_forces(row, *reactions);
   }

@@ -5,6 +5,7 @@
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/design_task.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -418,7 +419,8 @@ TEST(Drawing, HasTheLayersThatAreAskedFor) {
   settings.layers = {Role::kLink, Role::kVelocity};
   std::set<std::string> roles;
   for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) roles.insert(element.role);
-  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale", "scale-head"}));
+  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale", "scale-head",
+                                          "caption"}));
   for (int role = 0; role < kRoleCount; ++role) {
     EXPECT_EQ(role_of(name_of(static_cast<Role>(role))), static_cast<Role>(role));
   }
@@ -580,6 +582,60 @@ TEST(Drawing, OfAStripHasThePositionsOfTheDriver) {
   ASSERT_EQ(captions.size(), scenes.scenes.size());
   ASSERT_GT(captions.size(), 1U);
   EXPECT_EQ(captions[1], "driver = 10 deg");
+}
+
+// A single picture, or ghosts under the last position: below it at the right.
+TEST(Drawing, HasThePositionOfItsDrivers) {
+  const auto captions = [](const std::string& name, const SceneSettings& wanted) {
+    std::vector<std::string> found;
+    for (const Element& element : read_back(draw_svg(scenes_of(shipped(name), wanted).value().scenes, {}))) {
+      if (element.role == "caption") found.push_back(element.text);
+    }
+    return found;
+  };
+  SceneSettings at, every;
+  at.at = 30;
+  every.every = 10;
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(captions("four_bar", {}), Texts{"driver = 0 deg"});
+  EXPECT_EQ(captions("four_bar", at), Texts{"driver = 30 deg"});
+  EXPECT_EQ(captions("four_bar", every), Texts{"driver = 360 deg"});
+  EXPECT_EQ(captions("five_bar", {}), Texts{"driver.left = 110 deg, driver.right = 60 deg"});
+}
+
+// The arc of a driven pin is about it, and its head is where it turns to; so is the arrow beside a slide.
+TEST(Drawing, MarksTheDrivenBodyInItsSense) {
+  for (const double speed : {60.0, -60.0}) {
+    const Model model = shipped("four_bar", {fmt::format("driver.velocity={}", speed)});
+    const std::vector<MotionRow> rows = rows_of(model);
+    const Scene scene = SceneMaker(model.mechanism(), rows).scene();
+    std::vector<Shape> marks;
+    for (const Shape& shape : scene.moving) {
+      if (shape.role == Role::kDriver) marks.push_back(shape);
+    }
+    ASSERT_EQ(marks.size(), 2U);
+    const Vector2d pin = kMillimetres * model.mechanism().bodies[0].points[0].p_B;
+    const std::vector<double>& arc = marks[0].numbers;
+    const Vector2d from = Vector2d(arc[0], arc[1]) - pin;
+    const Vector2d to = Vector2d(arc[arc.size() - 2], arc[arc.size() - 1]) - pin;
+    const Vector2d tip = Vector2d(marks[1].numbers[0], marks[1].numbers[1]) - pin;
+    EXPECT_NEAR(from.norm(), to.norm(), 1e-9);
+    EXPECT_GT(speed * perp(from).dot(to), 0);
+    EXPECT_GT(speed * perp(to).dot(tip), 0);
+  }
+  const Model model = shipped("law_driven_slider");
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  const Joint& slide = driven_joint(model.mechanism());
+  ASSERT_EQ(slide.type, JointType::kPrismatic);
+  for (const MotionRow& row : rows) {
+    const double speed = joint_motion(model.mechanism(), slide, row.bodies).velocity;
+    for (const Shape& shape : maker.at(row).moving) {
+      if (shape.role != Role::kDriver || speed == 0) continue;
+      const std::vector<double>& n = shape.numbers;
+      EXPECT_GT(speed * slide.direction_A.dot(Vector2d(n[2] - n[0], n[3] - n[1])), 0);
+    }
+  }
 }
 
 // Of a centre outside of the frame an arrow within it points there; one inside has none.
