@@ -139,7 +139,8 @@ std::vector<Fact> facts_of(const Mechanism& mechanism, double turn, const Report
       list.fastest(name, name + ".velocity", "Max. speed");
       list.largest(name, name + ".acceleration", "Max. acceleration");
     }
-    list.largest(name, name + ".effort", "Max. effort");
+    const bool turns = has_angle(mechanism.joints[driver.joint].type);
+    list.largest(name, name + ".effort", turns ? "Max. driving torque" : "Max. driving force");
   }
   if (facts.empty() && mechanism.bodies.size() > 1) {
     add_last_body(mechanism, data, list);
