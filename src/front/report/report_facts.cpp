@@ -76,6 +76,7 @@ private:
       if (found.rounded(value) == 0 && column_is_rate(found.column)) return;
       at.clear();
     }
+    for (ColumnExtremes::Value& here : at) here.value = found.rounded(here.value);
     facts_.push_back({of, name, found.rounded(value), found.column.unit, found.column.name, std::move(at)});
   }
 
