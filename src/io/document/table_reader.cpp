@@ -62,7 +62,10 @@ std::optional<Item> TableReader::need(const std::string& key, std::string_view w
 
 void TableReader::report_missing(std::string_view key, std::string_view what) const {
   const std::string path = path_to(key);
-  reading_->mistakes.push_back({mark(), fmt::format("{} is missing: expected {}", path, what), "", {path}});
+  std::vector<std::string> lacks = {path};
+  for (const std::string& other : instead_) lacks.push_back(path_to(other));
+  reading_->mistakes.push_back(
+      {mark(), fmt::format("{} is missing: expected {}", path, what), "", std::move(lacks)});
 }
 
 std::optional<std::size_t> TableReader::need_type(std::string_view what,

@@ -82,6 +82,9 @@ public:
     known_.insert(known_.end(), keys.begin(), keys.end());
   }
 
+  /// Keys of which one would do in place of any that is missing from now on.
+  void instead(std::initializer_list<const char*> keys) { instead_.assign(keys.begin(), keys.end()); }
+
   /// Reports every key that is not known.
   void finish() const;
 
@@ -96,6 +99,7 @@ private:
   const Table* table_;
   std::vector<std::string> known_;    ///< some repeatedly
   std::vector<std::string> refused_;  ///< keys that must not be there
+  std::vector<std::string> instead_;  ///< keys that would do in place of a missing one
 };
 
 /// Adds a mistake, or a note of a probable one, about a table as a whole.

@@ -34,13 +34,13 @@ void follow_law(Reading& reading, const Item& follow, Profile& profile, LawBook&
            "a law is of an angle or of a coordinate: BODY.angle, BODY.POINT.x, JOINT.position");
     return;
   }
+  if (!reading.mistakes.empty()) {
+    return;  // the driver or its joint may have one of them
+  }
   if (profile.mechanism.drivers.size() != 1) {
     report(reading, follow,
            "a law is a function of one driver's position: expected a mechanism with one driver");
     return;
-  }
-  if (!reading.mistakes.empty()) {
-    return;  // the driver's joint may have one of them
   }
   const LawQuantities quantities{driver_dimension(profile.mechanism), *value};
   const auto index = laws.find(follow, quantities, profile.mechanism);
@@ -126,6 +126,9 @@ std::optional<Measure> read_column_goal(TableReader& table, const Mechanism& mec
   if (is_part) {
     table.knows({"column", "of", "at"});
     return std::nullopt;
+  }
+  if (!table.has("column")) {
+    table.instead({"path", "follow", "figure", "reach", "size", "transmission", "grashof", "without"});
   }
   return read_measure(table, unit_of_driver(mechanism));
 }
