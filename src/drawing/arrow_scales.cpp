@@ -46,7 +46,7 @@ void add_arrow_rooms(Scene& scene) {
   const double longest = kLongestArrow * scene.unit, margin = kTipMargin * scene.unit;
   for (const Shape& shape : scene.moving) {
     const std::vector<double>& n = shape.numbers;
-    if (n.empty()) continue;
+    if (n.empty() || shape.role == Role::kCenter || shape.role == Role::kDriver) continue;  // within the view
     if (shape.kind == Shape::Kind::kArrow) {
       const Vector2d from(n[0], n[1]), arrow = Vector2d(n[2], n[3]) - from;
       extend(room_of(shape.role, scene), from + arrow * std::min(1.0, longest / arrow.norm()), margin);

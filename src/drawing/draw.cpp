@@ -38,7 +38,8 @@ text.name { font-style: italic; }
 .curvature.filled { fill: #0072b2; stroke: none; }
 .contact { fill: #d55e00; stroke: #fff; stroke-width: 0.8; }
 .linkage { stroke: #d55e00; stroke-width: 2.6; } .linkage.filled { fill: #fff; stroke-width: 1.8; }
-.center { fill: #cc79a7; stroke: none; }
+.center { fill: #b0508a; stroke: #b0508a; stroke-width: 1.4; } text[data-role=center] { fill: #b0508a; }
+.driver { stroke: #56419e; stroke-width: 2; } .driver.head, .driver.filled { fill: #56419e; }
 .trace { stroke: #009e73; stroke-width: 1.3; }
 .velocity { stroke: #0072b2; stroke-width: 1.6; } .velocity.head { fill: #0072b2; }
 .acceleration { stroke: #d55e00; stroke-width: 1.6; stroke-dasharray: 6 2; }
@@ -197,17 +198,18 @@ private:
         break;
     }
     if (told) svg_.close();
-    if (!ghost) add_ink(shape.kind, px);
+    if (!ghost) add_ink(shape, px);
   }
 
-  void add_ink(Kind kind, const std::vector<double>& px) {
-    if (kind == Kind::kCircle) {
+  void add_ink(const Shape& shape, std::vector<double> px) {
+    if (shape.kind == Kind::kCircle) {
       const int count = std::clamp(static_cast<int>(2 * kPi * px[2] / kInkEvery), 4, 400);
       for (int i = 0; i < count; ++i) {
         ink_.emplace_back(Vector2d(px[0], px[1]) + px[2] * unit_vector(2 * kPi * i / count));
       }
       return;
     }
+    if (shape.closed) px.insert(px.end(), {px[0], px[1]});  // the last side, often a long one
     for (std::size_t i = 0; i + 3 < px.size(); i += 2) {
       const Vector2d a(px[i], px[i + 1]), b(px[i + 2], px[i + 3]);
       if (!a.allFinite() || !b.allFinite()) {
@@ -308,7 +310,7 @@ void draw_caption(SvgWriter& svg, const std::string& caption, const Vector2d& co
 std::vector<Role> default_layers() {
   return {Role::kFixed,   Role::kLink,    Role::kBody,   Role::kJoint,   Role::kGear,
           Role::kSpring,  Role::kContact, Role::kNormal, Role::kTangent, Role::kCurvature,
-          Role::kLinkage, Role::kTrace,   Role::kLabel};
+          Role::kLinkage, Role::kTrace,   Role::kDriver, Role::kLabel};
 }
 
 std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
@@ -320,7 +322,8 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   const Vector2d whole = layout.size();
   DrawSettings fitted = settings;
   fitted.width = layout.picture.x();
-  const DrawFoot foot(scenes.front(), fitted, layers, screen.scale, whole.x());
+  const std::string caption = settings.strip ? "" : scenes.back().caption;
+  const DrawFoot foot(scenes.front(), fitted, layers, screen.scale, whole.x(), caption);
   SvgWriter svg({whole.x(), whole.y() + foot.height(), settings.title, kStyle},
                 {{"data-scale", fmt::format("{:.12g}", screen.scale * kMillimetres * settings.length.si)},
                  {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});

@@ -53,7 +53,8 @@ void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& s
 }
 
 DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers,
-                   double scale, double width) {
+                   double scale, double width, const std::string& caption)
+    : caption_(caption), width_(width) {
   const double unit = settings.length.si * kMillimetres;
   const double length = round_down(settings.width / scale / unit / 5);
   samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
@@ -88,15 +89,25 @@ void DrawFoot::lay_out(double width) {
     sample.line = line;
     x += needed + 2 * kFootMargin;
   }
+  if (x + text_width(caption_, kFootFont) > width - kFootMargin) ++line;
+  caption_line_ = line;
 }
 
 double DrawFoot::height() const {
-  return kFirstLine + kLine * samples_.back().line;
+  return kFirstLine + kLine * (caption_.empty() ? samples_.back().line : caption_line_);
 }
 
 void DrawFoot::draw(SvgWriter& svg, double top) const {
   for (const Sample& sample : samples_) {
     draw_sample(svg, sample, top + kFirstLine - 9 + kLine * sample.line);
+  }
+  if (!caption_.empty()) {
+    svg.text({{"class", "caption"},
+              {"style", "text-anchor:end"},
+              {"data-role", "caption"},
+              {"x", width_ - kFootMargin},
+              {"y", top + kFirstLine - 9 + kLine * caption_line_}},
+             caption_);
   }
 }
 

@@ -13,13 +13,14 @@ namespace higherpair {
 void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& style, const std::string& role,
                 const std::string& name);
 
-/// The foot of a picture: the scale of lengths, and a scale for each kind of arrow drawn.
+/// The foot of a picture: the scale of lengths, a scale for each kind of arrow drawn, and a caption.
 class DrawFoot {
 public:
   /// \param scale   of the picture [px/mm]
   /// \param width   of the whole picture [px]
+  /// \param caption  at its right end
   DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers, double scale,
-           double width);
+           double width, const std::string& caption);
 
   [[nodiscard]] double height() const;  ///< [px]
   /// \param top  upper edge of the foot [px]
@@ -35,6 +36,9 @@ private:
     int line = 0;
   };
   std::vector<Sample> samples_;
+  std::string caption_;
+  int caption_line_ = 0;
+  double width_ = 0;
 
   void draw_sample(SvgWriter& svg, const Sample& sample, double y) const;
   void lay_out(double width);

@@ -4,8 +4,8 @@
 #include "higherpair/geometry/pose.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "outline.hpp"
 #include "sketch.hpp"
+#include "turn_arrow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,26 +17,8 @@ constexpr double kTurnRadius = 6;  // of the arc of a torque [units]
 constexpr double kMostTurn = 1.75 * kPi;
 constexpr double kMomentHead = 1.7;  // length of the arc's head [units]
 constexpr double kDrawn = 0.02;      // smallest angle of an arc that is drawn [rad]
-constexpr double kArcStep = kPi / 24;
 
 using Kind = Shape::Kind;
-
-// An arc that begins at the top and runs counter-clockwise if turn > 0.
-void set_arc(Shape& arc, const Vector2d& center, double radius, double turn) {
-  const int count = 1 + static_cast<int>(std::abs(turn) / kArcStep);
-  for (int i = 0; i <= count; ++i) {
-    append(arc.numbers, center + radius * unit_vector(kPi / 2 + turn * i / count));
-  }
-}
-
-void set_arc_head(Shape& head, const Vector2d& center, double radius, double turn, double longest) {
-  const Vector2d outward = unit_vector(kPi / 2 + turn);
-  const Vector2d tip = center + radius * outward;
-  const double length = std::min(longest, radius * std::abs(turn));
-  const Vector2d along = std::copysign(length, turn) * perp(outward);
-  const Vector2d a = tip + 0.4 * length * outward, b = tip - 0.4 * length * outward, c = tip + along;
-  head.numbers.assign({c.x(), c.y(), a.x(), a.y(), b.x(), b.y()});
-}
 
 }  // namespace
 
@@ -100,11 +82,11 @@ void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double e
   if (has_angle(joint.type)) {
     const double turn = std::clamp(scene_.torque_scale * effort, -kMostTurn, kMostTurn);
     const bool is_drawn = std::abs(turn) > kDrawn;
-    const double radius = kTurnRadius * scene_.unit;
+    const TurnArrow arrow{p, kTurnRadius * scene_.unit, kPi / 2, turn};
     Shape& arc = next(Role::kForce, name, Kind::kPath);
-    if (is_drawn) set_arc(arc, p, radius, turn);
+    if (is_drawn) arc.numbers = arc_of(arrow);
     Shape& head = next(Role::kForce, name, Kind::kPath, true);
-    if (is_drawn) set_arc_head(head, p, radius, turn, kMomentHead * scene_.unit);
+    if (is_drawn) head.numbers = head_of(arrow, kMomentHead * scene_.unit);
     return;
   }
   Shape& arrow = next(Role::kForce, name, Kind::kArrow);

@@ -13,7 +13,7 @@ constexpr double kSamePlace = 4;  // [px]
 constexpr int kDirections = 12;
 constexpr std::array kDistances{0.9, 1.4, 2.0, 2.8,
                                 4.0};  // relative to the font size, from the position to the text's edge
-constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 2;  // costs
+constexpr double kCoveredText = 1e4, kOutside = 1e4, kCoveredInk = 3;  // costs
 constexpr double kNoRoom = 1e4;              // from this cost on a label is left out
 constexpr double kFar = 2.5, kFarClose = 5;  // per font size of distance
 constexpr double kTurned = 1.5;              // against the preferred direction

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kNormal = 9;  // half the length of normals and tangents [units]
 constexpr double kDot = 0.55;
+constexpr double kCenterEdge = 0.5, kCenterArrow = 4;  // to the edge of the frame, and length [units]
+constexpr double kFarthestCenter =
+    1e3;  // of half diagonals of the frame: a body farther from its centre slides
 constexpr int kCoils = 8;
 // Springs on pivots: radii [units], and by how much they wind [rad].
 constexpr double kOuterSpiral = 3.4, kInnerSpiral = 1.3;
@@ -61,6 +64,9 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   }
   for (std::size_t i = 1; i < row.bodies.size(); ++i) {
     add_motion(row, static_cast<int>(i));
+  }
+  for (const Driver& driver : mechanism_->drivers) {
+    add_driver(row, driver);
   }
   if (forces_ && reactions != nullptr) {
     add_forces(row, *reactions);
@@ -161,17 +167,35 @@ void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
   }
 }
 
+// The instant centre of a body; of one outside of the frame an arrow at its edge points there.
+void SceneMaker::add_center(const MotionRow& row, int index) {
+  const BodyMotion& body = row.bodies[index];
+  const std::string& name = mechanism_->bodies[index].name;
+  const double u = scene_.unit;
+  Shape& dot = next(Role::kCenter, name, Kind::kCircle, true);
+  dot.text = "instant centre of " + name;
+  Shape& arrow = next(Role::kCenter, name, Kind::kArrow);
+  arrow.text = dot.text;
+  Shape& label = next(Role::kCenter, name + ".center", Kind::kText);
+  label.text = "centre of " + name;
+  if (!(row.all_rates || row.has_rates[index]) || body.omega == 0) return;
+  const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+  const Vector2d middle = (scene_.view.low + scene_.view.high) / 2, half = scene_.view.size() / 2;
+  const Vector2d out = p - middle;
+  if (out.norm() <= largest_) set_circle(dot, p, kDot * u);
+  const double share = (out.array().abs() / half.array()).maxCoeff();  // 1 on the edge of the frame
+  if (!(share > 1 && out.norm() <= kFarthestCenter * half.norm())) return;
+  const Vector2d d = out.normalized();
+  const Vector2d tip = middle + out / share - kCenterEdge * u * d, tail = tip - kCenterArrow * u * d;
+  set_line(arrow, tail, tip);
+  label.numbers = {tail.x(), tail.y(), -d.x(), -d.y()};
+}
+
 void SceneMaker::add_motion(const MotionRow& row, int index) {
   const BodyMotion& body = row.bodies[index];
   const Body& of = mechanism_->bodies[index];
   const bool rates = row.all_rates || row.has_rates[index];
-  Shape& center = next(Role::kCenter, of.name, Kind::kCircle, true);
-  center.text = "instant centre of " + of.name;
-  if (rates && body.omega != 0) {
-    const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
-    const Vector2d middle = (scene_.view.low + scene_.view.high) / 2;
-    if ((p - middle).norm() <= largest_) set_circle(center, p, kDot * scene_.unit);
-  }
+  add_center(row, index);
   for (const NamedPoint& point : of.points) {
     const PointMotion motion = point_motion(body, point.p_B);
     const Vector2d p = kMillimetres * motion.p_W;

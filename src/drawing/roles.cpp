@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::array<std::string_view, kRoleCount> kNames{
     "link",    "body",    "gear",   "spring", "ground",   "joint",        "curvature", "tangent", "normal",
-    "linkage", "contact", "center", "trace",  "velocity", "acceleration", "force",     "label"};
+    "linkage", "contact", "center", "trace",  "velocity", "acceleration", "force",     "driver",  "label"};
 
 }  // namespace
 

@@ -120,6 +120,29 @@ TEST_F(Program, SummarisesARunWithJerk) {
   EXPECT_THAT(outcome.out, HasSubstr("\n  jerk "));
 }
 
+// Where all columns of a unit ought to be 0, what they are worked out from tells their rounding.
+TEST_F(Program, SummarisesRoundingOfRatesAsZero) {
+  for (const char* name : {"parallelogram.toml", "gear_teeth.toml", "involute_pair.toml"}) {
+    const Outcome outcome = run("analyze " + profile(name) + " --summary --quiet");
+    EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("deg/s^2"))) << name;
+    EXPECT_THAT(outcome.out, HasSubstr("always 0: ")) << name;
+  }
+  const Outcome rolling = run("analyze " + profile("rolling_ellipses.toml") + " --summary --quiet");
+  EXPECT_THAT(rolling.out, ::testing::Not(HasSubstr("  sliding ")));
+  EXPECT_THAT(rolling.out, HasSubstr("\n  alpha                   -11254.59"));
+  const Outcome slow = run("analyze " + profile("four_bar.toml") +
+                           " --set driver.velocity='\"1e-9 rad/s\"' --summary --quiet");
+  EXPECT_THAT(slow.out, HasSubstr("  alpha "));
+  EXPECT_THAT(slow.out, HasSubstr("deg/s^2"));
+}
+
+TEST_F(Program, WritesRoundingOfPlacesAsZero) {
+  EXPECT_THAT(run("branches " + profile("tangent_cam.toml") + " --quiet").out,
+              ::testing::Not(HasSubstr("e-1")));
+  EXPECT_THAT(run("mobility " + profile("double_rocker.toml") + " --quiet").out,
+              HasSubstr("left_arm, right_arm: (65637.68, 0)"));
+}
+
 // Largest and smallest angle of the demo's follower: where crank and coupler are in line, at 47.92 and 211.10
 // degrees.
 TEST_F(Program, SummarisesWhatChangesAndWhereItIsExtreme) {

@@ -62,7 +62,7 @@ TEST_F(Report, NamesTheFirstOfEqualExtremes) {
     return page.substr(begin, page.find("]}", begin) - begin);
   };
   EXPECT_THAT(fact("Min. force"), HasSubstr("\"driver\":0,"));
-  EXPECT_THAT(fact("Max. effort"), HasSubstr("\"driver\":57,"));
+  EXPECT_THAT(fact("Max. driving torque"), HasSubstr("\"driver\":57,"));
   EXPECT_THAT(fact("Max. pressure angle"), HasSubstr("\"driver\":54,"));
   EXPECT_THAT(fact("Max. speed"), HasSubstr("\"value\":1200,"));
   EXPECT_THAT(fact("Max. sliding"), AllOf(HasSubstr("\"value\":2513.27"), HasSubstr("\"driver\":120,")));

@@ -318,10 +318,10 @@ TEST_F(Slips, UnknownOptionsAndCommandsGetTheNearest) {
             "higherpair: there is no command version; did you mean `higherpair --version`?\n");
   EXPECT_EQ(message("analyze p.toml q.toml"), "higherpair: analyze does not take `q.toml`\n");
   EXPECT_EQ(message("analyse p.toml"),
-            "higherpair: there is no command analyse; did you mean `analyze`?; see higherpair --help\n");
+            "higherpair: there is no command analyse; did you mean `analyze`? See higherpair --help\n");
   EXPECT_EQ(
       message("simulate p.toml"),
-      "higherpair: there is no command simulate; did you mean `analyze` or `step`?; see higherpair --help\n");
+      "higherpair: there is no command simulate; did you mean `analyze` or `step`? See higherpair --help\n");
 }
 
 TEST_F(Slips, WordsOfOtherProgramsGetTheCommand) {
@@ -329,7 +329,7 @@ TEST_F(Slips, WordsOfOtherProgramsGetTheCommand) {
        {std::pair("optimize", "`design`"), std::pair("synth", "`design`"), std::pair("animate", "`report`"),
         std::pair("view", "`draw` or `report`")}) {
     EXPECT_EQ(run(word + std::string(" p.toml")).err,
-              fmt::format("higherpair: there is no command {}; did you mean {}?; see higherpair --help\n",
+              fmt::format("higherpair: there is no command {}; did you mean {}? See higherpair --help\n",
                           word, command));
     EXPECT_EQ(run(fmt::format("analyze p.toml --{}", word)).err,
               fmt::format("higherpair: analyze has no option --{}; as a command, did you mean {}?\n", word,
@@ -361,7 +361,7 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
   EXPECT_EQ(message("analyze"), "higherpair: FILE is required" + help);
   EXPECT_EQ(
       message("p.toml"),
-      "higherpair: there is no command p.toml; did you mean `higherpair analyze p.toml`?; see higherpair "
+      "higherpair: there is no command p.toml; did you mean `higherpair analyze p.toml`? See higherpair "
       "--help\n");
   EXPECT_EQ(message("--verson"),
             "higherpair: higherpair has no option --verson; did you mean `--version`?\n");

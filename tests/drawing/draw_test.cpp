@@ -5,6 +5,7 @@
 #include "higherpair/drawing/scene_maker.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/design_task.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -418,7 +419,8 @@ TEST(Drawing, HasTheLayersThatAreAskedFor) {
   settings.layers = {Role::kLink, Role::kVelocity};
   std::set<std::string> roles;
   for (const Element& element : read_back(draw_svg(scenes.scenes, settings))) roles.insert(element.role);
-  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale", "scale-head"}));
+  EXPECT_EQ(roles, (std::set<std::string>{"", "link", "velocity", "velocity-head", "scale", "scale-head",
+                                          "caption"}));
   for (int role = 0; role < kRoleCount; ++role) {
     EXPECT_EQ(role_of(name_of(static_cast<Role>(role))), static_cast<Role>(role));
   }
@@ -580,6 +582,131 @@ TEST(Drawing, OfAStripHasThePositionsOfTheDriver) {
   ASSERT_EQ(captions.size(), scenes.scenes.size());
   ASSERT_GT(captions.size(), 1U);
   EXPECT_EQ(captions[1], "driver = 10 deg");
+}
+
+// A single picture, or ghosts under the last position: below it at the right.
+TEST(Drawing, HasThePositionOfItsDrivers) {
+  const auto captions = [](const std::string& name, const SceneSettings& wanted) {
+    std::vector<std::string> found;
+    for (const Element& element : read_back(draw_svg(scenes_of(shipped(name), wanted).value().scenes, {}))) {
+      if (element.role == "caption") found.push_back(element.text);
+    }
+    return found;
+  };
+  SceneSettings at, every;
+  at.at = 30;
+  every.every = 10;
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(captions("four_bar", {}), Texts{"driver = 0 deg"});
+  EXPECT_EQ(captions("four_bar", at), Texts{"driver = 30 deg"});
+  EXPECT_EQ(captions("four_bar", every), Texts{"driver = 360 deg"});
+  EXPECT_EQ(captions("five_bar", {}), Texts{"driver.left = 110 deg, driver.right = 60 deg"});
+}
+
+// The arc of a driven pin is about it, and its head is where it turns to; so is the arrow beside a slide.
+TEST(Drawing, MarksTheDrivenBodyInItsSense) {
+  for (const double speed : {60.0, -60.0}) {
+    const Model model = shipped("four_bar", {fmt::format("driver.velocity={}", speed)});
+    const std::vector<MotionRow> rows = rows_of(model);
+    const Scene scene = SceneMaker(model.mechanism(), rows).scene();
+    std::vector<Shape> marks;
+    for (const Shape& shape : scene.moving) {
+      if (shape.role == Role::kDriver) marks.push_back(shape);
+    }
+    ASSERT_EQ(marks.size(), 2U);
+    const Vector2d pin = kMillimetres * model.mechanism().bodies[0].points[0].p_B;
+    const std::vector<double>& arc = marks[0].numbers;
+    const Vector2d from = Vector2d(arc[0], arc[1]) - pin;
+    const Vector2d to = Vector2d(arc[arc.size() - 2], arc[arc.size() - 1]) - pin;
+    const Vector2d tip = Vector2d(marks[1].numbers[0], marks[1].numbers[1]) - pin;
+    EXPECT_NEAR(from.norm(), to.norm(), 1e-9);
+    EXPECT_GT(speed * perp(from).dot(to), 0);
+    EXPECT_GT(speed * perp(to).dot(tip), 0);
+  }
+  const Model model = shipped("law_driven_slider");
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  const Joint& slide = driven_joint(model.mechanism());
+  ASSERT_EQ(slide.type, JointType::kPrismatic);
+  for (const MotionRow& row : rows) {
+    const double speed = joint_motion(model.mechanism(), slide, row.bodies).velocity;
+    for (const Shape& shape : maker.at(row).moving) {
+      if (shape.role != Role::kDriver || speed == 0) continue;
+      const std::vector<double>& n = shape.numbers;
+      EXPECT_GT(speed * slide.direction_A.dot(Vector2d(n[2] - n[0], n[3] - n[1])), 0);
+    }
+  }
+}
+
+// Of a centre outside of the frame an arrow within it points there; one inside has none.
+TEST(Drawing, PointsToCentresOutsideOfTheFrame) {
+  const Model model = shipped("sixbar_slider");
+  const std::vector<MotionRow> rows = rows_of(model);
+  SceneMaker maker(model.mechanism(), rows);
+  int outside = 0, inside = 0;
+  for (const MotionRow& row : rows) {
+    const Scene& scene = maker.at(row);
+    const auto holds = [&](const Vector2d& p) {
+      return (p.array() >= scene.view.low.array()).all() && (p.array() <= scene.view.high.array()).all();
+    };
+    std::map<std::string, Shape> arrows, texts;
+    for (const Shape& shape : scene.moving) {
+      if (shape.role != Role::kCenter) continue;
+      if (shape.kind == Shape::Kind::kArrow) arrows[shape.name] = shape;
+      if (shape.kind == Shape::Kind::kText) texts[shape.text] = shape;
+    }
+    for (std::size_t b = 1; b < row.bodies.size(); ++b) {
+      const BodyMotion& body = row.bodies[b];
+      const std::string& name = model.mechanism().bodies[b].name;
+      const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+      const std::vector<double>& n = arrows.at(name).numbers;
+      EXPECT_EQ(texts.at("centre of " + name).numbers.empty(), n.empty());
+      if (n.empty()) {
+        inside += p.allFinite() && holds(p) ? 1 : 0;
+        EXPECT_TRUE(body.omega == 0 || holds(p) || p.norm() > 100 * scene.view.size().norm()) << name;
+        continue;
+      }
+      ++outside;
+      const Vector2d tail(n[0], n[1]), tip(n[2], n[3]);
+      EXPECT_TRUE(holds(tail) && holds(tip) && !holds(p)) << name;
+      EXPECT_NEAR((tip - tail).normalized().dot((p - tip).normalized()), 1, 1e-9) << name;
+    }
+  }
+  EXPECT_GT(outside, 0);
+  EXPECT_GT(inside, 0);
+}
+
+// The distance of a point from the closed path of an element [px].
+double distance_from(const Element& element, const Vector2d& p) {
+  const std::vector<double> n = path_numbers(element);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < n.size(); i += 2) {
+    const std::size_t k = (i + 2) % n.size();
+    const Vector2d a(n[i], n[i + 1]), side = Vector2d(n[k], n[k + 1]) - a;
+    const double share = side.norm() > 0 ? std::clamp((p - a).dot(side) / side.squaredNorm(), 0.0, 1.0) : 0;
+    least = std::min(least, (p - a - share * side).norm());
+  }
+  return least;
+}
+
+// The last side of a closed outline counts as the others do: the names stood across the right sides of these.
+TEST(Drawing, WritesNamesBesideNarrowBarsNotAcrossTheirSides) {
+  SceneSettings wanted;
+  wanted.at = 30;
+  const auto all = read_back(draw_svg(scenes_of(shipped("toggle_press"), wanted).value().scenes, {}));
+  int found = 0;
+  for (const Element& label : all) {
+    if (label.role != "label" || (label.text != "upper" && label.text != "lower")) continue;
+    const double half = 3 * static_cast<double>(label.text.size());
+    for (const Element& bar : all) {
+      if (bar.role != "link" || bar.name != label.text) continue;
+      for (const double x : {-half, -half / 2, 0.0, half / 2, half}) {
+        EXPECT_GT(distance_from(bar, {label.number("x") + x, label.number("y")}), 3) << label.text;
+      }
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 2);
 }
 
 // A dot has no name, and an arrow does not show which of two bodies it acts on.

@@ -112,6 +112,23 @@ TEST(Quantity, WithoutAUnitIsRefused) {
             "has no unit; expected an angle, such as \"25.4 deg\", or the number without quotes for deg");
 }
 
+TEST(Quantity, UnknownUnitsAreAnsweredWithUnitsOfTheQuantity) {
+  const std::string lengths = " is no unit (there are m, cm, mm, um, km, in, ft); expected a length, such as";
+  for (const std::string unit : {"nm", "dm", "h", "mn", "J"}) {
+    EXPECT_THAT(error("3 " + unit, dimension::kLength), HasSubstr(unit + lengths));
+  }
+  EXPECT_THAT(error("3 MM", dimension::kLength), HasSubstr("MM is no unit (did you mean `mm`?)"));
+  EXPECT_THAT(error("3 μm", dimension::kLength), HasSubstr("μm is no unit: write um"));
+  EXPECT_THAT(error("3 degs", dimension::kAngle), HasSubstr("degs is no unit (did you mean `deg`?)"));
+  EXPECT_THAT(error("3 degs", dimension::kAngularVelocity), HasSubstr("(did you mean `deg/s`?)"));
+  EXPECT_THAT(error("3 r/min", dimension::kAngularVelocity), HasSubstr("r is no unit: write rev, or rpm"));
+  EXPECT_THAT(error("3 nm", dimension::kTorque), HasSubstr("nm is no unit (did you mean `N m`?)"));
+  EXPECT_THAT(error("3 kgm2", dimension::kInertia), HasSubstr("kgm is no unit (did you mean `kg m^2`?)"));
+  EXPECT_THAT(error("3 Nm/degrees", dimension::kAngularStiffness), HasSubstr("(did you mean `N m/deg`?)"));
+  EXPECT_THAT(error("3 km/h", dimension::kVelocity), HasSubstr("h is no unit; expected a velocity"));
+  EXPECT_THAT(error("3 Hz", dimension::kLength), HasSubstr("Hz is no unit (there are m, cm, "));
+}
+
 TEST(Quantity, MistakesOfSpellingAreNamed) {
   EXPECT_THAT(error("3 lbs", dimension::kMass), HasSubstr("lbs is no unit: write lb"));
   EXPECT_THAT(error("300 U/min", dimension::kAngularVelocity), HasSubstr("U is no unit: write rev, or rpm"));
@@ -122,7 +139,7 @@ TEST(Quantity, MistakesOfSpellingAreNamed) {
               HasSubstr("has `2` where a unit is expected: a power is written with ^, as in mm^2"));
   EXPECT_THAT(error("3 N/mm^2", dimension::kStiffness),
               HasSubstr("N/mm^2 is a pressure, expected a stiffness"));
-  EXPECT_THAT(error("3 mn", dimension::kLength), HasSubstr("mn is no unit (did you mean `m`"));
+  EXPECT_THAT(error("3 N.m", dimension::kTorque), HasSubstr("has `.` between two units: write * or a space"));
   EXPECT_THAT(error("3 m/s/s", dimension::kAcceleration), HasSubstr("more than one `/`"));
   EXPECT_THAT(error("3 m^", dimension::kLength), HasSubstr("no integer from -9 to 9"));
   EXPECT_THAT(error("3 m^99999999999", dimension::kLength), HasSubstr("no integer from -9 to 9"));

@@ -132,6 +132,29 @@ INSTANTIATE_TEST_SUITE_P(
              "3:1: `radius` is here a second time after line 2: keep one of them"},
         Slip{"pose = { x = 1 }\npose.y = 2\n",
              "2:1: `pose.y` is written in line 1 already, as a whole: put all of it there"},
+        Slip{"[bodies.crank.points]\nO = [0, 0]\n[bodies.crank]\npoints.A = [1, 0]\n",
+             "4:1: `points.A` belongs to [bodies.crank.points] in line 1, where all keys of that table must "
+             "be: "
+             "put `A` there"},
+        Slip{"[bodies.crank.curves.disc]\n[bodies.crank]\ncurves.disc.radius = 3\n",
+             "3:1: `curves.disc.radius` belongs to [bodies.crank.curves.disc] in line 1, where all keys of "
+             "that "
+             "table must be: put `radius` there"},
+        Slip{"[bodies.crank]\n[bodies]\ncrank.points.O = [0, 0]\n",
+             "3:1: `crank.points.O` belongs to [bodies.crank] in line 1, where all keys of that table must "
+             "be: put "
+             "`points.O` there"},
+        Slip{"bodies = { crank = { mass = 3 } }\n[bodies.rod]\nmass = 1\n",
+             "2:1: [bodies.rod] is written in line 1 already, as a key: put all its keys there"},
+        Slip{"points = { A = [1, 0], A = [2, 0] }\n",
+             "1:24: `A` is in this table a second time: keep one of them"},
+        Slip{"curves = { disc = { type = \"circle\" }, disc.radius = 20 }\n",
+             "1:40: `disc.radius` is a part of what is written in this table already, as a whole: put it "
+             "there"},
+        Slip{"[design]\nobjectives = []\n[[design.objectives]]\n",
+             "3:1: [design.objectives] is written in line 2 already, as a key: put all its keys there"},
+        Slip{"[design.objectives]\n[[design.objectives]]\n",
+             "2:1: each table of this list is headed [[design.objectives]], here and in line 1"},
         Slip{"[driver\njoint = \"a\"\n", "1:1: the closing ] of the heading [driver is missing"},
         Slip{"[driver]]\n", "1:1: the heading of a table has one pair of brackets: [driver]"},
         Slip{"[]\n", "1:1: a heading needs a name between its brackets, such as [driver]"},

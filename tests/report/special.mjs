@@ -63,7 +63,7 @@ export async function checkPrint({ report, profiles, open }, checks) {
   await page.close();
 }
 
-/** Of two axes of y each has the colour of its line. */
+/** Of two axes of y each has the colour of its line, and 0 at the same height. */
 export async function checkAxes({ report, profiles, open }, checks) {
   const page = await open(await report(join(profiles, "sixbar_slider.toml"), "axes"));
   const coloured = await page.evaluate(async () => {
@@ -85,6 +85,10 @@ export async function checkAxes({ report, profiles, open }, checks) {
     return [beside(0, over.left - box.left - 4), beside(over.right - box.left + 4, box.width)];
   });
   checks.equal(coloured.join(), "true,true", "coloured figures at both axes");
+  const ranges = await page.evaluate(() => [...document.querySelectorAll(".plot .canvas")].map((one) => JSON.parse(one.dataset.ranges)));
+  const pairs = ranges.filter((found) => found.length === 2);
+  checks.true(pairs.length > 0, "no plot has two axes");
+  for (const [[a, b], [c, d]] of pairs) checks.near(-a / (b - a), -c / (d - c), 1e-9, "height of 0 on the second axis");
   await page.close();
 }
 

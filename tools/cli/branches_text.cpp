@@ -3,10 +3,19 @@
 #include "number_text.hpp"
 #include "unit_columns.hpp"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
 namespace higherpair::cli {
 namespace {
+
+constexpr double kPlaceRounding = 1e-12;  // of a place, relative to its distance from the origin
+
+// A coordinate of a place, or 0 if it is that to within rounding.
+double without_rounding(double coordinate, double distance) {
+  return std::abs(coordinate) <= kPlaceRounding * distance ? 0 : coordinate;
+}
 
 std::string contact_text(const BranchesReport& report, const ContactReport& contact) {
   std::string text = fmt::format("\ncontact {}: {} {}\n", contact.contact, contact.entries.size(),
@@ -18,8 +27,10 @@ std::string contact_text(const BranchesReport& report, const ContactReport& cont
                       title(contact.joint, contact.position_unit), title("x", report.length_unit),
                       title("y", report.length_unit), title("normal", report.angle_unit));
   for (const ContactEntry& entry : contact.entries) {
-    text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{}{}\n", entry.position, entry.x,
-                        entry.y, entry.normal, entry.opposed ? "yes" : "no", entry.free ? "yes" : "no",
+    const double far = std::hypot(entry.x, entry.y);
+    text += fmt::format("{:>20.12g}{:>18.10g}{:>18.10g}{:>18.10g}  {:<8}{}{}\n", entry.position,
+                        without_rounding(entry.x, far), without_rounding(entry.y, far), entry.normal,
+                        entry.opposed ? "yes" : "no", entry.free ? "yes" : "no",
                         entry.remark.empty() ? "" : "   " + entry.remark);
     if (entry.certified) {
       text += fmt::format("{:>20}in [{}, {}]\n", "", (*entry.certified)[0], (*entry.certified)[1]);

@@ -112,7 +112,7 @@ CommandRun add_draw(CLI::App& command) {
       .add_option(
           "--layers", options->layers,
           "LAYER[,LAYER]: what is drawn: ground, link, body, joint, gear, spring, contact, normal, tangent, "
-          "curvature, linkage, center, trace, velocity, acceleration, force, label")
+          "curvature, linkage, center, trace, velocity, acceleration, force, driver, label")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

@@ -11,13 +11,19 @@
 namespace higherpair::cli {
 namespace {
 
-constexpr double kRounding = 1e-12;  // relative to the largest value of the same unit
+constexpr double kRounding = 1e-12;  // relative to the scale of a column
 constexpr std::size_t kLine = 80;
 
 std::string unit_of(const std::vector<Column>& columns, const std::string& name) {
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
   return found == columns.end() ? "" : " " + found->unit;
+}
+
+// One radian in a unit of angles; 0 of any other unit.
+double radian_in(std::string_view unit) {
+  constexpr double kRadian = 180 / 3.14159265358979323846;
+  return unit == "deg" ? kRadian : unit == "rad" ? 1 : unit == "rev" ? kRadian / 360 : 0;
 }
 
 // The item that a column belongs to: "cam.O" of "cam.O.vx".
@@ -88,13 +94,40 @@ void Summary::add(const RowBlock& block) {
   }
 }
 
-double Summary::rounded(std::size_t column, double value) const {
+double Summary::largest_of(std::string_view unit) const {
   const auto& columns = analysis_.columns();
   double largest = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].unit == columns[column].unit) largest = std::max(largest, ranges_[i].largest());
+    if (columns[i].unit == unit) largest = std::max(largest, ranges_[i].largest());
   }
-  return std::abs(value) <= kRounding * largest ? 0 : value;
+  return largest;
+}
+
+// Velocities, accelerations and jerks are worked out from positions and the rates at which bodies turn. So a
+// rounding of these is one of size times rate to the order of the derivative, also where the column itself
+// and all others of its unit ought to be 0. The size is the largest length, or 1 rad.
+double Summary::scale_of_rates(std::string_view unit) const {
+  const auto size_of = [&](std::string_view of) {
+    return radian_in(of) > 0 ? radian_in(of) : largest_of(of);
+  };
+  const std::size_t slash = std::min(unit.find('/'), unit.size());
+  const std::size_t power = std::min(unit.find('^', slash), unit.size());
+  if (slash == unit.size() || power + 2 < unit.size()) return 0;
+  const int order = power == unit.size() ? 1 : unit.back() - '0';
+  const std::string_view per_time = unit.substr(slash, power - slash);  // "/s"
+  double fastest = 0;
+  for (const Column& column : analysis_.columns()) {
+    if (!column.unit.ends_with(per_time)) continue;
+    const std::string_view of = std::string_view(column.unit).substr(0, column.unit.size() - per_time.size());
+    if (const double size = size_of(of); size > 0)
+      fastest = std::max(fastest, largest_of(column.unit) / size);
+  }
+  return size_of(unit.substr(0, slash)) * std::pow(fastest, order);
+}
+
+double Summary::rounded(std::size_t column, double value) const {
+  const std::string& unit = analysis_.columns()[column].unit;
+  return std::abs(value) <= kRounding * std::max(largest_of(unit), scale_of_rates(unit)) ? 0 : value;
 }
 
 bool Summary::is_constant(std::size_t column) const {
@@ -108,6 +141,9 @@ void Summary::print_ranges() const {
   const std::string place = place_ < columns.size() ? columns[place_].name : "row";
   fmt::print("{:<22}{:>13}{:>10} {:>13}{:>10}  unit\n", "", "smallest", "at " + place, "largest",
              "at " + place);
+  const auto place_of = [&](const Extreme& extreme) {
+    return place_ < columns.size() ? rounded(place_, extreme.at) : extreme.at;
+  };
   std::string_view item;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!columns[i].words.empty() || !ranges_[i].is_defined() || is_constant(i) ||
@@ -122,8 +158,8 @@ void Summary::print_ranges() const {
     const std::string name =
         about.empty() ? columns[i].name : "  " + columns[i].name.substr(about.size() + 1);
     const auto& [low, high] = ranges_[i];
-    fmt::print("{:<22}{:>13.7g}{:>10.6g} {:>13.7g}{:>10.6g}  {}\n", name, rounded(i, low.value), low.at,
-               rounded(i, high.value), high.at, columns[i].unit);
+    fmt::print("{:<22}{:>13.7g}{:>10.6g} {:>13.7g}{:>10.6g}  {}\n", name, rounded(i, low.value),
+               place_of(low), rounded(i, high.value), place_of(high), columns[i].unit);
   }
 }
 

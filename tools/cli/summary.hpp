@@ -41,6 +41,8 @@ private:
   [[nodiscard]] bool is_constant(std::size_t column) const;
   /// The value, or 0 if it is 0 to within rounding.
   [[nodiscard]] double rounded(std::size_t column, double value) const;
+  [[nodiscard]] double largest_of(std::string_view unit) const;
+  [[nodiscard]] double scale_of_rates(std::string_view unit) const;
 
   const Analysis& analysis_;
   std::size_t place_;  ///< column of the row's position; none: the number of columns

@@ -73,7 +73,8 @@ std::string unknown_command(const CLI::App& app, std::string_view name) {
   }
   const std::string remedy = is_profile(name) ? fmt::format("did you mean `higherpair analyze {}`?", name)
                                               : suggestion(name, command_names(app));
-  return fmt::format("there is no command {}; {}; see higherpair --help", name, remedy);
+  return fmt::format("there is no command {}; {} higherpair --help", name,
+                     remedy + (remedy.ends_with('?') ? " See" : "; see"));
 }
 
 std::string no_command(const CLI::App& app) {

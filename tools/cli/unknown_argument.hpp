@@ -9,7 +9,7 @@ class App;
 
 namespace higherpair::cli {
 
-/// "there is no command analyse; did you mean `analyze`?; see higherpair --help"; for the name of a profile
+/// "there is no command analyse; did you mean `analyze`? See higherpair --help"; for the name of a profile
 /// "did you mean `higherpair analyze cam.toml`?".
 [[nodiscard]] std::string unknown_command(const CLI::App& app, std::string_view name);
 

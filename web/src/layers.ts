@@ -18,6 +18,7 @@ const LAYERS: readonly (readonly [role: string, text: string, shown: boolean])[]
   ["curvature", "osculating circles", false],
   ["center", "instant centres", false],
   ["trace", "traces", true],
+  ["driver", "driver", true],
   ["velocity", "velocities", false],
   ["acceleration", "accelerations", false],
   ["force", "forces", true],

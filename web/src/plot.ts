@@ -11,6 +11,7 @@ const HEIGHT = 170; // px
 const FONT = "12px system-ui, sans-serif";
 const LEAST_LABEL_ROOM = 62; // px: the same for most plots, so that they are in line
 const LABEL_GAP = 9; // px
+const NEAR_ZERO = 0.25; // an axis so close to 0, in lengths of its range, is extended to it beside another one that has it
 const UNIT_ROOM = 15; // px: for the unit beside an axis, within the room for labels
 /** Steps of ticks; of degrees they divide a turn where there is room. */
 const DECADES = Array.from({ length: 40 }, (_, i) => 10 ** (i - 20));
@@ -142,7 +143,9 @@ export class Plot {
     const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { show: false }, font: FONT };
     const values = (_: uPlot, ticks: number[], __: number, ___: number, step: number): string[] => tickLabels(ticks, step);
     const scales: Record<string, uPlot.Scale> = { x: { time: false } };
-    for (const name of units) scales[`y${name}`] = { range: (_, low, high) => range(low, high, this.noiseOf(name)) };
+    const ranges = withCommonZero(units.map((name) => this.rangeOf(name)));
+    units.forEach((name, i) => (scales[`y${name}`] = { range: () => ranges[i] ?? [0, 1] }));
+    this.canvas.dataset["ranges"] = JSON.stringify(ranges); // for tests: the chart is a bitmap
     return {
       width: this.canvas.clientWidth || 400,
       height: HEIGHT,
@@ -188,6 +191,20 @@ export class Plot {
       stroke: colour(SERIES[first % SERIES.length] ?? SERIES[0]),
       size: (chart, labels) => labelRoom(chart, labels, LEAST_LABEL_ROOM - UNIT_ROOM),
     };
+  }
+
+  // Of the values of all columns of a unit that are plotted.
+  private rangeOf(unitText: string): Range {
+    let [low, high]: [number | null, number | null] = [null, null];
+    for (const k of this.shown.filter((one) => this.context.columns[one]?.unit === unitText)) {
+      for (const row of this.axis.rows) {
+        const value = this.context.rows.value(k, row);
+        if (value === null) continue;
+        low = Math.min(low ?? value, value);
+        high = Math.max(high ?? value, value);
+      }
+    }
+    return range(low, high, this.noiseOf(unitText));
   }
 
   private noiseOf(unitText: string): number {
@@ -283,7 +300,23 @@ function labelRoom(chart: uPlot, labels: readonly string[] | null, least: number
 }
 
 // A constant column gets some room around it instead of a magnified rounding error.
-function range(low: number | null, high: number | null, noise: number): [number, number] {
+type Range = [low: number, high: number];
+
+// The ranges of two axes on which 0 is at the same height, if both contain it or nearly do. Each of them is at most twice as long as it was: its share
+// below 0 becomes that which stretches both equally.
+function withCommonZero(ranges: Range[]): Range[] {
+  if (ranges.length !== 2 || !ranges.every(([low, high]) => Math.max(low, -high) <= NEAR_ZERO * (high - low))) return ranges;
+  const ends = ranges.map(([low, high]): Range => [Math.min(low, 0), Math.max(high, 0)]);
+  const shares = ends.map(([low, high]) => -low / (high - low));
+  const [least, most] = [Math.min(...shares), Math.max(...shares)];
+  const share = most / (1 - least + most);
+  return ends.map(([low, high]) => {
+    const length = Math.max(share > 0 ? -low / share : 0, share < 1 ? high / (1 - share) : 0);
+    return [-share * length, (1 - share) * length];
+  });
+}
+
+function range(low: number | null, high: number | null, noise: number): Range {
   if (low === null || high === null) return [0, 1];
   const size = Math.max(Math.abs(low), Math.abs(high));
   if (high - low > Math.max(noise, 1e-9 * size)) return [low - 0.06 * (high - low), high + 0.06 * (high - low)];

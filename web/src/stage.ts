@@ -10,7 +10,7 @@ export class Stage {
   /** Groups of consecutive shapes of the same body. */
   private readonly groups: { readonly body: number; readonly element: SVGGElement }[] = [];
   private readonly labels = new Labels();
-  /** Its texts give lengths of links that are broken off. */
+  /** Its texts give lengths of links that are broken off, and names. */
   private readonly moving: { readonly shape: Shape; readonly element: SVGElement; readonly label: Label | null }[];
   private row = 0;
   private scale = 1;
@@ -74,13 +74,14 @@ export class Stage {
       if (shape.role !== "contact" && this.root.classList.contains(`hide-${shape.role}`)) return;
       const numbers = this.rows.shape(i, row);
       placeShape(element, shape, numbers, this.report.scene.unit);
-      if (label !== null) this.labels.change(label, numbers, `${shape.text ?? ""} = ${this.lengthText(numbers[4] ?? 0)}`);
+      if (label !== null) this.labels.change(label, numbers, (shape.text ?? "") + this.lengthText(numbers[4]));
     });
     this.labels.place((body) => frame(places, body), this.scale);
   }
 
-  private lengthText(length: number): string {
-    return quantity(length * this.report.lengthPerUnit, this.report.lengthUnit, 0, 4);
+  // Behind the name of a link that is broken off.
+  private lengthText(length: number | null | undefined): string {
+    return length === null || length === undefined ? "" : " = " + quantity(length * this.report.lengthPerUnit, this.report.lengthUnit, 0, 4);
   }
 
   /** The drawn position of a point of a body [units], read back from the drawing; null if nothing of the body is drawn. */

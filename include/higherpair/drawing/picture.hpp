@@ -47,14 +47,15 @@ enum class Role {  // in drawing order, later ones on top
   kNormal,         ///< common normal
   kLinkage,        ///< the equivalent linkage
   kContact,        ///< the touching point
-  kCenter,         ///< instant centres
+  kCenter,         ///< instant centres; of those outside of the frame arrows at its edge
   kTrace,          ///< path of a point
   kVelocity,       ///< arrows
   kAcceleration,   ///< arrows
   kForce,          ///< arrows: forces of joints and contacts on their second bodies, and the drivers' effort
+  kDriver,         ///< arrows in the sense of the drivers
   kLabel,          ///< names
 };
-inline constexpr int kRoleCount = 17;
+inline constexpr int kRoleCount = 18;
 
 /// "body"; "linkage" for the equivalent linkage, …
 [[nodiscard]] std::string_view name_of(Role role);
@@ -113,7 +114,7 @@ struct Scene {
   std::vector<Shape> moving;      ///< drawn after them
   bool defined = true;            ///< false: the row has no position
   std::vector<Place> places;      ///< one for each of Mechanism::bodies
-  std::string caption;            ///< written below it in a strip: "driver = 45 deg"
+  std::string caption;            ///< written below it: "driver = 45 deg"
 };
 
 /// A unit used in a picture: its name as in tables, and its value in SI units.

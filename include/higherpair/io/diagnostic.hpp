@@ -34,8 +34,13 @@ using Diagnostics = std::vector<Diagnostic>;
 /// The same for a note, on something valid that is probably a slip: "file:line:column: note: message".
 [[nodiscard]] std::string note_text(const Diagnostic& note);
 
-/// "did you mean `revolute`?": the existing names for which `name` is a common synonym (pin, hinge), else at
-/// most three of the most similar; empty if there is none.
+/// The existing names for which `name` is a common synonym (pin, hinge), else at most three of the most
+/// similar.
+[[nodiscard]] std::vector<std::string> meant_names(std::string_view name,
+                                                   const std::vector<std::string>& existing);
+
+/// "did you mean `revolute`?" of such names; empty if there is none.
+[[nodiscard]] std::string did_you_mean(const std::vector<std::string>& meant);
 [[nodiscard]] std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing);
 
 /// Whether `name` is another word for `word` in textbooks or other programs: "frame" for "ground".

@@ -54,6 +54,12 @@ private:
   static std::string number(double value) {
     return fmt::format("{:.7g}", std::abs(value) < kNoNumber ? 0 : value);
   }
+  // A coordinate that is a rounding of the other one is 0.
+  static std::string place(double x, double y) {
+    const double rounding = kNoNumber * std::hypot(x, y);
+    return fmt::format("({}, {})", number(std::abs(x) <= rounding ? 0 : x),
+                       number(std::abs(y) <= rounding ? 0 : y));
+  }
   static std::string number(const Json& value) { return number(value.get<double>()); }
   [[nodiscard]] std::string length(const Json& value) const { return number(value) + " " + length_; }
   [[nodiscard]] std::string angle(const Json& value) const { return number(value) + " " + angle_; }
@@ -229,7 +235,7 @@ private:
     for (const Json& center : json_["instant_centers"]) {
       const std::string pair = names(center["bodies"]);
       if (center["kind"] == "point") {
-        add("  {}: ({}, {})", pair, number(center["x"]), number(center["y"]));
+        add("  {}: {}", pair, place(center["x"].get<double>(), center["y"].get<double>()));
       } else if (center["kind"] == "at_infinity") {
         add("  {}: at infinity along ({}, {})", pair, number(center["x"]), number(center["y"]));
       } else {

@@ -8,6 +8,9 @@
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/driver_schedule.hpp"
+#include "higherpair/mechanism/driver_name.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
+#include "numeric/joined_words.hpp"
 #include "reach.hpp"
 
 #include <algorithm>
@@ -92,6 +95,23 @@ Result<DrawnRows> rows_of_run(const Model& model, RunSettings settings) {
   return rows_of(model, settings);
 }
 
+// "driver = 45 deg", of several drivers each by its name.
+std::string caption_of(const Model& model, const MotionRow& row, const Box& view) {
+  const Mechanism& mechanism = model.mechanism();
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+    const Joint& joint = driven_joint(mechanism, i);
+    const double size = has_angle(joint.type) ? 1 : view.size().norm() / kMillimetres;
+    const double position = joint_motion(mechanism, joint, row.bodies).position;
+    const Dimension dimension = driver_dimension(mechanism, i);
+    const double value =
+        std::abs(position) < kCaptionNoise * size ? 0 : from_si(dimension, model.units()).apply(position);
+    texts.push_back(fmt::format("{} = {:.6g} {}", driver_name(mechanism.drivers[i]), value,
+                                unit_text(dimension, model.units())));
+  }
+  return joined_words(texts);
+}
+
 Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double at, SceneMaker& maker) {
   const auto reached = reach(model, settings, at);
   if (!reached) {
@@ -104,6 +124,7 @@ Result<Scenes> scene_at(const Model& model, const RunSettings& settings, double 
   } else {
     scenes.scenes.push_back(maker.at(reached->run.row));
   }
+  scenes.scenes.back().caption = caption_of(model, reached->run.row, scenes.scenes.back().view);
   if (reached->limit) {
     scenes.limit = reached->limit->driver;
     scenes.cause = reached->limit->cause;
@@ -200,7 +221,10 @@ Result<Scenes> scenes_of(const Model& model, const SceneSettings& settings) {
   if (settings.at) {
     return scene_at(model, alone, *settings.at, maker);
   }
-  return Scenes{{maker.scene()}, std::nullopt, "", {}, {}};  // of the first row with a position
+  Scenes scenes{{maker.scene()}, std::nullopt, "", {}, {}};  // of the first row with a position
+  const auto first = std::find_if(run->rows.begin(), run->rows.end(), has_place);
+  scenes.scenes.back().caption = caption_of(model, *first, scenes.scenes.back().view);
+  return scenes;
 }
 
 }  // namespace higherpair

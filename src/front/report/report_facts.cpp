@@ -75,6 +75,7 @@ private:
       if (found.rounded(value) == 0 && column_is_rate(found.column)) return;
       at.clear();
     }
+    for (ColumnExtremes::Value& here : at) here.value = found.rounded(here.value);
     facts_.push_back({of, name, found.rounded(value), found.column.unit, found.column.name, std::move(at)});
   }
 
@@ -138,7 +139,8 @@ std::vector<Fact> facts_of(const Mechanism& mechanism, double turn, const Report
       list.fastest(name, name + ".velocity", "Max. speed");
       list.largest(name, name + ".acceleration", "Max. acceleration");
     }
-    list.largest(name, name + ".effort", "Max. effort");
+    const bool turns = has_angle(mechanism.joints[driver.joint].type);
+    list.largest(name, name + ".effort", turns ? "Max. driving torque" : "Max. driving force");
   }
   if (facts.empty() && mechanism.bodies.size() > 1) {
     add_last_body(mechanism, data, list);

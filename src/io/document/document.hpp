@@ -27,10 +27,16 @@ struct Mark {
   }
 };
 
-/// What is wrong, or probably wrong, at a mark.
+/// What is wrong, or probably wrong, at a mark. The rest tells which mistakes are mere consequences of
+/// another one; its paths are such as "bodies.cam.mass".
 struct Mistake {
   Mark mark;
   std::string message;
+  std::string subject = {};             ///< path of the wrong value, unless that is a table
+  std::vector<std::string> lacks = {};  ///< paths of what is not there; any one of them would do
+  std::vector<std::string> meant =
+      {};  ///< of an unknown key: paths of those that it was probably meant to be
+  const struct Value* value = nullptr;  ///< of an unknown key
 };
 
 struct Entry;

@@ -82,7 +82,7 @@ std::vector<std::string> nearest(std::string_view name, const std::vector<std::s
                    [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(candidates.size(), kMostSuggestions); ++i) {
-    names.push_back(fmt::format("`{}`", candidates[i].name));
+    names.emplace_back(candidates[i].name);
   }
   return names;
 }
@@ -268,7 +268,7 @@ std::vector<std::string> meant(std::string_view name, const std::vector<std::str
   std::vector<std::string> names;
   for (const Synonyms& synonyms : kSynonyms) {
     if (is_among(word, synonyms.others, wrong) && contains(existing, synonyms.word)) {
-      names.push_back(fmt::format("`{}`", synonyms.word));
+      names.emplace_back(synonyms.word);
     }
   }
   std::sort(names.begin(), names.end());
@@ -278,7 +278,7 @@ std::vector<std::string> meant(std::string_view name, const std::vector<std::str
 
 }  // namespace
 
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing) {
+std::vector<std::string> meant_names(std::string_view name, const std::vector<std::string>& existing) {
   std::vector<std::string> names = meant(name, existing);
   if (names.empty()) {
     names = nearest(name, existing);
@@ -286,7 +286,17 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   if (names.empty() && name.size() >= kShortestMisspelt) {
     names = meant(name, existing, 1);
   }
+  return names;
+}
+
+std::string did_you_mean(const std::vector<std::string>& meant) {
+  std::vector<std::string> names;
+  for (const std::string& name : meant) names.push_back(fmt::format("`{}`", name));
   return names.empty() ? "" : fmt::format("did you mean {}?", joined_words(names, " or "));
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& existing) {
+  return did_you_mean(meant_names(name, existing));
 }
 
 bool is_synonym(std::string_view name, std::string_view word) {

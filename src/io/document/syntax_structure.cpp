@@ -1,8 +1,10 @@
 #include "encoding.hpp"
 #include "higherpair/io/names.hpp"
+#include "higherpair/numeric/contains.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <regex>
 
 #include <fmt/core.h>
@@ -22,7 +24,7 @@ std::string path_of(const Statement& statement) {
 // contained in it.
 const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
   const std::string wanted = path_of(last);
-  const auto end = scan.statements.end() - 1;
+  const auto end = scan.statements.begin() + (&last - scan.statements.data());
   const auto same =
       std::find_if(scan.statements.begin(), end, [&](const Statement& s) { return path_of(s) == wanted; });
   if (same != end) {
@@ -62,6 +64,83 @@ Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
                fmt::format("a decimal number is written with a point: {}.{}", whole, decimals[1].str())};
 }
 
+// The last heading: the parser refuses some only at the statement that follows.
+std::vector<Statement>::const_iterator last_heading(const SyntaxScan& scan) {
+  const auto heading = std::find_if(scan.statements.rbegin(), scan.statements.rend(),
+                                    [](const Statement& statement) { return statement.key.empty(); });
+  return heading == scan.statements.rend() ? scan.statements.end() - 1 : std::prev(heading.base());
+}
+
+// A key within braces that is there already, or whose front part is.
+Finding repeated_in_braces(const SyntaxScan& scan, std::string_view message) {
+  const bool behind_equals = scan.expecting == Expecting::kValue;
+  const std::size_t end = behind_equals ? scan.token - 1 : scan.text.find('=', scan.token);
+  const std::size_t begin = scan.text.find_last_of(",{", end) + 1;
+  const std::string_view key = trimmed(scan.text.substr(begin, end - begin));
+  const std::size_t at = scan.text.find_first_not_of(" \t", begin);
+  if (contains_text(message, "as dotted")) {
+    return Found{at,
+                 fmt::format("`{}` is a part of what is written in this table already, as a whole: put it "
+                             "there",
+                             shown(key))};
+  }
+  return Found{at, fmt::format("`{}` is in this table a second time: keep one of them", shown(key))};
+}
+
+// A key such as `points.A`, where `points` has a heading of its own: the keys of a table stay together.
+Finding table_elsewhere(const SyntaxScan& scan, const Statement& last) {
+  const std::string wanted = path_of(last);
+  const Statement* table = nullptr;
+  for (const Statement& other : scan.statements) {
+    const bool around = other.key.empty() && wanted.starts_with(other.heading + ".") &&
+                        other.heading.size() > last.heading.size();
+    if (around && (table == nullptr || other.heading.size() > table->heading.size())) table = &other;
+  }
+  if (table == nullptr || last.key.empty()) return std::nullopt;
+  return Found{last.at,
+               fmt::format("`{}` belongs to [{}] in line {}, where all keys of that table must be: put "
+                           "`{}` there",
+                           last.key, table->heading, mark_at(scan.text, table->at).line,
+                           wanted.substr(table->heading.size() + 1))};
+}
+
+// Tables that a profile repeats, each with a heading in two pairs of brackets.
+bool is_list_of_tables(std::string_view heading) {
+  constexpr std::string_view kLists[] = {"objectives", "constraints", "columns", "frames", "correlations"};
+  return contains(kLists, heading.substr(heading.rfind('.') + 1));
+}
+
+Finding repeated_heading(const SyntaxScan& scan, const Statement& last, const Statement& before) {
+  const int line = mark_at(scan.text, before.at).line;
+  const bool same = before.heading == last.heading && before.key.empty();
+  if (same && is_list_of_tables(last.heading)) {
+    return Found{last.at, fmt::format("each table of this list is headed [[{}]], here and in line {}",
+                                      last.heading, line)};
+  }
+  if (scan.text.substr(last.at, 2) == "[[" && !is_list_of_tables(last.heading)) {
+    return Found{last.at, fmt::format("[[{0}]] begins a list: write [{0}.NAME], each with a name of its own",
+                                      last.heading)};
+  }
+  const std::string_view hint =
+      last.heading == "driver" ? " (several drivers are tables [drivers.NAME])" : "";
+  return Found{
+      last.at,
+      same ? fmt::format("[{}] is here a second time after line {}: put all its keys under one heading{}",
+                         last.heading, line, hint)
+           : fmt::format("[{}] is written in line {} already, as a key: put all its keys there", last.heading,
+                         line)};
+}
+
+Finding repeated_key(const SyntaxScan& scan, const Statement& last, const Statement& before) {
+  const int line = mark_at(scan.text, before.at).line;
+  const bool same = before.heading == last.heading && before.key == last.key;
+  return Found{last.at,
+               same
+                   ? fmt::format("`{}` is here a second time after line {}: keep one of them", last.key, line)
+                   : fmt::format("`{}` is written in line {} already, as a whole: put all of it there",
+                                 last.key, line)};
+}
+
 }  // namespace
 
 Finding redefinition(const SyntaxScan& scan, std::string_view message) {
@@ -69,32 +148,14 @@ Finding redefinition(const SyntaxScan& scan, std::string_view message) {
       scan.statements.empty()) {
     return std::nullopt;
   }
-  const Statement& last = scan.statements.back();
-  const Statement* before = earlier(scan, last);
+  if (scan.in_table()) return repeated_in_braces(scan, message);
+  const auto last = contains_text(message, "table header") ? last_heading(scan) : scan.statements.end() - 1;
+  if (auto table = table_elsewhere(scan, *last)) return table;
+  const Statement* before = earlier(scan, *last);
   if (before == nullptr) {
-    return Found{last.at, "a key is written a second time here"};
+    return Found{last->at, "a key is written a second time here"};
   }
-  if (scan.text.substr(last.at, 2) == "[[") {
-    return Found{last.at, fmt::format("[[{0}]] begins a list: write [{0}.NAME], each with a name of its own",
-                                      last.heading)};
-  }
-  const int line = mark_at(scan.text, before->at).line;
-  const bool same = before->heading == last.heading && before->key == last.key;
-  if (last.key.empty()) {
-    const std::string_view hint =
-        last.heading == "driver" ? " (several drivers are tables [drivers.NAME])" : "";
-    return Found{
-        last.at,
-        same ? fmt::format("[{}] is here a second time after line {}: put all its keys under one heading{}",
-                           last.heading, line, hint)
-             : fmt::format("[{}] is written in line {} already, as a key: put all its keys there",
-                           last.heading, line)};
-  }
-  return Found{last.at,
-               same
-                   ? fmt::format("`{}` is here a second time after line {}: keep one of them", last.key, line)
-                   : fmt::format("`{}` is written in line {} already, as a whole: put all of it there",
-                                 last.key, line)};
+  return last->key.empty() ? repeated_heading(scan, *last, *before) : repeated_key(scan, *last, *before);
 }
 
 Finding heading_mistake(const SyntaxScan& scan, std::string_view message) {

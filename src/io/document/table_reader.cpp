@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -60,7 +61,11 @@ std::optional<Item> TableReader::need(const std::string& key, std::string_view w
 }
 
 void TableReader::report_missing(std::string_view key, std::string_view what) const {
-  reading_->mistakes.push_back({mark(), fmt::format("{} is missing: expected {}", path_to(key), what)});
+  const std::string path = path_to(key);
+  std::vector<std::string> lacks = {path};
+  for (const std::string& other : instead_) lacks.push_back(path_to(other));
+  reading_->mistakes.push_back(
+      {mark(), fmt::format("{} is missing: expected {}", path, what), "", std::move(lacks)});
 }
 
 std::optional<std::size_t> TableReader::need_type(std::string_view what,
@@ -77,9 +82,9 @@ std::optional<std::size_t> TableReader::need_type(std::string_view what,
   return std::nullopt;
 }
 
-void TableReader::refuse(const std::string& key, std::string_view reason) {
+void TableReader::refuse(const std::string& key, std::string_view reason, std::string_view lacks) {
   if (const Value* value = find(*table_, key)) {
-    report(*reading_, {value}, reason);
+    report(*reading_, {value}, reason, lacks.empty() ? "" : path_to(lacks));
   }
   refused_.push_back(key);
 }
@@ -129,8 +134,9 @@ void TableReader::report_unknown(const Entry& entry) const {
   const bool repeated = path == entry.key || path.ends_with("." + entry.key);
   const std::vector<std::string> known = each_once(known_);
   const bool is_table = std::holds_alternative<Table>(entry.value.content);
-  std::string own = did_you_mean(entry.key, known);
-  if (own.empty()) own = did_you_mean(entry.key, refused_);
+  std::vector<std::string> meant = meant_names(entry.key, known);
+  if (meant.empty()) meant = meant_names(entry.key, refused_);
+  const std::string own = did_you_mean(meant);
   const bool move_up = !path.empty() && (contains(kOnlyTopLevel, entry.key) ||
                                          (is_table && contains(kTopLevelTables, entry.key)));
   const bool is_of_driver = path.empty() && own.empty() && contains(kDriverKeys, entry.key);
@@ -140,8 +146,13 @@ void TableReader::report_unknown(const Entry& entry) const {
       : move_up    ? std::string(kMoveUp)
       : own.empty() ? fmt::format("there {} {}", known.size() == 1 ? "is only" : "are", joined_words(known))
                     : own;
-  reading_->mistakes.push_back(
-      {entry.key_mark, fmt::format("{}: unknown key; {}", path_to(entry.key), remedy)});
+  for (std::string& name : meant) name = path_to(name);
+  reading_->mistakes.push_back({entry.key_mark,
+                                fmt::format("{}: unknown key; {}", path_to(entry.key), remedy),
+                                "",
+                                {},
+                                std::move(meant),
+                                &entry.value});
 }
 
 std::string TableReader::path_to(std::string_view key) const {
@@ -149,8 +160,9 @@ std::string TableReader::path_to(std::string_view key) const {
   return own.empty() ? std::string(key) : fmt::format("{}.{}", own, key);
 }
 
-void report_whole(TableReader& table, std::string_view message) {
-  table.reading().mistakes.push_back({table.mark(), fmt::format("{}: {}", table.path(), message)});
+void report_whole(TableReader& table, std::string_view message, std::vector<std::string> lacks) {
+  table.reading().mistakes.push_back(
+      {table.mark(), fmt::format("{}: {}", table.path(), message), "", std::move(lacks)});
 }
 
 void note_whole(TableReader& table, std::string_view message) {

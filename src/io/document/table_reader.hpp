@@ -65,7 +65,8 @@ public:
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// Reports that the key is present, and why it must not be.
-  void refuse(const std::string& key, std::string_view reason);
+  /// \param lacks  the key beside which it may be, if any
+  void refuse(const std::string& key, std::string_view reason, std::string_view lacks = "");
 
   /// \name A value, or the default if it is absent (or wrong, which is reported); lengths etc. in SI units.
   /// @{
@@ -81,11 +82,15 @@ public:
     known_.insert(known_.end(), keys.begin(), keys.end());
   }
 
+  /// Keys of which one would do in place of any that is missing from now on.
+  void instead(std::initializer_list<const char*> keys) { instead_.assign(keys.begin(), keys.end()); }
+
   /// Reports every key that is not known.
   void finish() const;
 
-private:
   [[nodiscard]] std::string path_to(std::string_view key) const;
+
+private:
   void report_unknown(const Entry& entry) const;
   void report_missing(std::string_view key, std::string_view what) const;
 
@@ -94,10 +99,12 @@ private:
   const Table* table_;
   std::vector<std::string> known_;    ///< some repeatedly
   std::vector<std::string> refused_;  ///< keys that must not be there
+  std::vector<std::string> instead_;  ///< keys that would do in place of a missing one
 };
 
 /// Adds a mistake, or a note of a probable one, about a table as a whole.
-void report_whole(TableReader& table, std::string_view message);
+/// \param lacks  paths of what is missing, any one of which would do
+void report_whole(TableReader& table, std::string_view message, std::vector<std::string> lacks = {});
 void note_whole(TableReader& table, std::string_view message);
 
 /// The index of the first of `things` that has this name.
@@ -131,20 +138,25 @@ template <class Things>
 }
 
 /// The index in `things` of the one named by an item; reports that there is none, as no_such() says it.
+/// \param home  path of the table that the things are in, such as "bodies"
 template <class Things>
 [[nodiscard]] std::optional<int> named_thing(Reading& reading, const Item& item, std::string_view name,
-                                             std::string_view none, const Things& things) {
+                                             std::string_view none, const Things& things,
+                                             const std::string& home) {
   const auto index = index_of(things, name);
-  if (!index) report(reading, item, no_such(none, name, things));
+  if (!index) {
+    report(reading, item, no_such(none, name, things),
+           things.empty() ? home : fmt::format("{}.{}", home, name));
+  }
   return index;
 }
 
 /// The same for the name of a table.
 template <class Things>
 [[nodiscard]] std::optional<int> named_thing(TableReader& table, std::string_view name, std::string_view none,
-                                             const Things& things) {
+                                             const Things& things, const std::string& home) {
   const auto index = index_of(things, name);
-  if (!index) report_whole(table, no_such(none, name, things));
+  if (!index) report_whole(table, no_such(none, name, things), {fmt::format("{}.{}", home, name)});
   return index;
 }
 

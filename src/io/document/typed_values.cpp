@@ -151,9 +151,12 @@ std::vector<Item> items_of(const Item& item) {
   return items;
 }
 
-void report(Reading& reading, const Item& item, std::string_view rule) {
-  reading.mistakes.push_back(
-      {item.value->mark, fmt::format("{} = {}: {}", path_of(reading, item), text_of(*item.value), rule)});
+void report(Reading& reading, const Item& item, std::string_view rule, const std::string& lacks) {
+  const std::string path = path_of(reading, item);
+  Mistake mistake{item.value->mark, fmt::format("{} = {}: {}", path, text_of(*item.value), rule)};
+  if (!std::holds_alternative<Table>(item.value->content)) mistake.subject = path;
+  if (!lacks.empty()) mistake.lacks.push_back(lacks);
+  reading.mistakes.push_back(std::move(mistake));
 }
 
 void report_kind(Reading& reading, const Item& item, std::string_view what,

@@ -79,7 +79,8 @@ struct Item {
 [[nodiscard]] std::vector<Item> items_of(const Item& item);
 
 /// Reports a mistake about an item: "PATH = VALUE: rule".
-void report(Reading& reading, const Item& item, std::string_view rule);
+/// \param lacks  the path of what it names and what is not there, if any
+void report(Reading& reading, const Item& item, std::string_view rule, const std::string& lacks = "");
 
 enum class Sign { kAny, kPositive, kNotNegative };
 

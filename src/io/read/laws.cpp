@@ -30,7 +30,7 @@ std::optional<int> LawBook::find(const Item& name, const LawQuantities& quantiti
   if (!text) {
     return std::nullopt;
   }
-  const auto index = named_thing(*reading_, name, *text, "there is no law", entries_);
+  const auto index = named_thing(*reading_, name, *text, "there is no law", entries_, "laws");
   if (!index) {
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 
 #include "higherpair/io/names.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
+#include "io/document/consequences.hpp"
 #include "io/document/document_content.hpp"
 #include "io/notes/profile_notes.hpp"
 #include "read_design.hpp"
@@ -100,10 +101,8 @@ Profile read_document(const Value& document, Reading& reading) {
 }
 
 Diagnostics diagnostics_of(Reading reading) {
-  std::stable_sort(reading.mistakes.begin(), reading.mistakes.end(),
-                   [](const io_detail::Mistake& a, const io_detail::Mistake& b) { return a.mark < b.mark; });
   Diagnostics diagnostics;
-  for (const io_detail::Mistake& mistake : reading.mistakes) {
+  for (const io_detail::Mistake& mistake : io_detail::without_consequences(std::move(reading.mistakes))) {
     diagnostics.push_back({place_of(reading, mistake.mark), io_detail::visible(mistake.message)});
   }
   return diagnostics;

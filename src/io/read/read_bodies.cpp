@@ -24,7 +24,7 @@ void read_mass(TableReader& table, Body& body) {
   const auto mass = table.take("mass");
   if (!mass) {
     for (const char* key : {"center_of_mass", "inertia"}) {
-      table.refuse(key, "needs a mass beside it (mass = 0 if the inertia alone counts)");
+      table.refuse(key, "needs a mass beside it (mass = 0 if the inertia alone counts)", "mass");
     }
     table.knows({"center_of_mass", "inertia"});
     return;

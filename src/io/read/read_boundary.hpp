@@ -43,8 +43,10 @@ struct Outline {
 [[nodiscard]] std::optional<NamedCurve> read_involute(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_gear(TableReader& table);
 [[nodiscard]] std::optional<NamedCurve> read_dxf_curve(TableReader& table);
-/// The curve at a distance from another one of the same body.
-[[nodiscard]] std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& source);
+/// The distance `by` of an offset, whose other keys have been asked for; nothing if one of them is wrong.
+[[nodiscard]] std::optional<double> read_offset_distance(TableReader& table);
+/// The curve at this distance from another one of the same body.
+[[nodiscard]] std::optional<NamedCurve> read_offset(TableReader& table, double by, const NamedCurve& source);
 /// @}
 
 /// \name Single pieces, as curves of their own or as parts of a chain

@@ -15,7 +15,8 @@ std::optional<std::size_t> variable_named(TableReader& table, const Item& item, 
   if (!name) {
     return std::nullopt;
   }
-  const auto index = named_thing(table.reading(), item, *name, "there is no " + words.one, plan.variables);
+  const auto index =
+      named_thing(table.reading(), item, *name, "there is no " + words.one, plan.variables, words.home);
   if (!index) {
     return std::nullopt;
   }

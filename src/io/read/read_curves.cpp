@@ -186,6 +186,7 @@ private:
   struct Offset {
     std::size_t curve = 0;
     Item of;
+    std::optional<double> by;
     TableReader table;
   };
 
@@ -214,12 +215,11 @@ private:
       read_cam(table, index);
     } else {
       states_[index] = State::kWrong;
-      if (const auto of = table.need("of", "the name of another curve of this body")) {
+      const auto of = table.need("of", "the name of another curve of this body");
+      const auto by = read_offset_distance(table);
+      if (of) {
         states_[index] = State::kWaiting;
-        offsets_.push_back({index, *of, table});
-      } else {
-        (void)table.need_quantity("by", {dimension::kLength});
-        table.finish();
+        offsets_.push_back({index, *of, by, table});
       }
     }
   }
@@ -245,21 +245,18 @@ private:
       return;
     }
     const auto name = as_text(reading_, offset.of);
-    const auto index =
-        name ? named_thing(reading_, offset.of, *name, has_no(body_.name, "curve"), body_.curves)
-             : std::nullopt;
+    const auto index = name ? named_thing(reading_, offset.of, *name, has_no(body_.name, "curve"),
+                                          body_.curves, fmt::format("bodies.{}.curves", body_.name))
+                            : std::nullopt;
     const auto source = static_cast<std::size_t>(index.value_or(0));
-    if (!index || states_[source] == State::kWrong) {
+    if (!index || !offset.by || states_[source] == State::kWrong) {
       states_[offset.curve] = State::kWrong;
-      offset.table.knows({"by"});
-      offset.table.finish();
     } else if (states_[source] == State::kLate) {
       states_[offset.curve] = State::kLate;
       body_.curves[offset.curve].curve = body_.curves[source].curve;
-      late_.offsets.push_back({body_.name, offset.curve, source, offset.table});
+      late_.offsets.push_back({body_.name, offset.curve, source, *offset.by, offset.table});
     } else if (states_[source] == State::kKnown) {
-      set(offset.curve, read_offset(offset.table, body_.curves[source]));
-      offset.table.finish();
+      set(offset.curve, read_offset(offset.table, *offset.by, body_.curves[source]));
     }
   }
 

@@ -34,13 +34,13 @@ void follow_law(Reading& reading, const Item& follow, Profile& profile, LawBook&
            "a law is of an angle or of a coordinate: BODY.angle, BODY.POINT.x, JOINT.position");
     return;
   }
+  if (!reading.mistakes.empty()) {
+    return;  // the driver or its joint may have one of them
+  }
   if (profile.mechanism.drivers.size() != 1) {
     report(reading, follow,
            "a law is a function of one driver's position: expected a mechanism with one driver");
     return;
-  }
-  if (!reading.mistakes.empty()) {
-    return;  // the driver's joint may have one of them
   }
   const LawQuantities quantities{driver_dimension(profile.mechanism), *value};
   const auto index = laws.find(follow, quantities, profile.mechanism);
@@ -102,7 +102,9 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
   table.refuse("column", "this is a figure of `check`: one of the two");
   table.refuse("of", "a figure is an extreme already");
   const std::string curve = table.text("curve");
-  const std::string text = as_text(table.reading(), item).value_or("");
+  const auto name = as_text(table.reading(), item);
+  if (!name) return std::nullopt;
+  const std::string& text = *name;
   const std::size_t dot = text.rfind('.');
   if (dot == std::string::npos || dot + 1 == text.size()) {
     report(table.reading(), item,
@@ -114,10 +116,19 @@ std::optional<DesignTask::Figure> read_figure(TableReader& table, const Item& it
 
 std::optional<Measure> read_column_goal(TableReader& table, const Mechanism& mechanism) {
   table.knows({"figure", "reach", "size"});
+  bool is_part = false;  // of something whose own key is missing
   for (const auto& [key, owner] :
        {std::pair("change", "follow"), std::pair("curve", "figure"), std::pair("from", "reach"),
         std::pair("bodies", "size"), std::pair("coupler", "grashof")}) {
-    table.refuse(key, fmt::format("belongs to `{}`", owner));
+    is_part = is_part || (table.has(key) && !table.has("column"));
+    table.refuse(key, fmt::format("belongs to `{}`", owner), owner);
+  }
+  if (is_part) {
+    table.knows({"column", "of", "at"});
+    return std::nullopt;
+  }
+  if (!table.has("column")) {
+    table.instead({"path", "follow", "figure", "reach", "size", "transmission", "grashof", "without"});
   }
   return read_measure(table, unit_of_driver(mechanism));
 }
@@ -125,8 +136,8 @@ std::optional<Measure> read_column_goal(TableReader& table, const Mechanism& mec
 // Of the target of an objective, or the limits of a constraint.
 template <class Kind>
 NumberUnit unit_of_goal(const Reading& reading, const std::optional<Kind>& of, const Mechanism& mechanism) {
+  if (!of) return {};
   NumberUnit length{dimension::kLength, ""};
-  if (!of) return length;
   return std::visit(
       Overload{[&](const Measure& measure) { return unit_of_column(reading, mechanism, measure.column); },
                [&](const DesignTask::Figure& figure) {
@@ -258,7 +269,8 @@ std::optional<DesignTask::Constraint> read_constraint(TableReader& table, const 
   if (const auto above = table.take("above", as_number_in, unit)) constraint.above = above;
   const bool may_be_refused = !unit.dimension && unit.objection.empty();
   if (!constraint.below && !constraint.above && mistakes.none() && !may_be_refused) {
-    report_whole(table, "a limit is missing: below = … or above = …");
+    report_whole(table, "a limit is missing: below = … or above = …",
+                 {table.path_to("below"), table.path_to("above")});
   } else if (constraint.below && constraint.above && !(*constraint.above < *constraint.below)) {
     report_whole(table,
                  fmt::format("nothing is above {} and below {}", *constraint.above, *constraint.below));

@@ -93,7 +93,7 @@ private:
     const Value* value = end_of_path(document_, *path).value;
     const auto number = value == nullptr ? std::nullopt : number_read(reading_, *value);
     if (!number || !is_designable(*path)) {
-      report(reading_, item, no_number(*path, value, number.has_value()));
+      report(reading_, item, no_number(*path, value, number.has_value()), *path);
       return;
     }
     for (const DesignTask::Variable& other : variables_) {

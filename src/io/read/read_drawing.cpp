@@ -37,11 +37,11 @@ Look read_look(TableReader& table, Kind kind) {
 
 template <class Things>
 std::vector<Look> read_parts(TableReader& table, const std::string& key, const Things& things, Kind kind,
-                             const std::string& none) {
+                             const std::string& none, const std::string& home) {
   std::vector<Look> looks(things.size());
   for_each_table(table.reading(), table.take(key), "what it looks like (a table)",
                  [&](const std::string& name, TableReader& part) {
-                   if (const auto index = named_thing(part, name, none, things)) {
+                   if (const auto index = named_thing(part, name, none, things, home)) {
                      looks[*index] = read_look(part, kind);
                      part.finish();
                    }
@@ -61,17 +61,19 @@ void read_drawing(TableReader& root, Profile& profile) {
     profile.looks.push_back(
         {{}, std::vector<Look>(body.points.size()), std::vector<Look>(body.curves.size())});
   }
-  for_each_table(
-      root.reading(), *drawing, "what a body looks like (a table)",
-      [&](const std::string& name, TableReader& table) {
-        const auto index = named_thing(table, name, "there is no body", bodies);
-        if (!index) return;
-        BodyLook& look = profile.looks[*index];
-        look.body = read_look(table, Kind::kBody);
-        look.points = read_parts(table, "points", bodies[*index].points, Kind::kPoint, has_no(name, "point"));
-        look.curves = read_parts(table, "curves", bodies[*index].curves, Kind::kCurve, has_no(name, "curve"));
-        table.finish();
-      });
+  for_each_table(root.reading(), *drawing, "what a body looks like (a table)",
+                 [&](const std::string& name, TableReader& table) {
+                   const auto index = named_thing(table, name, "there is no body", bodies, "bodies");
+                   if (!index) return;
+                   BodyLook& look = profile.looks[*index];
+                   look.body = read_look(table, Kind::kBody);
+                   const std::string home = "bodies." + name;
+                   look.points = read_parts(table, "points", bodies[*index].points, Kind::kPoint,
+                                            has_no(name, "point"), home + ".points");
+                   look.curves = read_parts(table, "curves", bodies[*index].curves, Kind::kCurve,
+                                            has_no(name, "curve"), home + ".curves");
+                   table.finish();
+                 });
 }
 
 }  // namespace higherpair::io_detail

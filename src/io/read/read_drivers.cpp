@@ -185,7 +185,9 @@ void read_drivers(TableReader& root, Profile& profile, const std::vector<bool>& 
   if (!one && !several) {
     reading.mistakes.push_back(
         {root.mark(),
-         "driver is missing: add a table [driver] with joint = \"...\", the joint that is driven"});
+         "driver is missing: add a table [driver] with joint = \"...\", the joint that is driven",
+         "",
+         {"driver", "drivers"}});
   }
   const auto* tables = several ? std::get_if<Table>(&several->value->content) : nullptr;
   if (tables != nullptr && find(*tables, "joint") != nullptr) {

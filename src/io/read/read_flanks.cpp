@@ -59,7 +59,8 @@ private:
     if (!name) {
       return std::nullopt;
     }
-    const auto index = named_thing(reading_, late.contact, *name, "there is no contact", mechanism_.contacts);
+    const auto index =
+        named_thing(reading_, late.contact, *name, "there is no contact", mechanism_.contacts, "contacts");
     if (!index) {
       return std::nullopt;
     }
@@ -326,11 +327,10 @@ void make_late_curves(Reading& reading, LateCurves& late, LawBook& laws, Mechani
     if (!body.curves[offset.source].boundary) {
       continue;  // its mistake has been reported
     }
-    if (auto curve = read_offset(offset.table, body.curves[offset.source])) {
+    if (auto curve = read_offset(offset.table, offset.by, body.curves[offset.source])) {
       curve->name = body.curves[offset.curve].name;
       body.curves[offset.curve] = *std::move(curve);
     }
-    offset.table.finish();
   }
 }
 

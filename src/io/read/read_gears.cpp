@@ -63,8 +63,8 @@ void check_teeth(Reading& reading, const PendingGears& gears, const std::vector<
   const Joint& joint = mechanism.joints[gears.joint];
   const auto first = center_on(joint.carrier, pins, mechanism, joint.first);
   const auto second = center_on(joint.carrier, pins, mechanism, joint.second);
-  if (!first || !second) {
-    return;
+  if (!first || !second || !reading.mistakes.empty()) {
+    return;  // a point with a mistake is at 0
   }
   if (is_same_point(*first, *second)) {
     report(reading, gears.between,

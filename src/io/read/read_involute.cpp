@@ -82,7 +82,7 @@ InvoluteTooth read_tooth(TableReader& table, std::optional<std::int64_t> most = 
 
 void refuse_tooth_keys(TableReader& table) {
   for (const char* key : {"teeth", "pressure_angle", "profile_shift", "backlash", "tooth"}) {
-    table.refuse(key, "goes with `module`, in place of `base_radius`");
+    table.refuse(key, "goes with `module`, in place of `base_radius`", "module");
   }
 }
 
@@ -109,6 +109,7 @@ std::optional<ContourPiece> involute_piece(TableReader& table) {
     roll = read_roll(table, &tooth);
   } else {
     refuse_tooth_keys(table);
+    table.instead({"module"});
     const auto value = table.need("base_radius", "the radius of the base circle (or module and teeth)",
                                   as_quantity, kInvoluteSize);
     involute.base_radius = value ? value->si : 1;

@@ -24,7 +24,8 @@ public:
     const auto file = table_.take("file");
     const int given = int(segments.has_value()) + int(points.has_value()) + int(file.has_value());
     if (given != 1) {
-      report_whole(table_, "expected one of `segments`, `points` and `file`");
+      report_whole(table_, "expected one of `segments`, `points` and `file`",
+                   {table_.path_to("segments"), table_.path_to("points"), table_.path_to("file")});
       table_.knows({"repeat", "origin", "start", "degree", "smoothing", "rounding"});
       table_.finish();
       return std::nullopt;

@@ -88,15 +88,15 @@ template <class Thing, class ScopeOf>
 std::vector<LimitSet> read_sets(TableReader& limits, const std::string& key, std::string_view kind,
                                 const std::vector<Thing>& things, const ScopeOf& scope) {
   std::vector<LimitSet> sets(things.size());
-  for_each_table(limits.reading(), limits.take(key), fmt::format("limits of a {} (a table)", kind),
-                 [&](const std::string& name, TableReader& table) {
-                   const auto index = named_thing(table, name, fmt::format("there is no {}", kind), things);
-                   if (!index) return;
-                   sets[*index] =
-                       read_set(table, fmt::format("limits.{}.{}", key, name),
+  for_each_table(
+      limits.reading(), limits.take(key), fmt::format("limits of a {} (a table)", kind),
+      [&](const std::string& name, TableReader& table) {
+        const auto index = named_thing(table, name, fmt::format("there is no {}", kind), things, key);
+        if (!index) return;
+        sets[*index] = read_set(table, fmt::format("limits.{}.{}", key, name),
                                 [&](const KeyRow& row) { return (row.scopes & scope(things[*index])) != 0; });
-                   table.finish();
-                 });
+        table.finish();
+      });
   return sets;
 }
 
@@ -122,9 +122,12 @@ void require_materials(TableReader& table, const CheckLimits& limits, const Mech
       }
     }
     if (!missing.empty()) {
+      const bool is_one = missing.size() == 1;
       table.reading().mistakes.push_back(
-          {table.mark(), fmt::format("{}: the pressure of contacts.{} also needs {}", limit->path,
-                                     contact.name, joined_words(missing, " and "))});
+          {table.mark(),
+           fmt::format("{}: the pressure of contacts.{} also needs {}", limit->path, contact.name,
+                       joined_words(missing, " and ")),
+           "", is_one ? missing : std::vector<std::string>{}});
       return;
     }
   }

@@ -33,6 +33,7 @@ void read_load(TableReader& table, const Mechanism& mechanism, Load& load) {
   }
   const bool has_force = table.take("force").has_value();
   if (!has_force && !torque) {
+    table.instead({"torque"});
     (void)table.need("force", "[x, y] (or a torque)");
     table.knows({"point", "frame"});
   } else if (has_force) {

@@ -35,29 +35,32 @@ void report_offset(TableReader& table, const OffsetFault& fault) {
 
 }  // namespace
 
-std::optional<NamedCurve> read_offset(TableReader& table, const NamedCurve& source) {
-  Reading& reading = table.reading();
+std::optional<double> read_offset_distance(TableReader& table) {
+  const Mistakes mistakes(table.reading());
   const auto item = table.need("by", "a distance, > 0 outwards");
-  const Mistakes mistakes(reading);
-  const double by = item ? as_quantity(reading, *item, {dimension::kLength}).value_or(Quantity{}).si : 0;
+  const auto by = item ? as_quantity(table.reading(), *item, {dimension::kLength}) : std::nullopt;
   for (const char* key : {"side", "material"}) {
     table.refuse(key, "an offset has its material where the other curve has it");
   }
-  if (!item || !mistakes.none()) {
-    return std::nullopt;
-  }
+  table.finish();
+  return by && mistakes.none() ? std::optional(by->si) : std::nullopt;
+}
+
+std::optional<NamedCurve> read_offset(TableReader& table, double by, const NamedCurve& source) {
+  Reading& reading = table.reading();
+  const Item item = *table.take("by");
   NamedCurve curve;
   if (source.boundary == nullptr) {
     if (const auto plain = plain_offset(source.curve, by)) {
       if (!*plain) {
-        report(reading, *item, "leaves nothing of this curve");
+        report(reading, item, "leaves nothing of this curve");
         return std::nullopt;
       }
       curve.curve = **plain;
       return curve;
     }
     if (source.curve.kind != CurveKind::kEllipse) {
-      report(reading, *item, "a parabola or hyperbola has no ends: an offset of it cannot be drawn");
+      report(reading, item, "a parabola or hyperbola has no ends: an offset of it cannot be drawn");
       return std::nullopt;
     }
   }

@@ -61,7 +61,8 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
     report(reading, item, fmt::format("expected \"body.{}\"", Kind::kKind));
     return std::nullopt;
   }
-  const auto body = named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies);
+  const auto body =
+      named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies, "bodies");
   if (!body) {
     return std::nullopt;
   }
@@ -80,7 +81,8 @@ std::optional<Member> member(Reading& reading, const Item& item, const Mechanism
       return std::nullopt;
     }
   }
-  const auto index = named_thing(reading, item, name, has_no(owner.name, Kind::kKind), Kind::of(owner));
+  const auto index = named_thing(reading, item, name, has_no(owner.name, Kind::kKind), Kind::of(owner),
+                                 fmt::format("bodies.{}.{}s", owner.name, Kind::kKind));
   return index ? std::optional(Member{*body, *index}) : std::nullopt;
 }
 
@@ -137,7 +139,8 @@ std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechan
   if (text == nullptr || (dot != std::string::npos && !text->ends_with('*'))) {
     return member<Curves>(reading, item, mechanism);
   }
-  const auto index = named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies);
+  const auto index =
+      named_thing(reading, item, text->substr(0, dot), "there is no body", mechanism.bodies, "bodies");
   if (!index) {
     return std::nullopt;
   }
@@ -150,17 +153,21 @@ std::optional<Member> curve_or_curves(Reading& reading, const Item& item, Mechan
 
 std::optional<int> as_body(Reading& reading, const Item& item, const Mechanism& mechanism) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, "there is no body", mechanism.bodies) : std::nullopt;
+  return name ? named_thing(reading, item, *name, "there is no body", mechanism.bodies, "bodies")
+              : std::nullopt;
 }
 
 std::optional<int> as_joint(Reading& reading, const Item& item, const Mechanism& mechanism) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, "there is no joint", mechanism.joints) : std::nullopt;
+  return name ? named_thing(reading, item, *name, "there is no joint", mechanism.joints, "joints")
+              : std::nullopt;
 }
 
 std::optional<int> as_point_of(Reading& reading, const Item& item, const Body& body) {
   const auto name = as_text(reading, item);
-  return name ? named_thing(reading, item, *name, has_no(body.name, "point"), body.points) : std::nullopt;
+  return name ? named_thing(reading, item, *name, has_no(body.name, "point"), body.points,
+                            fmt::format("bodies.{}.points", body.name))
+              : std::nullopt;
 }
 
 std::optional<PointRef> as_point(Reading& reading, const Item& item, const Mechanism& mechanism) {

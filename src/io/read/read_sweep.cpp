@@ -125,7 +125,9 @@ void read_sweep(TableReader& root, const Table& document, Profile& profile) {
     }
     read_sweep_variables(table, document, method, task);
     if (draws || !method) {
-      read_correlations(table, {"variable", "variables with `normal`, without `min` and `max`,"}, task.plan);
+      read_correlations(table,
+                        {"variable", "variables with `normal`, without `min` and `max`,", "sweep.variables"},
+                        task.plan);
     }
     read_what(table, profile.mechanism, task);
     table.finish();

@@ -127,7 +127,8 @@ private:
     if (high && low && !(*high + *low > 0)) {
       report(reading_, plus ? *plus : *minus,
              fmt::format("the zone from {} - {} to {} + {} is empty: plus + minus must be > 0",
-                         tolerance.value, *low, tolerance.value, *high));
+                         tolerance.value, *low, tolerance.value, *high),
+             plus && minus ? "" : table.path_to(plus ? "minus" : "plus"));
     } else if (high && low) {
       tolerance.plus = *high;
       tolerance.minus = *low;
@@ -170,7 +171,7 @@ void read_results_of(TableReader& table, const Mechanism& mechanism, ToleranceTa
 
 void read_correlations_of(TableReader& table, ToleranceTask& task) {
   VariantPlan plan = task.variants();
-  read_correlations(table, {"tolerance", "tolerances with distribution = \"normal\""}, plan);
+  read_correlations(table, {"tolerance", "tolerances with distribution = \"normal\"", "tolerances"}, plan);
   task.correlations = std::move(plan.correlations);
 }
 

@@ -62,6 +62,7 @@ struct LateCurves {
     std::string body;
     std::size_t curve = 0;
     std::size_t source = 0;  ///< the curve of the same body that it is an offset of
+    double by = 0;
     TableReader table;
   };
   std::vector<Flank> flanks;

@@ -38,8 +38,9 @@ std::string number_below(const Table& document, std::string_view path) {
 }
 
 struct NumberAtPath {
-  std::string objection;  // why it does not lead to a number of the profile; empty if it does
-  std::string text;       // the number, where it is written with a unit of its own
+  std::string objection;   // why it does not lead to a number of the profile; empty if it does
+  std::string text;        // the number, where it is written with a unit of its own
+  std::string lacks = {};  // the path of what is not there, or is no number
 };
 
 NumberAtPath number_at(const Table& document, std::string_view path) {
@@ -51,7 +52,7 @@ NumberAtPath number_at(const Table& document, std::string_view path) {
     if (next == nullptr) {
       return {fmt::format("there is no `{}` in {}; {}", part, done.empty() ? "the profile" : done,
                           suggestion(part, value == nullptr ? keys_of(document) : parts_of(*value))),
-              ""};
+              "", done.empty() ? part : fmt::format("{}.{}", done, part)};
     }
     value = next;
     done += done.empty() ? part : "." + part;
@@ -70,7 +71,7 @@ NumberAtPath number_at(const Table& document, std::string_view path) {
   const std::string example = number_below(document, path);
   return {fmt::format("this is {}; expected the path of a number{}{}", kind_of(*value),
                       example.empty() ? "" : ", such as ", example),
-          ""};
+          "", std::string(path)};
 }
 
 std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPaths& paths) {
@@ -79,7 +80,7 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
     return std::nullopt;
   }
   const bool own = *path == paths.task || path->starts_with(paths.task + ".");
-  auto [objection, text] = own ? NumberAtPath{} : number_at(paths.document, *path);
+  auto [objection, text, lacks] = own ? NumberAtPath{} : number_at(paths.document, *path);
   if (own) {
     objection = paths.task == "sweep" ? "a sweep cannot vary itself" : "tolerances have none themselves";
   } else if (objection.empty() && contains(paths.taken, *path)) {
@@ -87,7 +88,7 @@ std::optional<std::string> read_path(Reading& reading, const Item& item, SweepPa
   }
   paths.taken.push_back(*path);
   if (!objection.empty()) {
-    report(reading, item, objection);
+    report(reading, item, objection, lacks);
   } else if (!text.empty()) {
     paths.with_unit.push_back(
         {item.value->mark,

@@ -38,6 +38,7 @@ void read_sweep_variables(TableReader& sweep, const Table& document, std::option
 struct CorrelationWords {
   std::string one;       ///< which of them can be correlated
   std::string possible;  ///< those that can be correlated
+  std::string home;      ///< path of the table that they are in
 };
 
 /// Reads `correlations` of a task: only variables that are normally distributed and not truncated can be

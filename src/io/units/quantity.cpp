@@ -1,8 +1,8 @@
-#include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/io/units.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "numeric/decimal.hpp"
+#include "unit_advice.hpp"
 #include "unit_table.hpp"
 
 #include <algorithm>
@@ -17,12 +17,13 @@ namespace higherpair {
 namespace {
 
 using io_detail::DoubleDouble;
+using io_detail::UnitFault;
 using io_detail::UnitProduct;
 using Refusal = tl::unexpected<std::string>;
 
 constexpr int kLargestPower = 9;
 
-// The dimension with force written as mass·length/time², so that both spellings compare equal.
+// With force written as mass·length/time², so that both spellings compare equal.
 Dimension without_force(Dimension dimension) {
   dimension.mass += dimension.force;
   dimension.length += dimension.force;
@@ -35,52 +36,19 @@ Dimension without_force(Dimension dimension) {
 constexpr std::pair<std::string_view, double> kPressures[] = {
     {"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
 
-std::vector<std::string> all_unit_names() {
-  std::vector<std::string> names = {"rpm"};
-  for (const auto& [name, size] : kPressures) {
-    names.emplace_back(name);
-  }
-  for (int i = 0; i <= static_cast<int>(Unit::kPoundForce); ++i) {
-    names.emplace_back(name_of(static_cast<Unit>(i)));
-  }
-  return names;
-}
-
 // Signs used for units elsewhere, and how to write them here.
-constexpr std::pair<std::string_view, std::string_view> kSigns[] = {{"°", "deg"},
-                                                                    {"µ", "um for micrometres"},
-                                                                    {"μ", "um for micrometres"},
-                                                                    {"·", "* or a space"},
-                                                                    {"×", "* or a space"},
-                                                                    {"²", "^2"},
-                                                                    {"³", "^3"},
-                                                                    {"⁻", "^-1"}};
-
-// Names of units used elsewhere, and how to write them here.
-constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
-    {"Hz", "rev/s"}, {"rps", "rev/s"}, {"U", "rev, or rpm for U/min"}, {"lbs", "lb"}};
-
-// Advice for two units written together, such as "Nm" or "rads"; empty if the name is not of that form.
-std::string taken_apart(std::string_view name) {
-  for (std::size_t i = 1; i < name.size(); ++i) {
-    const auto second = find_unit(name.substr(i));
-    if (find_unit(name.substr(0, i)) && second) {
-      const char* sign = dimension_of(*second) == dimension::kTime ? "/" : " ";
-      return fmt::format("did you mean `{}{}{}`?", name.substr(0, i), sign, name.substr(i));
-    }
-  }
-  return "";
-}
+constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+    {"°", "deg"}, {"·", "* or a space"}, {"×", "* or a space"}, {"²", "^2"}, {"³", "^3"}, {"⁻", "^-1"}};
 
 // Takes the factors of "kg m^2/s" one by one from the front of its text.
 class UnitParser {
 public:
-  explicit UnitParser(std::string_view text) : rest_(io_detail::trimmed(text)) {}
+  explicit UnitParser(std::string_view text) : text_(text), rest_(io_detail::trimmed(text)) {}
 
-  tl::expected<UnitProduct, std::string> parse() {
+  tl::expected<UnitProduct, UnitFault> parse() {
     while (!rest_.empty()) {
-      if (auto done = take_operator(); !done) return Refusal(done.error());
-      if (auto done = take_factor(); !done) return Refusal(done.error());
+      if (auto done = take_operator(); !done) return fault(done.error());
+      if (auto done = take_factor(); !done) return fault(done.error());
       rest_ = io_detail::trimmed(rest_);
     }
     return product_;
@@ -88,6 +56,11 @@ public:
 
 private:
   using Step = tl::expected<void, std::string>;
+
+  [[nodiscard]] tl::unexpected<UnitFault> fault(const std::string& message) const {
+    const auto at = unknown_.empty() ? 0 : static_cast<std::size_t>(unknown_.data() - text_.data());
+    return tl::unexpected(UnitFault{message, std::string(unknown_), at});
+  }
 
   Step take_operator() {
     const bool is_first = !after_factor_;
@@ -111,6 +84,10 @@ private:
           return Refusal(fmt::format("has the sign {}: write {}", sign, spelled));
         }
       }
+      if (after_factor_ && rest_.size() > 1 && (rest_[0] == '.' || rest_[0] == '-') &&
+          io_detail::is_letter(rest_[1])) {
+        return Refusal(fmt::format("has `{}` between two units: write * or a space", rest_[0]));
+      }
       const bool is_power = after_factor_ && rest_.find_first_of("-0123456789") == 0;
       return Refusal(rest_.empty() ? std::string("ends where a unit is expected")
                                    : fmt::format("has `{}` where a unit is expected{}", rest_,
@@ -123,7 +100,8 @@ private:
   }
 
   std::string_view take_name() {
-    const auto* end = std::find_if_not(rest_.begin(), rest_.end(), io_detail::is_letter);
+    const bool is_micro = rest_.starts_with("µ") || rest_.starts_with("μ");  // of two bytes each
+    const auto* end = std::find_if_not(rest_.begin() + (is_micro ? 2 : 0), rest_.end(), io_detail::is_letter);
     auto length = static_cast<std::size_t>(end - rest_.begin());
     // In "1/s" the 1 is a numerator without units.
     if (length == 0 && !after_factor_ && !divides_ && !rest_.empty() && rest_.front() == '1') {
@@ -165,12 +143,8 @@ private:
     }
     const auto unit = find_unit(name);
     if (!unit) {
-      for (const auto& [other, spelled] : kOtherNames) {
-        if (name == other) return Refusal(fmt::format("{} is no unit: write {}", name, spelled));
-      }
-      const std::string parts = taken_apart(name);
-      return Refusal(fmt::format("{} is no unit ({})", name,
-                                 parts.empty() ? suggestion(name, all_unit_names()) : parts));
+      unknown_ = name;
+      return Refusal(fmt::format("{} is no unit", name));
     }
     product_ = times_power(product_, *unit, power);
     return {};
@@ -184,7 +158,9 @@ private:
     }
   }
 
+  std::string_view text_;
   std::string_view rest_;
+  std::string_view unknown_;  // a word that is no unit
   UnitProduct product_;
   bool divides_ = false;
   bool after_factor_ = false;
@@ -235,11 +211,26 @@ std::string other_dimension(std::string_view unit, const Dimension& found, const
 
 }  // namespace
 
+std::vector<std::string> io_detail::all_unit_names() {
+  std::vector<std::string> names = {"rpm"};
+  for (const auto& [name, size] : kPressures) {
+    names.emplace_back(name);
+  }
+  for (int i = 0; i <= static_cast<int>(Unit::kPoundForce); ++i) {
+    names.emplace_back(name_of(static_cast<Unit>(i)));
+  }
+  return names;
+}
+
 bool io_detail::is_unit_name(std::string_view name) {
   return contains(all_unit_names(), name);
 }
 
-tl::expected<UnitProduct, std::string> io_detail::parse_unit(std::string_view text) {
+bool io_detail::same_quantity(const Dimension& a, const Dimension& b) {
+  return without_force(a) == without_force(b);
+}
+
+tl::expected<UnitProduct, UnitFault> io_detail::parse_unit(std::string_view text) {
   return UnitParser(text).parse();
 }
 
@@ -253,9 +244,12 @@ tl::expected<io_detail::UnitScalings, std::string> io_detail::scalings_of(std::s
   }
   const auto product = parse_unit(unit);
   if (!product) {
-    return Refusal(fmt::format("{}; {}", product.error(), example(expected, units)));
+    const UnitFault& fault = product.error();
+    return Refusal(fmt::format("{}{}; {}", fault.message,
+                               fault.unknown.empty() ? "" : unit_advice(unit, fault.unknown, expected),
+                               example(expected, units)));
   }
-  if (without_force(product->dimension) != without_force(expected)) {
+  if (!same_quantity(product->dimension, expected)) {
     return Refusal(other_dimension(unit, product->dimension, expected, units));
   }
   return UnitScalings{scaling(*product, {}), scaling(*product, product_of(expected, units))};

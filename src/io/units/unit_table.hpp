@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -23,8 +24,18 @@ struct UnitProduct {
 /// The unit of a dimension in the given base units.
 [[nodiscard]] UnitProduct product_of(const Dimension& dimension, const Units& units);
 
-/// The unit that a text names, "kg m^2/s"; the error says what is wrong with it.
-[[nodiscard]] tl::expected<UnitProduct, std::string> parse_unit(std::string_view text);
+/// What is wrong with a unit.
+struct UnitFault {
+  std::string message;
+  std::string unknown;  ///< the word that is no unit, if that is what is wrong
+  std::size_t at = 0;   ///< where that begins
+};
+
+/// The unit that a text names, "kg m^2/s".
+[[nodiscard]] tl::expected<UnitProduct, UnitFault> parse_unit(std::string_view text);
+
+/// Whether both are one quantity, a force as such or as mass·length/time².
+[[nodiscard]] bool same_quantity(const Dimension& a, const Dimension& b);
 
 /// How numbers in one unit become SI units, and units of the profile.
 struct UnitScalings {
@@ -37,7 +48,8 @@ struct UnitScalings {
                                                                   const Dimension& expected,
                                                                   const Units& units);
 
-/// Whether a quantity may have this unit: those of profiles, rpm, and the units of pressure.
+/// The units that a quantity may have: those of profiles, rpm, and the units of pressure.
+[[nodiscard]] std::vector<std::string> all_unit_names();
 [[nodiscard]] bool is_unit_name(std::string_view name);
 
 /// The factor from multiples of `from` to multiples of `to`.

@@ -59,6 +59,8 @@ private:
   void add_spiral_spring(const MotionRow& row, const Spring& spring);
   void add_belt(const MotionRow& row, const Joint& joint);
   void add_motion(const MotionRow& row, int body);
+  void add_center(const MotionRow& row, int body);
+  void add_driver(const MotionRow& row, const Driver& driver);
   void add_forces(const MotionRow& row, const Reactions& reactions);
   void add_effort(const MotionRow& row, const Driver& driver, double effort);
 };
