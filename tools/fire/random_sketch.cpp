@@ -82,6 +82,7 @@ private:
   std::vector<int> known_;
   bool drawn_in_place_ = false;  // the frames of all bodies coincide with that of ground
   bool rings_ = false;
+  bool ends_ = false;  // slides and slots have lines with ends
 };
 
 int Drawing::body() {
@@ -114,6 +115,10 @@ int Drawing::joint_at(JointKind kind, int a, int b, const Vector2d& p_W) {
   made.first = point(a, p_W - back * unit_vector(direction_W));
   made.second = point(b, p_W);
   made.direction = kind == JointKind::kRevolute ? 0 : direction_W - at(a).angle;
+  if (ends_ && kind != JointKind::kRevolute) {
+    made.from = back - between(0.01, 0.6);
+    made.to = back + between(0.01, 0.6);
+  }
   sketch_.joints.push_back(made);
   return static_cast<int>(sketch_.joints.size()) - 1;
 }
@@ -560,6 +565,9 @@ void Drawing::groups(SketchKind kind) {
       case SketchKind::kStep:
         any_group();
         break;
+      case SketchKind::kEnds:
+        chance(0.7) ? dyad() : follower();
+        break;
       case SketchKind::kLaw:  // made by other functions
       case SketchKind::kTeeth:
       case SketchKind::kFace:
@@ -573,6 +581,7 @@ Sketch Drawing::draw(SketchKind kind) {
   rings_ = kind == SketchKind::kRing;
   know(0);
   drive(0);
+  ends_ = kind == SketchKind::kEnds;
   const bool cam = kind == SketchKind::kCam || kind == SketchKind::kOffset;
   const bool turning = kind == SketchKind::kGeared || cam;
   while (turning && sketch_.joints.front().kind != JointKind::kRevolute) {
@@ -611,7 +620,8 @@ constexpr std::array kKindNames{
     KindName{SketchKind::kGeared, "geared"},   KindName{SketchKind::kTwo, "two"},
     KindName{SketchKind::kCam, "cam"},         KindName{SketchKind::kStep, "step"},
     KindName{SketchKind::kLaw, "law"},         KindName{SketchKind::kTeeth, "teeth"},
-    KindName{SketchKind::kFace, "face"},       KindName{SketchKind::kOffset, "offset"}};
+    KindName{SketchKind::kFace, "face"},       KindName{SketchKind::kOffset, "offset"},
+    KindName{SketchKind::kEnds, "ends"}};
 
 }  // namespace
 

@@ -26,6 +26,7 @@ enum class SketchKind {
   kTeeth,    ///< two flanks of spur gears
   kFace,     ///< an open face on an ellipse
   kOffset,   ///< a roller on the offset of a cam of straight and round parts
+  kEnds,     ///< dyads and followers on slides and slots whose lines end
 };
 
 [[nodiscard]] std::vector<SketchKind> all_kinds();

@@ -64,6 +64,8 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
     } else if (event.joint) {
       happening.item = profile_.mechanism.joints[*event.joint].name;
     }
+    happening.is_limit = event.type == EventType::kLimitPosition ||
+                         (event.type == EventType::kEnd && event.joint && !event.contact);
     const double share = std::lerp(from, to, event.share);
     happening.share = (static_cast<double>(k - 1) + share) / rows;
     if (schedule_.is_timed() && schedule_.driver_count() == 1) {
@@ -98,7 +100,7 @@ RunRecord Recorder::record() {
 
 const Happening* first_limit(const RunRecord& run) {
   const auto found = std::find_if(run.events.begin(), run.events.end(),
-                                  [](const Happening& event) { return event.type == "limit_position"; });
+                                  [](const Happening& event) { return event.is_limit; });
   return found == run.events.end() ? nullptr : &*found;
 }
 
@@ -173,7 +175,7 @@ Failure Comparison::events(bool beyond) {
     std::vector<Happening> events;
     for (const Happening& event : run.events) {
       const bool behind = event.share > end_ + kPlaceTolerance;
-      if (behind == beyond && (beyond || event.type != "limit_position")) {
+      if (behind == beyond && (beyond || !event.is_limit)) {
         events.push_back(event);
       }
     }

@@ -22,9 +22,10 @@ struct RowValues {
 /// An event between rows.
 struct Happening {
   std::string type;
-  std::string item;   ///< joint or contact; empty: none
-  double share = 0;   ///< fraction of the path, or of the time for `step`
-  double driver = 0;  ///< coordinate of the first driver [rad or m]
+  std::string item;       ///< joint or contact; empty: none
+  double share = 0;       ///< fraction of the path, or of the time for `step`
+  double driver = 0;      ///< coordinate of the first driver [rad or m]
+  bool is_limit = false;  ///< whether the motion is lost there, or begins again
 };
 
 /// A whole run of a profile, as made by `analyze` or `step`.

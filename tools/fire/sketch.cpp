@@ -58,13 +58,15 @@ std::string joint_text(const Sketch::Joint& joint) {
     return fmt::format(R"({{ type = "{}", {}, ratio = {}, carrier = "{}"{} }})", type, ends, joint.ratio,
                        body_name(joint.carrier), flag ? fmt::format(", {} = true", word) : "");
   };
+  const std::string limits =
+      std::isfinite(joint.from) ? fmt::format(", from = {}, to = {}", joint.from, joint.to) : "";
   switch (joint.kind) {
     case Sketch::JointKind::kRevolute:
       break;
     case Sketch::JointKind::kPrismatic:
-      return fmt::format(R"({{ type = "prismatic", {}, direction = {} }})", ends, joint.direction);
+      return fmt::format(R"({{ type = "prismatic", {}, direction = {}{} }})", ends, joint.direction, limits);
     case Sketch::JointKind::kSlot:
-      return fmt::format(R"({{ type = "slot", {}, direction = {} }})", ends, joint.direction);
+      return fmt::format(R"({{ type = "slot", {}, direction = {}{} }})", ends, joint.direction, limits);
     case Sketch::JointKind::kGears:
       return coupled("gears", joint.same_sense, "internal");
     case Sketch::JointKind::kBelt:

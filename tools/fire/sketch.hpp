@@ -2,6 +2,7 @@
 
 #include "case.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,11 @@ struct Sketch {
   struct Joint {
     JointKind kind = JointKind::kRevolute;
     Ref first, second;
-    double direction = 0;    ///< of a slide or slot, in the first body's frame
-    double ratio = 1;        ///< of gears and belts
-    bool same_sense = true;  ///< internal gears, an open belt
-    int carrier = 0;         ///< body that carries the wheels of gears and belts
+    double direction = 0;                    ///< of a slide or slot, in the first body's frame
+    double ratio = 1;                        ///< of gears and belts
+    bool same_sense = true;                  ///< internal gears, an open belt
+    int carrier = 0;                         ///< body that carries the wheels of gears and belts
+    double from = -HUGE_VAL, to = HUGE_VAL;  ///< ends of a slide's or slot's line
   };
   struct Contact {
     Ref first, second;

@@ -156,7 +156,7 @@ bool place_at_limit(Run& run, const Path& path, const PathLimit& limit, double s
   if (!found) {  // from next to it, where the branch is no parabola any more
     found = reduction.singular_point(std::abs(limit.s - s) + near);
   }
-  if (!found || found->is_saddle || std::abs(s + found->ahead - limit.s) > near) {
+  if (!found || std::abs(s + found->ahead - limit.s) > near) {
     return false;
   }
   reduction.place_limit(*found);
