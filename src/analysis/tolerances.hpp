@@ -340,6 +340,8 @@ inline constexpr double kTouchAtStart = 1e-9;
 /// Product of the sines between a normal and those of two neighbouring samples, below which it is one of
 /// theirs to within rounding.
 inline constexpr double kOnSample = 1e-12;
+/// Speed at which a body comes towards a follower at rest that pushes it on, as a fraction of both speeds.
+inline constexpr double kPushes = 1e-6;
 /// First further distance, as a fraction of the drivers' unit, for a contact that closes next to an end of a
 /// curve if the curves do not meet yet there.
 inline constexpr double kFirstNudge = 1e-13;

@@ -608,4 +608,92 @@ end = 360
   }
 }
 
+// A disc on a crank moves an arm about Q, whose curve has edges at its ends.
+struct DiscOnArm {
+  Vector2d Q, center;  // of the disc, on the crank
+  double radius;
+  std::string curve, contact;
+  double angle;   // of the arm in its pose [deg]
+  double end;     // of the crank [deg]
+  Vector2d edge;  // the one that is left last, on the arm
+  double sense;   // the disc's centre is beyond the edge: 1, or between it and Q: -1
+  std::vector<std::string> events;
+};
+
+// Where the disc's centre, the edge and Q are in line the arm slips off, and stays there; elsewhere on the
+// edge it jams, and is not released. The edge would have limits beyond its end, on which the contact does not
+// come.
+TEST(EventsByRows, EdgesAreLeftWhereTheirBodiesPart) {
+  const std::vector<DiscOnArm> all = {
+      {{100, 0},
+       {35, -20},
+       30,
+       R"({ type = "segment", from = [-35, 20], to = [-75, -20] })",
+       "",
+       60,
+       360,
+       {-75, -20},
+       1,
+       {"engage", "end", "end", "release"}},
+      {{95, 0},
+       {95, 25},
+       15,
+       R"({ type = "segment", from = [-20, 0], to = [-55, 5] })",
+       R"(, approach = "-")",
+       -50,
+       -360,
+       {-20, 0},
+       -1,
+       {"engage", "release"}},
+      {{85, 0},
+       {85, -25},
+       20,
+       R"({ type = "arc", center = [-35, 15], radius = 30, from = 0, to = 60 })",
+       R"(, approach = "+")",
+       -10,
+       360,
+       {-20, 15 + 15 * std::sqrt(3)},
+       1,
+       {"engage", "end", "end", "end", "end", "release"}}};
+  for (const DiscOnArm& one : all) {
+    const Profile profile = profile_of(fmt::format(R"(
+[bodies.ground]
+points.O = [0, 0]
+points.Q = [{0}, 0]
+[bodies.crank]
+points.O = [0, 0]
+curves.c = {{ type = "circle", center = [{1}, {2}], radius = {3} }}
+[bodies.arm]
+pose = {{ x = {0}, angle = {4} }}
+points.O = [0, 0]
+curves.c = {5}
+[joints]
+crank = {{ type = "revolute", between = ["ground.O", "crank.O"] }}
+arm = {{ type = "revolute", between = ["ground.Q", "arm.O"] }}
+[contacts]
+k = {{ between = ["crank.c", "arm.c"], keep = "gap"{6} }}
+[driver]
+joint = "crank"
+end = {7}
+)",
+                                                   one.Q.x(), one.center.x(), one.center.y(), one.radius,
+                                                   one.angle, one.curve, one.contact, one.end));
+    const Places wanted = events_of(run_with(profile, 601));
+    ASSERT_EQ(wanted.size(), one.events.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_EQ(wanted[i].first, one.events[i]);
+    }
+    const double released = wanted.back().second / kTurn;
+    const Vector2d centre = Rotation<double>::from_angle(released) * one.center;
+    EXPECT_NEAR((centre - one.Q).norm(), std::abs(one.edge.norm() + one.sense * one.radius), 1e-11);
+    const Vector2d at_edge = one.sense * (centre - one.Q);
+    const double arm = (angle_of(at_edge) - angle_of(one.edge)) * kTurn;
+    for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
+      const RunTable motion = run_with(profile, rows);
+      expect_same(events_of(motion), wanted, std::to_string(rows));
+      EXPECT_NEAR(std::remainder(motion.value(motion.size() - 1, "arm.angle") - arm, 360), 0, 1e-6) << rows;
+    }
+  }
+}
+
 }  // namespace higherpair

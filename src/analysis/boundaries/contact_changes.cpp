@@ -94,16 +94,20 @@ bool part_contact(OnPath& at, const PathLimit& limit) {
     at.parted.clear();
   }
   const auto group = static_cast<int>(limit.group);
-  const auto reason = contains(at.parted, group) ? std::nullopt : why_parting(at.run, limit.group);
-  if (!reason) {
+  const auto parting = contains(at.parted, group) ? std::nullopt : why_parting(at.run, limit.group);
+  if (!parting) {
     return false;
   }
   const bool turns_back = place_at_limit(at.run, at.path, limit, at.s);
+  const State before = at.run.at.state;
   if (turns_back) {
-    std::swap(at.run.at.state, at.run.work.trial);
-    at.s = limit.s;
+    at.run.at.state = at.run.work.trial;
   }
-  release(at.run, at.path, at.s, limit.group, *reason, !turns_back);
+  if (!release(at.run, at.path, turns_back ? limit.s : at.s, limit.group, *parting, !turns_back)) {
+    at.run.at.state = before;
+    return false;
+  }
+  at.s = turns_back ? limit.s : at.s;
   at.parted_at = at.s;
   at.parted.push_back(group);
   at.open = true;

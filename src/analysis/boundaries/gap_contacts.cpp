@@ -160,13 +160,15 @@ double rest_of(const Run& run, std::size_t g) {
   return follower.sign * (end->upper ? *joint.to : *joint.from);
 }
 
-// Whether a follower comes to an end of its guide and the other body goes on away from it. One that would
-// push it farther can not: with the follower held, the gap opens only if it does so where the follower goes
-// back.
-bool rests_at_end(const Run& run, const TouchingBody& touching, std::size_t g) {
-  const auto end = joint_at_end(model_of(run), g, run.at.state);
-  const double towards = end && end->upper ? touching.follower.sign : -touching.follower.sign;
-  return end && !contact_of(run, touching).both_sides && run.at.state.groups[g].mode * towards < 0;
+// Whether the bodies of a contact come together on the path in a state where it is open.
+// \param at  the contact before it was opened
+bool pushes_on(const Run& run, const Path& path, const TouchingBody& touching, const CommonNormal& at,
+               const State& open) {
+  const Contact& contact = contact_of(run, touching);
+  const Vector2d v1 = motion_at_place(open.bodies[contact.first.body], at.p1_W).v_W;
+  const Vector2d v2 = motion_at_place(open.bodies[contact.second.body], at.p2_W).v_W;
+  const double sense = path.length < 0 ? -1 : 1;
+  return sense * at.n_W.dot(v2 - v1) < -kPushes * (v1.norm() + v2.norm());
 }
 
 // The part of an event's sentence that names the curve which touches with the edge at its end.
@@ -258,41 +260,46 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
   return std::nullopt;
 }
 
-std::optional<std::string> why_parting(const Run& run, std::size_t g) {
+std::optional<Parting> why_parting(const Run& run, std::size_t g) {
   const auto* touching = std::get_if<TouchingBody>(&run.plan().groups[g].kind);
   if (touching == nullptr || contact_of(run, *touching).keep != Keep::kGap || run.at.state.groups[g].open) {
     return std::nullopt;
   }
   if (end_reached(run, g)) {
-    return "the contact leaves the end of a curve";
+    return Parting{"the contact leaves the end of a curve"};
   }
-  if (rests_at_end(run, *touching, g)) {
-    return fmt::format("{} comes to the end of its guide", follower_name(run, *touching));
+  const bool one_sided = !contact_of(run, *touching).both_sides;
+  if (one_sided && joint_at_end(model_of(run), g, run.at.state)) {
+    return Parting{fmt::format("{} comes to the end of its guide", follower_name(run, *touching)), true};
   }
   if (slipped_off(run, g)) {
-    return "the contact slips off the edge at the end of a curve";
+    return Parting{"the contact slips off the edge at the end of a curve", one_sided};
   }
   return std::nullopt;
 }
 
-void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason, bool has_rates) {
+bool release(Run& run, const Path& path, double s, std::size_t g, const Parting& parting, bool has_rates) {
   const TouchingBody& touching = touching_of(run, g);
   const double before = has_rates ? follower_rate(run.at.state, touching.follower) : kNoValue;
   State open = run.at.state;
   GroupState& group = open.groups[g];
   group.open = true;
   group.open_at = rest_of(run, g);
-  if (!settle(run, path, s, open)) {
-    return;
-  }
   const auto contact = static_cast<std::size_t>(touching.contact);
+  const CommonNormal at = run.at.state.contacts[contact].at;
+  if (!solve_from(run, open, path, s, 0) ||
+      (parting.may_jam && pushes_on(run, path, touching, at, run.work.trial))) {
+    return false;
+  }
+  run.at.state = run.work.trial;
   run.at.watches[contact].overlaps = false;
-  RunEvent& event = report_contact(
-      run, EventType::kRelease, path, s, contact,
-      fmt::format("{}: the bodies part and {} stays where it is", reason, follower_name(run, touching)));
+  RunEvent& event = report_contact(run, EventType::kRelease, path, s, contact,
+                                   fmt::format("{}: the bodies part and {} stays where it is", parting.reason,
+                                               follower_name(run, touching)));
   if (has_rates) {
     add_rate_jump(run, path, touching.follower, {before, 0}, event);
   }
+  return true;
 }
 
 bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional<double> nearest,

@@ -35,13 +35,21 @@ struct Engagement {
 /// marked as overlapping. Adds an event.
 [[nodiscard]] std::optional<double> engage(Run& run, const Path& path, double s, const Engagement& at);
 
+/// Why a contact may part.
+struct Parting {
+  std::string reason;
+  bool may_jam = false;  ///< the bodies part only if the gap then opens
+};
+
 /// Why a contact of group g that may part does so in run.at.state, where its motion cannot go on; none if it
 /// is not such a contact, or at no end.
-[[nodiscard]] std::optional<std::string> why_parting(const Run& run, std::size_t g);
+[[nodiscard]] std::optional<Parting> why_parting(const Run& run, std::size_t g);
 
-/// Opens the contact of group g in run.at.state, which is at s on the path. Adds an event.
+/// Opens the contact of group g in run.at.state, which is at s on the path, and adds an event. Returns false
+/// and changes nothing if the other body would push on.
 /// \param has_rates  whether the rates of run.at.state are bounded
-void release(Run& run, const Path& path, double s, std::size_t g, const std::string& reason, bool has_rates);
+[[nodiscard]] bool release(Run& run, const Path& path, double s, std::size_t g, const Parting& parting,
+                           bool has_rates);
 
 /// Whether the contact of a touching body starts open: in its pose, at the coordinate `posed`, the body
 /// neither touches nor overlaps. Between two walls only if no contact is possible.

@@ -163,6 +163,7 @@ private:
       case JointOutcome::kDiverted:
         return go_on_anew();
       case JointOutcome::kPassed:
+        limit_.forget();  // that of the spans behind
         break;
     }
     return Outcome::kGoesOn;
