@@ -112,7 +112,7 @@ private:
         return *outcome;
       }
     }
-    passed_unseen_ = ok && !passage && has_left_a_span(run_);
+    passed_unseen_ = ok && !passage && passes_unseen(run_, path_, at_.s, step_);
     near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
     if (const auto shorter = better_length(ok)) {
       length_.shorten(*shorter);
@@ -311,8 +311,8 @@ private:
   double step_ = 0;             // the step that is tried
   bool last_ = false;           // whether it leads to the end
   bool near_crossing_ = false;  // whether it could be taken and leads next to where branches may cross
-  bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: there
-                                // is a contact at other spans in between
+  bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: a
+                                // contact is at other spans in between
   StepLength length_;           // the largest step that may be tried
   LimitAhead limit_;            // the first known limit
   int refused_ = 0;             // steps refused, until one as long as the first of them is taken
