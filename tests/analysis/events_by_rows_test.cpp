@@ -623,4 +623,58 @@ TEST(EventsByRows, AFlatThatCannotBeLeftIsALimit) {
   }
 }
 
+// The last event names the contact that makes the bodies lose their hold, and no other event is beside it.
+void expect_to_end_with(const Profile& profile, EventType type, const std::string& contact,
+                        const std::string& cause) {
+  for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
+    const RunTable motion = run_with(profile, rows);
+    ASSERT_FALSE(motion.events().empty()) << rows;
+    const RunEvent& last = motion.events().back();
+    EXPECT_EQ(last.type, type) << rows << ": " << last.cause;
+    ASSERT_TRUE(last.contact) << rows;
+    EXPECT_EQ(profile.mechanism.contacts[*last.contact].name, contact) << rows;
+    EXPECT_NE(last.cause.find(cause), std::string::npos) << rows << ": " << last.cause;
+    for (const RunEvent& event : motion.events()) {
+      EXPECT_TRUE(&event == &last || std::abs(event.driver - last.driver) > 1e-6)
+          << rows << ": " << event.cause;
+    }
+  }
+}
+
+TEST(EventsByRows, ACoupledContactThatConformsIsOneLimit) {
+  // A sole with an inflection on a floor; a tip on a ramp takes part.
+  const Profile profile = profile_of(R"(
+[bodies.ground]
+points.G = [0, 0]
+curves.floor = { type = "line", point = [0, 0], normal = [0, 1] }
+curves.ramp = { type = "line", point = [100, 10], normal = [1, 2] }
+[bodies.slide]
+points.G = [0, 0]
+points.S = [0, 0]
+[bodies.b]
+pose = { x = 0, y = 10, angle = 0 }
+points.P = [0, 0]
+curves.sole = { type = "spline", closed = false, material = "right", points = [
+  [60, 1.4112], [50, 5.98472], [40, 9.09297], [30, 9.97495], [20, 8.41471], [10, 4.79426], [0, 0],
+  [-10, -4.79426], [-20, -8.41471], [-30, -9.97495], [-40, -9.09297], [-50, -5.98472], [-60, -1.4112]] }
+curves.tip = { type = "point", at = [100, 0] }
+[joints]
+guide = { type = "prismatic", between = ["ground.G", "slide.G"], direction = [1, 0] }
+s = { type = "slot", between = ["slide.S", "b.P"], direction = [0, 1] }
+[contacts]
+nose = { between = ["ground.ramp", "b.tip"] }
+foot = { between = ["ground.floor", "b.sole"] }
+[driver]
+joint = "guide"
+end = 150
+)");
+  expect_to_end_with(profile, EventType::kLimitPosition, "foot", "the same curvature");
+}
+
+TEST(EventsByRows, ACoupledContactThatEndsIsNamed) {
+  expect_to_end_with(of_boundaries("conforming_beside_an_edge"), EventType::kLimitPosition, "k1",
+                     "the same curvature");
+  expect_to_end_with(of_boundaries("hollow_curve_ends_on_a_flat"), EventType::kEnd, "k1", "the curve of b3");
+}
+
 }  // namespace higherpair

@@ -267,17 +267,22 @@ private:
     // The motion can be resumed from where rates still have their digits.
     at_.s = limit_.go_back_from_far().value_or(at_.s);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
-    forget_strokes_beside(event);
+    forget_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
     return Outcome::kLost;
   }
 
-  // Next to a limit rates are too inexact to tell whether a joint reverses, and how near to it the steps end
-  // is arbitrary: removes the ends of strokes found there.
-  void forget_strokes_beside(const RunEvent& limit) {
-    const double near = kNearLimit * at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
+  // Next to a limit rates and curvatures are too inexact to tell whether a joint reverses or curves conform,
+  // and a contact that ends there may change to and fro; how near to it the steps end is arbitrary. Removes
+  // such events found there.
+  void forget_beside(const RunEvent& limit) {
+    const double per_unit = at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
     std::erase_if(run_.events, [&](const RunEvent& event) {
-      return event.type == EventType::kStrokeEnd && std::abs(event.share - limit.share) <= near;
+      const double apart = std::abs(event.share - limit.share);
+      const bool inexact = event.type == EventType::kStrokeEnd || event.type == EventType::kConforming;
+      const bool same_contact = event.contact && event.contact == limit.contact &&
+                                (event.type == EventType::kEnd || event.type == EventType::kCorner);
+      return (inexact && apart <= kNearLimit * per_unit) || (same_contact && apart <= kSameLimit * per_unit);
     });
   }
 
