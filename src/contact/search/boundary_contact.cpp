@@ -308,8 +308,9 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
       return std::nullopt;
     }
     // Two flats that are not parallel touch beyond their ends, however little they are inclined.
-    const bool parallel = std::abs(offset.epsilon) <= kParallelFlats;
-    if (closure.is_reached(error) && (parallel || !are_flat(one, two))) {
+    const bool leaves = are_flat(one, two) && std::abs(offset.epsilon) > kParallelFlats &&
+                        first_end(one, two, offset.epsilon > 0);
+    if (closure.is_reached(error) && !leaves) {
       if (!held && are_flat(one, two)) {
         hold_at_end_of_flats(one, two);
         held = true;
