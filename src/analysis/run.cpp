@@ -294,7 +294,7 @@ void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
   if (reached) {
     // The row is in run.at.beside.
   } else if (!run.at.on_branch) {
-    reached = resume(run, run.at.targets, run.at.drivers);
+    reached = resume(run, run.at.targets, run.work.row_before);
   } else if (run.at.targets == run.at.drivers) {
     run.at.beside.reset();
     reached = true;

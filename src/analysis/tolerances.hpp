@@ -114,6 +114,9 @@ inline constexpr double kNearFollowerLimit = 0.3;
 /// Added to the lever of a turning follower, as a fraction of the size, so that the lever is not 0 if the
 /// contact is at the pivot.
 inline constexpr double kLeastLever = 1e-3;
+/// Where the motion ends, two curves conform if the sum of their curvatures is below this fraction of the
+/// larger one, or of 1/size: it falls with the root of the distance, which is below kReachesLimit.
+inline constexpr double kConforms = 1e-4;
 /// Limits that are nearer to each other than this fraction of the driver's scale are the same.
 inline constexpr double kSameLimit = 1e-9;
 

@@ -599,5 +599,47 @@ positions = {}
   }
 }
 
+// Two drivers move the end of an arm into the hole of its reach, |80 - 40| mm about its pivot, round in it
+// and out again. It comes out on the way from the row before, not on a line from where it went in.
+TEST(BeyondLimits, TwoDriversAreFollowedFromRowToRow) {
+  const RunTable motion = analyze_text(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.across]
+points.O = [0, 0]
+[bodies.up]
+pose = { x = 60 }
+points.O = [0, 0]
+[bodies.upper]
+pose = { angle = 28.955 }
+points.O = [0, 0]
+points.E = [80, 0]
+[bodies.lower]
+pose = { x = 70, y = 38.73, angle = -104.48 }
+points.E = [0, 0]
+points.P = [40, 0]
+[joints]
+x = { type = "prismatic", between = ["ground.O", "across.O"], direction = [1, 0] }
+y = { type = "prismatic", between = ["across.O", "up.O"], direction = [0, 1] }
+shoulder = { type = "revolute", between = ["ground.O", "upper.O"] }
+elbow = { type = "revolute", between = ["upper.E", "lower.E"] }
+hand = { type = "revolute", between = ["lower.P", "up.O"] }
+[drivers.x]
+joint = "x"
+positions = [60, 20, 0, 0]
+[drivers.y]
+joint = "y"
+positions = [0, 0, 20, 60]
+)");
+  ASSERT_EQ(motion.failure(), "");
+  ASSERT_EQ(motion.size(), 4U);
+  EXPECT_EQ(motion.status(1), RowStatus::kNotAssemblable);
+  EXPECT_EQ(motion.status(2), RowStatus::kNotAssemblable);
+  EXPECT_EQ(motion.status(3), RowStatus::kOk);
+  ASSERT_EQ(motion.events().size(), 2U);
+  EXPECT_NEAR(motion.events()[0].driver, 0.04, 1e-12);
+  EXPECT_NEAR(motion.events()[1].driver, 0, 1e-12);
+}
+
 }  // namespace
 }  // namespace higherpair

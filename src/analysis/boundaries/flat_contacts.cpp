@@ -46,19 +46,6 @@ std::optional<OtherEnd> other_end(const Boundary& own, const Boundary& other, co
   return end;
 }
 
-// The normal does not change. The contact is set rather than searched for: rounding would decide at which
-// end a search arrives.
-void set_point(const Run& run, const JointPassage& passage, std::size_t side, const BoundaryPlace& place,
-               State& state) {
-  const Contact& contact = run.mechanism().contacts[passage.contact];
-  CommonNormal& at = state.contacts[passage.contact].at;
-  const BodyMotion& body = state.bodies[ref_of(contact, side).body];
-  (side == 0 ? at.p1_W : at.p2_W) = body.X_WB * boundary_at(run, passage.contact, side).at(place).p_B;
-  JointPassage there = passage;
-  there.side = side;
-  set_place_of(run, there, place, state);
-}
-
 // \param over  the state after the passage
 void report_passage(Run& run, const Path& path, double s, std::size_t contact, const State& over) {
   RunEvent& event = report_contact(
@@ -74,13 +61,6 @@ void report_passage(Run& run, const Path& path, double s, std::size_t contact, c
 
 }  // namespace
 
-bool lies_flat_behind(const Run& run, const JointPassage& passage) {
-  const Boundary& own = boundary_at(run, passage.contact, passage.side);
-  const Boundary& other = boundary_at(run, passage.contact, 1 - passage.side);
-  return is_flat(own, passage.after) &&
-         is_flat(other, run.at.state.contacts[passage.contact].place[1 - passage.side]);
-}
-
 std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, const JointPassage& passage) {
   const std::size_t opposite = 1 - passage.side;
   State over = run.at.state;
@@ -90,8 +70,10 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   if (!end) {
     return std::nullopt;
   }
-  set_point(run, passage, passage.side, end->own, over);
-  set_point(run, passage, opposite, end->other, over);
+  // The normal does not change. The contact is set rather than searched for: rounding would decide at which
+  // end a search arrives.
+  set_point_of(run, passage.contact, passage.side, end->own, over);
+  set_point_of(run, passage.contact, opposite, end->other, over);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, over);
   report_passage(run, path, s, passage.contact, over);

@@ -9,9 +9,6 @@
 
 namespace higherpair {
 
-/// Whether the span beyond a joint lies flat on the other curve there.
-[[nodiscard]] bool lies_flat_behind(const Run& run, const JointPassage& passage);
-
 /// Moves the contact of run.at.state, which is at the joint at s, to the other end of the part along which
 /// the two flats lie on each other: the end of the span beyond the joint or of the other body's flat,
 /// whichever comes first. Returns the joint on which the contact then is, as one that has been passed. If the

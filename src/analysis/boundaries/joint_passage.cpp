@@ -56,19 +56,35 @@ SpanJoint joint_of(const Run& run, const JointPassage& passage) {
   return boundary.joint_after(forward ? passage.before.span : passage.after.span);
 }
 
-void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state) {
-  ContactMotion& motion = state.contacts[passage.contact];
-  motion.place[passage.side] = place;
-  const Boundary& boundary = boundary_at(run, passage.contact, passage.side);
+bool lies_flat_behind(const Run& run, const JointPassage& passage, const State& state) {
+  const std::size_t opposite = 1 - passage.side;
+  return is_flat(boundary_at(run, passage.contact, passage.side), passage.after) &&
+         is_flat(boundary_at(run, passage.contact, opposite),
+                 state.contacts[passage.contact].place[opposite]);
+}
+
+void set_place_of(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place,
+                  State& state) {
+  ContactMotion& motion = state.contacts[contact];
+  motion.place[side] = place;
+  const Boundary& boundary = boundary_at(run, contact, side);
   const double rho = radius_of(boundary.at(place), boundary.is_corner(place));
-  (passage.side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+  (side == 0 ? motion.at.rho1 : motion.at.rho2) = rho;
+}
+
+void set_point_of(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place,
+                  State& state) {
+  CommonNormal& at = state.contacts[contact].at;
+  const BodyMotion& body = state.bodies[ref_of(run.mechanism().contacts[contact], side).body];
+  (side == 0 ? at.p1_W : at.p2_W) = body.X_WB * boundary_at(run, contact, side).at(place).p_B;
+  set_place_of(run, contact, side, place, state);
 }
 
 bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
   if (!passage.solved && !solve_from_spans(run, path, s, passage.x)) {
     return false;
   }
-  set_place_of(run, passage, passage.before, run.work.trial);
+  set_place_of(run, passage.contact, passage.side, passage.before, run.work.trial);
   set_rates(run, run.work.motions, run.work.trial);
   return true;
 }
@@ -76,7 +92,7 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
   const auto joint = reported_joint(run, passage.contact);
   const double before = joint ? acceleration_of(run, *joint) : 0;
-  set_place_of(run, passage, passage.after, run.at.state);
+  set_place_of(run, passage.contact, passage.side, passage.after, run.at.state);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, run.at.state);
   const auto type = type_of(run, passage);

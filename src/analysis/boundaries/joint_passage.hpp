@@ -20,8 +20,20 @@ struct JointPassage {
 /// How the two spans join there.
 [[nodiscard]] SpanJoint joint_of(const Run& run, const JointPassage& passage);
 
-/// Sets the contact of a passage to a place of its boundary exactly, whatever rounding has left.
-void set_place_of(const Run& run, const JointPassage& passage, const BoundaryPlace& place, State& state);
+/// Whether the span beyond a joint lies flat on the other curve there.
+/// \param state  at the joint
+[[nodiscard]] bool lies_flat_behind(const Run& run, const JointPassage& passage, const State& state);
+[[nodiscard]] inline bool lies_flat_behind(const Run& run, const JointPassage& passage) {
+  return lies_flat_behind(run, passage, run.at.state);
+}
+
+/// Sets a contact to a place of one of its boundaries exactly, whatever rounding has left.
+void set_place_of(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place,
+                  State& state);
+
+/// The same, also for the point at which this body is touched.
+void set_point_of(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place,
+                  State& state);
 
 /// Places run.work.trial at the joint, still on the span before it, with its rates; false if it cannot be
 /// placed.

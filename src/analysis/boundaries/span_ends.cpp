@@ -51,8 +51,8 @@ std::optional<Stop> stop_at(const Run& run, std::size_t contact, std::size_t sid
 
 }  // namespace
 
-std::optional<std::string> end_reached(const Run& run, std::size_t g) {
-  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
+std::optional<ContactEnd> end_reached(const Run& run, std::size_t g) {
+  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<ContactEnd> {
     const auto stop = stop_at(run, i, side);
     // Two corners, and an edge is one, have no common normal to go on with.
     const bool blunt = !boundary_at(run, i, 1 - side).is_corner(run.at.state.contacts[i].place[1 - side]);
@@ -60,13 +60,13 @@ std::optional<std::string> end_reached(const Run& run, std::size_t g) {
       return std::nullopt;
     }
     const std::string& body = body_of_side(run, i, side);
-    return stop == Stop::kNotch
-               ? fmt::format(
-                     "the contact reaches a concave corner of {} here, where it would need a second contact "
-                     "to go on",
-                     body)
-               : fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it",
-                             body);
+    return ContactEnd{
+        i,
+        stop == Stop::kNotch
+            ? fmt::format("the contact reaches a concave corner of {} here, where it would need a second "
+                          "contact to go on",
+                          body)
+            : fmt::format("the contact reaches the end of the curve of {} here and is lost beyond it", body)};
   });
 }
 
@@ -96,14 +96,23 @@ void note_edge(Run& run, const Path& path, double s, std::size_t contact,
   }
 }
 
-std::optional<std::string> slipped_off(const Run& run, std::size_t g) {
-  return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<std::string> {
-    return is_on_edge(run, i, side, run.at.state.contacts[i].place[side])
-               ? std::optional(fmt::format("the contact slips off the edge at the end of the curve of {} "
-                                           "here and is lost beyond it",
-                                           body_of_side(run, i, side)))
-               : std::nullopt;
-  });
+std::optional<ContactEnd> slipped_off(const Run& run, std::size_t g) {
+  const auto slipped = [&](bool at_end) {
+    return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<ContactEnd> {
+      const Boundary& boundary = boundary_at(run, i, side);
+      const BoundaryPlace& place = run.at.state.contacts[i].place[side];
+      if (!is_edge(boundary, place.span) || (at_end && !is_at_end(boundary, place, true, kAtSpanEnd) &&
+                                             !is_at_end(boundary, place, false, kAtSpanEnd))) {
+        return std::nullopt;
+      }
+      return ContactEnd{i,
+                        fmt::format("the contact slips off the edge at the end of the curve of {} here and "
+                                    "is lost beyond it",
+                                    body_of_side(run, i, side))};
+    });
+  };
+  auto found = slipped(true);
+  return found ? found : slipped(false);
 }
 
 void set_local_curves(Run& run) {

@@ -21,9 +21,14 @@ namespace higherpair {
   return run.mechanism().bodies[ref.body].name;
 }
 
-/// If the contact of group g is at an end or a concave corner of a boundary, beyond which it cannot go: the
-/// sentence that says so.
-[[nodiscard]] std::optional<std::string> end_reached(const Run& run, std::size_t g);
+/// A contact that cannot go on, and the sentence that says why.
+struct ContactEnd {
+  std::size_t contact = 0;
+  std::string cause;
+};
+
+/// The contact of group g that is at an end or a concave corner of a boundary, beyond which it cannot go.
+[[nodiscard]] std::optional<ContactEnd> end_reached(const Run& run, std::size_t g);
 
 /// Whether the contact of group g is where a curve goes over into the edge at its end.
 [[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
@@ -40,9 +45,9 @@ namespace higherpair {
 void note_edge(Run& run, const Path& path, double s, std::size_t contact,
                const std::array<BoundaryPlace, 2>& before);
 
-/// Where the motion cannot go on with the contact of group g: the sentence that says so if the contact is on
-/// the edge at an end of a curve.
-[[nodiscard]] std::optional<std::string> slipped_off(const Run& run, std::size_t g);
+/// Where the motion of group g cannot go on: the contact that is on the edge at an end of a curve; of
+/// several, one that is at an end of the edge's normals.
+[[nodiscard]] std::optional<ContactEnd> slipped_off(const Run& run, std::size_t g);
 
 /// Replaces the curves of contacts by_boundary in run.local by curves that agree with their boundaries at the
 /// row's contacts.

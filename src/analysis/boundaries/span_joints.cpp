@@ -103,21 +103,25 @@ std::vector<Turn> turned_back(const Run& run, double h) {
   return turned;
 }
 
+// Where a contact turns back within a step; none if the bodies cannot be placed on the way there.
+// Leaves run.work.trial anywhere between.
+std::optional<double> turn_within(Run& run, const Path& path, const SideOfContact& at, double s, double h) {
+  const auto speed = [&](double x) {
+    return solve_from_spans(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
+  };
+  return root_between(speed, running_speed(run, at, run.at.state), h, running_speed(run, at, run.work.trial));
+}
+
 // The part of a step up to where a contact turns back on another span than it began on, so that it may be
 // back on its own at the end; run.work.trial is then at that position. The whole step if no contact does so.
 double length_without_return(Run& run, const Path& path, std::vector<Turn>& turned, double s, double h) {
   double length = h;
   for (Turn& turn : turned) {
-    const SideOfContact at = turn.at;
-    const auto speed = [&](double x) {
-      return solve_from_spans(run, path, s, x) ? running_speed(run, at, run.work.trial) : kNoValue;
-    };
     const bool returns = change_trial(run, [&] {
-      const auto x = root_between(speed, running_speed(run, at, run.at.state), length,
-                                  running_speed(run, at, run.work.trial));
+      const auto x = turn_within(run, path, turn.at, s, length);
       turn.x = x.value_or(0);
       return x && *x != 0 && std::abs(*x) < std::abs(length) && solve_from_spans(run, path, s, *x) &&
-             is_on_other_span(run, at);
+             is_on_other_span(run, turn.at);
     });
     length = returns ? turn.x : length;
   }
@@ -267,10 +271,29 @@ bool ends_at(const Run& run, const Path& path, double s, const JointPassage& pas
          is_on_other_span(run, {passage.contact, passage.side});
 }
 
+// Puts a contact that has just passed a joint at the end of the path back onto the joint: rounding does not
+// decide on which side of it a row is. Beyond a flat that lies on another one both places have changed.
+void stay_before(Run& run, const JointPassage& passage, const State& at_joint) {
+  if (passage.solved && lies_flat_behind(run, passage, at_joint)) {
+    const std::size_t opposite = 1 - passage.side;
+    set_point_of(run, passage.contact, opposite, at_joint.contacts[passage.contact].place[opposite],
+                 run.work.trial);
+    set_point_of(run, passage.contact, passage.side, passage.before, run.work.trial);
+  }
+  set_place_of(run, passage.contact, passage.side, passage.before, run.work.trial);
+}
+
 }  // namespace
 
-bool has_left_a_span(const Run& run) {
-  return changed_place(run).has_value();
+bool passes_unseen(Run& run, const Path& path, double s, double h) {
+  if (changed_place(run)) {
+    return true;
+  }
+  const std::vector<Turn> turned = turned_back(run, h);
+  return std::any_of(turned.begin(), turned.end(), [&](const Turn& turn) {
+    const StateAside aside(run.work.trial);
+    return !turn_within(run, path, turn.at, s, h);
+  });
 }
 
 std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h) {
@@ -289,8 +312,7 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     run.work.trial = std::move(at_joint);
     return first;
   }
-  // Rounding does not decide on which side of a joint a row is: it is still on the span that it has come by.
-  set_place_of(run, *first, first->before, run.work.trial);
+  stay_before(run, *first, at_joint);
   path.motions(s + h, run.work.motions);
   set_rates(run, run.work.motions, run.work.trial);
   return joint_within(run, path, s, h);

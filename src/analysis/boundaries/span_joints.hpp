@@ -11,7 +11,9 @@ namespace higherpair {
 /// run.work.trial is left within the step, at the joint only if JointPassage::solved.
 [[nodiscard]] std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, double h);
 
-/// Whether a contact in run.work.trial is on another span than in run.at.state.
-[[nodiscard]] bool has_left_a_span(const Run& run);
+/// Whether a step of h to run.work.trial, in which joint_within() has found no joint, passes one all the
+/// same: a contact is on another span than in run.at.state, or it comes back to its own from where the bodies
+/// cannot be placed.
+[[nodiscard]] bool passes_unseen(Run& run, const Path& path, double s, double h);
 
 }  // namespace higherpair

@@ -14,13 +14,38 @@
 #include <fmt/core.h>
 
 namespace higherpair {
+namespace {
+
+// The contact of a group at whose place both curves have the same curvature. At such a limit the bodies come
+// to rest against each other at finite speeds, while the contact runs along them ever faster.
+std::optional<int> conforming_contact(const Run& run, std::size_t g) {
+  for (const int index : run.plan().groups[g].contacts) {
+    const ContactMotion& motion = run.at.state.contacts[index];
+    if (!motion.touches || motion.at.rho1 == 0 || motion.at.rho2 == 0) {
+      continue;
+    }
+    const double kappa1 = 1 / motion.at.rho1, kappa2 = 1 / motion.at.rho2;
+    const double largest = std::max(std::abs(kappa1), std::abs(kappa2));
+    if (largest > 0 && std::abs(kappa1 + kappa2) <= kConforms * std::max(largest, 1 / run.plan().size)) {
+      return index;
+    }
+  }
+  return std::nullopt;
+}
+
+void set_end(RunEvent& event, ContactEnd end) {
+  event.type = EventType::kEnd;
+  event.contact = static_cast<int>(end.contact);
+  event.cause = std::move(end.cause);
+}
+
+}  // namespace
 
 RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) {
   RunEvent event = event_at(EventType::kLimitPosition, path, s, limit_cause(run.plan().groups[g]));
   name_item(run, g, event);
   if (auto end = end_reached(run, g)) {
-    event.type = EventType::kEnd;
-    event.cause = *std::move(end);
+    set_end(event, *std::move(end));
   } else if (const auto at_end = joint_at_end(model_of(run), g, run.at.state)) {
     const Joint& joint = run.mechanism().joints[at_end->joint];
     event.type = EventType::kEnd;
@@ -28,9 +53,11 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
     event.contact.reset();
     event.cause =
         fmt::format("joint {} comes to the end of its line, `{}`", joint.name, at_end->upper ? "to" : "from");
+  } else if (const auto conforming = conforming_contact(run, g)) {
+    event.contact = conforming;
+    event.cause = "both curves have the same curvature at the contact here, and " + event.cause;
   } else if (auto slip = slipped_off(run, g)) {
-    event.type = EventType::kEnd;
-    event.cause = *std::move(slip);
+    set_end(event, *std::move(slip));
   }
   return event;
 }

@@ -112,7 +112,7 @@ private:
         return *outcome;
       }
     }
-    passed_unseen_ = ok && !passage && has_left_a_span(run_);
+    passed_unseen_ = ok && !passage && passes_unseen(run_, path_, at_.s, step_);
     near_crossing_ = ok && is_near_crossing(run_, run_.work.trial);
     if (const auto shorter = better_length(ok)) {
       length_.shorten(*shorter);
@@ -268,17 +268,22 @@ private:
     // The motion can be resumed from where rates still have their digits.
     at_.s = limit_.go_back_from_far().value_or(at_.s);
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
-    forget_strokes_beside(event);
+    forget_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
     return Outcome::kLost;
   }
 
-  // Next to a limit rates are too inexact to tell whether a joint reverses, and how near to it the steps end
-  // is arbitrary: removes the ends of strokes found there.
-  void forget_strokes_beside(const RunEvent& limit) {
-    const double near = kNearLimit * at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
+  // Next to a limit rates and curvatures are too inexact to tell whether a joint reverses or curves conform,
+  // and a contact that ends there may change to and fro; how near to it the steps end is arbitrary. Removes
+  // such events found there.
+  void forget_beside(const RunEvent& limit) {
+    const double per_unit = at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
     std::erase_if(run_.events, [&](const RunEvent& event) {
-      return event.type == EventType::kStrokeEnd && std::abs(event.share - limit.share) <= near;
+      const double apart = std::abs(event.share - limit.share);
+      const bool inexact = event.type == EventType::kStrokeEnd || event.type == EventType::kConforming;
+      const bool same_contact = event.contact && event.contact == limit.contact &&
+                                (event.type == EventType::kEnd || event.type == EventType::kCorner);
+      return (inexact && apart <= kNearLimit * per_unit) || (same_contact && apart <= kSameLimit * per_unit);
     });
   }
 
@@ -312,8 +317,8 @@ private:
   double step_ = 0;             // the step that is tried
   bool last_ = false;           // whether it leads to the end
   bool near_crossing_ = false;  // whether it could be taken and leads next to where branches may cross
-  bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: there
-                                // is a contact at other spans in between
+  bool passed_unseen_ = false;  // whether it could be taken and passes joints none of which is found: a
+                                // contact is at other spans in between
   StepLength length_;           // the largest step that may be tried
   LimitAhead limit_;            // the first known limit
   int refused_ = 0;             // steps refused, until one as long as the first of them is taken

@@ -154,17 +154,20 @@ BoundaryContact contact_of(const PairSide& one, const PairSide& two, double q) {
   return {{one.n_W, one.p_W, two.p_W, one.radius(), two.radius()}, q, one.place, two.place, 0};
 }
 
-// The nearer end of a flat span that leads on to a span that is not flat, as a place on that one; none if
-// neither end does.
-std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const BoundaryPlace& place) {
-  std::optional<SpanEnd> best;
-  for (const bool forward : {false, true}) {
-    const auto end = end_ahead(boundary, place, forward);
-    if (end && !is_flat(boundary, end->behind) && (!best || end->distance < best->distance)) {
-      best = end;
-    }
+// An end of the part along which two flats face each other.
+struct EndOfFlats {
+  bool of_one = true;  // the flat that ends there
+  SpanEnd end;
+};
+
+// The one that comes first along t or against it; none where the curves end.
+std::optional<EndOfFlats> first_end(const PairSide& one, const PairSide& two, bool forward) {
+  const auto end1 = end_ahead(one.boundary, one.place, forward);
+  const auto end2 = end_ahead(two.boundary, two.place, !forward);
+  if (end1 && !(end2 && end2->distance < end1->distance)) {
+    return EndOfFlats{true, *end1};
   }
-  return best ? std::optional(best->behind) : std::nullopt;
+  return end2 ? std::optional(EndOfFlats{false, *end2}) : std::nullopt;
 }
 
 // Two flat parts that are not parallel touch beyond an end of one of them. Goes there: past the end that
@@ -173,20 +176,19 @@ std::optional<BoundaryPlace> end_of_flat(const Boundary& boundary, const Boundar
 // end.
 bool leave_flats(PairSide& one, PairSide& two, double turn, double slip) {
   const bool forward = turn > 0;  // along t
-  const double sense = forward ? 1 : -1;
-  const auto end1 = end_ahead(one.boundary, one.place, forward);
-  const auto end2 = end_ahead(two.boundary, two.place, !forward);
-  if (end1 && !(end2 && end2->distance < end1->distance)) {
-    one.place = end1->behind;
-    two.advance(slip - sense * end1->distance, 0, one);
-    return true;
+  const auto first = first_end(one, two, forward);
+  if (!first) {
+    return false;
   }
-  if (end2) {
-    two.place = end2->behind;
-    one.advance(slip + sense * end2->distance, 0, two);
-    return true;
+  const double distance = (forward ? 1 : -1) * first->end.distance;
+  if (first->of_one) {
+    one.place = first->end.behind;
+    two.advance(slip - distance, 0, one);
+  } else {
+    two.place = first->end.behind;
+    one.advance(slip + distance, 0, two);
   }
-  return false;
+  return true;
 }
 
 // One pass along both boundaries; `turn` is E, `slip` is Σ. Returns which one was stopped by an end: 0
@@ -206,21 +208,26 @@ int step_along(PairSide& one, PairSide& two, double turn, double slip, double sc
   return stopped1 ? 1 : stopped2 ? 2 : 0;
 }
 
-// Two flat curves that lie on each other touch along a stretch: the contact is held at the end of one of
-// them, where all of its quantities are defined.
-void hold_at_end_of_flat(PairSide& one, PairSide& two) {
-  const auto along = [&] {
-    one.update();
-    two.update();
-    return offset_of(one, two).s;
-  };
-  if (const auto end1 = end_of_flat(one.boundary, one.place)) {
-    one.place = *end1;
-    two.advance(along(), 0, one);
-  } else if (const auto end2 = end_of_flat(two.boundary, two.place)) {
-    two.place = *end2;
-    one.advance(along(), 0, two);
+// Two flat curves that lie on each other touch along a stretch: the contact is held at the nearer end of it
+// that leads on to a span that is not flat, where all of its quantities are defined.
+void hold_at_end_of_flats(PairSide& one, PairSide& two) {
+  std::optional<EndOfFlats> nearest;
+  for (const bool forward : {false, true}) {
+    const auto first = first_end(one, two, forward);
+    if (first && !is_flat((first->of_one ? one : two).boundary, first->end.behind) &&
+        (!nearest || first->end.distance < nearest->end.distance)) {
+      nearest = first;
+    }
   }
+  if (!nearest) {
+    return;
+  }
+  PairSide& ending = nearest->of_one ? one : two;
+  PairSide& other = nearest->of_one ? two : one;
+  ending.place = nearest->end.behind;
+  one.update();
+  two.update();
+  other.advance(offset_of(one, two).s, 0, ending);
 }
 
 double length_scale(const Boundary& boundary1, const Boundary& boundary2) {
@@ -254,7 +261,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
     }
     if (closure.is_reached(error, ended_before != 0)) {
       if (!held && are_flat(one, two)) {
-        hold_at_end_of_flat(one, two);
+        hold_at_end_of_flats(one, two);
         held = true;
         continue;
       }
@@ -291,6 +298,7 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
   PairSide two(boundary2, X_W2, place2);
   const double scale = length_scale(boundary1, boundary2);
   Closure closure(boundary1.size() + scale);
+  bool held = false;
   for (int pass = 0; pass < kMaxBoundaryPasses; ++pass) {
     one.update();
     two.update();
@@ -299,7 +307,15 @@ std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, c
     if (!std::isfinite(error) || (one.corner && two.corner)) {
       return std::nullopt;
     }
-    if (closure.is_reached(error)) {
+    // Two flats that are not parallel touch beyond their ends, however little they are inclined.
+    const bool leaves = are_flat(one, two) && std::abs(offset.epsilon) > kParallelFlats &&
+                        first_end(one, two, offset.epsilon > 0);
+    if (closure.is_reached(error) && !leaves) {
+      if (!held && are_flat(one, two)) {
+        hold_at_end_of_flats(one, two);
+        held = true;
+        continue;
+      }
       return contact_of(one, two, 0);
     }
     // Across a gap g a turn of the normal by δφ1 = w1 ε + w Σ shifts the points by g δφ1: Σ = σ - g δφ1.

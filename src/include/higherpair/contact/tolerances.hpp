@@ -203,6 +203,8 @@ inline constexpr double kLongestPass = 0.25;  // longest step of one pass, relat
 // How far a turn moves the contact along two flat parts [sizes per rad]: it would be infinite, so that any
 // turn moves it as far as one pass may.
 inline constexpr double kSlideOfFlats = 1e12;
+/// Two flats at a smaller angle are parallel [rad]: what rounding leaves of the angle of two normals.
+inline constexpr double kParallelFlats = 8 * kEps;
 // Largest turn of the follower, or of the normal at a corner, in one pass [rad].
 inline constexpr double kMostTurnOfPass = 0.5;
 // An iteration that no longer converges has succeeded if its error is below this, relative to the extent.
