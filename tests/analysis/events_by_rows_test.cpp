@@ -694,11 +694,12 @@ end = {7}
       EXPECT_NEAR(std::remainder(motion.value(motion.size() - 1, "arm.angle") - arm, 360), 0, 1e-6) << rows;
     }
   }
+}
 
-  // A block on a table, solved together with the slot and the tip on a ramp that hold it; at 0 mm it lies
-  // flat.
-  Profile rocking_block(double start, double end) {
-    return profile_of(fmt::format(R"(
+// A block on a table, solved together with the slot and the tip on a ramp that hold it; at 0 mm it lies
+// flat.
+Profile rocking_block(double start, double end) {
+  return profile_of(fmt::format(R"(
 [bodies.ground]
 points.G = [0, 0]
 curves.table = {{ type = "segment", from = [80, 0], to = [-80, 0] }}
@@ -726,76 +727,76 @@ joint = "guide"
 start = {}
 end = {}
 )",
-                                  start, end));
-  }
+                                start, end));
+}
 
-  // The corner that touches, from the block's pose: the right one at positive positions, else the left one.
-  void expect_corner(const RunTable& motion, std::size_t row, double corner, const std::string& what) {
-    const Complex turn = std::polar(1.0, motion.radians(row, "b.angle"));
-    const Complex touched = motion.vector(row, "b.") + turn * Complex(corner, -10);
-    EXPECT_NEAR(touched.imag(), 0, 1e-10) << what;
-    EXPECT_NEAR(motion.value(row, "foot.x"), touched.real(), 1e-9) << what;
-  }
+// The corner that touches, from the block's pose: the right one at positive positions, else the left one.
+void expect_corner(const RunTable& motion, std::size_t row, double corner, const std::string& what) {
+  const Complex turn = std::polar(1.0, motion.radians(row, "b.angle"));
+  const Complex touched = motion.vector(row, "b.") + turn * Complex(corner, -10);
+  EXPECT_NEAR(touched.imag(), 0, 1e-10) << what;
+  EXPECT_NEAR(motion.value(row, "foot.x"), touched.real(), 1e-9) << what;
+}
 
-  TEST(EventsByRows, ACoupledBlockGoesOnFromWhereItLiesFlat) {
-    for (const double to : {40.0, -20.0}) {
-      for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
-        const RunTable motion = run_with(rocking_block(0, to), rows);
-        const std::string what = fmt::format("to {}, {} rows", to, rows);
-        expect_all_ok(motion);
-        EXPECT_EQ(count_of(motion, EventType::kLimitPosition), 0U) << what;
-        for (std::size_t k = 1; k < motion.size(); ++k) expect_corner(motion, k, to > 0 ? 20 : -30, what);
-      }
-    }
-  }
-
-  TEST(EventsByRows, ACoupledBlockComesToLieFlatAtTheEnd) {
-    for (const double from : {20.0, -20.0}) {
-      for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
-        const RunTable motion = run_with(rocking_block(from, 0), rows);
-        const std::string what = fmt::format("from {}, {} rows", from, rows);
-        expect_all_ok(motion);
-        EXPECT_TRUE(motion.events().empty()) << what;
-        for (std::size_t k = 0; k < motion.size(); ++k) expect_corner(motion, k, from > 0 ? 20 : -30, what);
-      }
-    }
-  }
-
-  // Long steps came down beyond the range without this contact, which begins at the start.
-  TEST(EventsByRows, AFlatThatCannotBeLeftIsALimit) {
-    const Profile profile = of_boundaries("flats_lie_at_a_limit");
-    const RunTable finest = run_with(profile, 361);
-    const Places wanted = events_of(finest);
-    ASSERT_EQ(wanted.size(), 1U);
-    EXPECT_EQ(wanted.front().first, name_of(EventType::kLimitPosition));
-    for (const std::int64_t rows : {2, 3, 7, 13, 61}) {
-      const RunTable motion = run_with(profile, rows);
-      expect_same(events_of(motion), wanted, fmt::format("{} rows", rows));
-      EXPECT_NEAR(motion.value(motion.size() - 1, "b5.angle"), finest.value(360, "b5.angle"), 1e-9) << rows;
-    }
-  }
-
-  // The last event names the contact that makes the bodies lose their hold, and no other event is beside it.
-  void expect_to_end_with(const Profile& profile, EventType type, const std::string& contact,
-                          const std::string& cause) {
+TEST(EventsByRows, ACoupledBlockGoesOnFromWhereItLiesFlat) {
+  for (const double to : {40.0, -20.0}) {
     for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
-      const RunTable motion = run_with(profile, rows);
-      ASSERT_FALSE(motion.events().empty()) << rows;
-      const RunEvent& last = motion.events().back();
-      EXPECT_EQ(last.type, type) << rows << ": " << last.cause;
-      ASSERT_TRUE(last.contact) << rows;
-      EXPECT_EQ(profile.mechanism.contacts[*last.contact].name, contact) << rows;
-      EXPECT_NE(last.cause.find(cause), std::string::npos) << rows << ": " << last.cause;
-      for (const RunEvent& event : motion.events()) {
-        EXPECT_TRUE(&event == &last || std::abs(event.driver - last.driver) > 1e-6)
-            << rows << ": " << event.cause;
-      }
+      const RunTable motion = run_with(rocking_block(0, to), rows);
+      const std::string what = fmt::format("to {}, {} rows", to, rows);
+      expect_all_ok(motion);
+      EXPECT_EQ(count_of(motion, EventType::kLimitPosition), 0U) << what;
+      for (std::size_t k = 1; k < motion.size(); ++k) expect_corner(motion, k, to > 0 ? 20 : -30, what);
     }
   }
+}
 
-  TEST(EventsByRows, ACoupledContactThatConformsIsOneLimit) {
-    // A sole with an inflection on a floor; a tip on a ramp takes part.
-    const Profile profile = profile_of(R"(
+TEST(EventsByRows, ACoupledBlockComesToLieFlatAtTheEnd) {
+  for (const double from : {20.0, -20.0}) {
+    for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
+      const RunTable motion = run_with(rocking_block(from, 0), rows);
+      const std::string what = fmt::format("from {}, {} rows", from, rows);
+      expect_all_ok(motion);
+      EXPECT_TRUE(motion.events().empty()) << what;
+      for (std::size_t k = 0; k < motion.size(); ++k) expect_corner(motion, k, from > 0 ? 20 : -30, what);
+    }
+  }
+}
+
+// Long steps came down beyond the range without this contact, which begins at the start.
+TEST(EventsByRows, AFlatThatCannotBeLeftIsALimit) {
+  const Profile profile = of_boundaries("flats_lie_at_a_limit");
+  const RunTable finest = run_with(profile, 361);
+  const Places wanted = events_of(finest);
+  ASSERT_EQ(wanted.size(), 1U);
+  EXPECT_EQ(wanted.front().first, name_of(EventType::kLimitPosition));
+  for (const std::int64_t rows : {2, 3, 7, 13, 61}) {
+    const RunTable motion = run_with(profile, rows);
+    expect_same(events_of(motion), wanted, fmt::format("{} rows", rows));
+    EXPECT_NEAR(motion.value(motion.size() - 1, "b5.angle"), finest.value(360, "b5.angle"), 1e-9) << rows;
+  }
+}
+
+// The last event names the contact that makes the bodies lose their hold, and no other event is beside it.
+void expect_to_end_with(const Profile& profile, EventType type, const std::string& contact,
+                        const std::string& cause) {
+  for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
+    const RunTable motion = run_with(profile, rows);
+    ASSERT_FALSE(motion.events().empty()) << rows;
+    const RunEvent& last = motion.events().back();
+    EXPECT_EQ(last.type, type) << rows << ": " << last.cause;
+    ASSERT_TRUE(last.contact) << rows;
+    EXPECT_EQ(profile.mechanism.contacts[*last.contact].name, contact) << rows;
+    EXPECT_NE(last.cause.find(cause), std::string::npos) << rows << ": " << last.cause;
+    for (const RunEvent& event : motion.events()) {
+      EXPECT_TRUE(&event == &last || std::abs(event.driver - last.driver) > 1e-6)
+          << rows << ": " << event.cause;
+    }
+  }
+}
+
+TEST(EventsByRows, ACoupledContactThatConformsIsOneLimit) {
+  // A sole with an inflection on a floor; a tip on a ramp takes part.
+  const Profile profile = profile_of(R"(
 [bodies.ground]
 points.G = [0, 0]
 curves.floor = { type = "line", point = [0, 0], normal = [0, 1] }
@@ -820,14 +821,13 @@ foot = { between = ["ground.floor", "b.sole"] }
 joint = "guide"
 end = 150
 )");
-    expect_to_end_with(profile, EventType::kLimitPosition, "foot", "the same curvature");
-  }
+  expect_to_end_with(profile, EventType::kLimitPosition, "foot", "the same curvature");
+}
 
-  TEST(EventsByRows, ACoupledContactThatEndsIsNamed) {
-    expect_to_end_with(of_boundaries("conforming_beside_an_edge"), EventType::kLimitPosition, "k1",
-                       "the same curvature");
-    expect_to_end_with(of_boundaries("hollow_curve_ends_on_a_flat"), EventType::kEnd, "k1",
-                       "the curve of b3");
-  }
+TEST(EventsByRows, ACoupledContactThatEndsIsNamed) {
+  expect_to_end_with(of_boundaries("conforming_beside_an_edge"), EventType::kLimitPosition, "k1",
+                     "the same curvature");
+  expect_to_end_with(of_boundaries("hollow_curve_ends_on_a_flat"), EventType::kEnd, "k1", "the curve of b3");
+}
 
 }  // namespace higherpair
