@@ -686,8 +686,7 @@ end = {7}
     const double released = wanted.back().second / kTurn;
     const Vector2d centre = Rotation<double>::from_angle(released) * one.center;
     EXPECT_NEAR((centre - one.Q).norm(), std::abs(one.edge.norm() + one.sense * one.radius), 1e-11);
-    const Vector2d at_edge = one.sense * (centre - one.Q);
-    const double arm = (angle_of(at_edge) - angle_of(one.edge)) * kTurn;
+    const double arm = (angle_of(Vector2d(centre - one.Q)) - angle_of(one.edge)) * kTurn;
     for (const std::int64_t rows : {2, 3, 7, 13, 61, 361}) {
       const RunTable motion = run_with(profile, rows);
       expect_same(events_of(motion), wanted, std::to_string(rows));
