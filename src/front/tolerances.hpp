@@ -129,7 +129,8 @@ inline constexpr double kSameMark = 1e-6;
 /// Of scenes at equal distances (`every`) the last one may be beyond the end of the path by this fraction of
 /// it: rounding.
 inline constexpr double kLastScene = 1e-12;
-/// A driver's position of at most this, of 1 rad or of the diagonal of the picture, is 0 in a caption: rounding.
+/// A driver's position of at most this, of 1 rad or of the diagonal of the picture, is 0 in a caption:
+/// rounding.
 inline constexpr double kCaptionNoise = 1e-12;
 /// A run is drawn over a map lap by lap; positions this far beyond the ends of a branch, as a fraction of a
 /// lap, are on it.

@@ -149,8 +149,8 @@ TEST(LeastGaps, OfNearlyConformingEllipsesAreFound) {
   }
 }
 
-// Bodies that nearly conform to their rings: the bounds by which the separation is found otherwise do not tell
-// their arcs apart.
+// Bodies that nearly conform to their rings: the bounds by which the separation is found otherwise do not
+// tell their arcs apart.
 TEST(LeastGaps, TheLeastOfAllIsTheSeparation) {
   for (unsigned seed = 0; seed < 2'000; ++seed) {
     Random random(seed);

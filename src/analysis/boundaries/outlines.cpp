@@ -4,6 +4,7 @@
 #include "higherpair/contact/least_gaps.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <cmath>

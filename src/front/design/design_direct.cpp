@@ -2,6 +2,7 @@
 
 #include "front/tolerances.hpp"
 #include "higherpair/io/row_path.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -89,8 +89,8 @@ struct Loss {
   /// the leading driver.
   std::optional<double> looked_to;
   std::optional<OtherBranch> other;  ///< the last one found on that line
-  std::optional<Nearest> nearest;  ///< with coupled bodies: their closest approach to assembly there
-  bool for_good = false;           ///< the path was given up and is not resumed
+  std::optional<Nearest> nearest;    ///< with coupled bodies: their closest approach to assembly there
+  bool for_good = false;             ///< the path was given up and is not resumed
 };
 
 /// Data shared by runs of one mechanism; none of them changes it.
