@@ -13,8 +13,8 @@ namespace {
 constexpr double kNormal = 9;  // half the length of normals and tangents [units]
 constexpr double kDot = 0.55;
 constexpr double kCenterEdge = 0.5, kCenterArrow = 4;  // to the edge of the frame, and length [units]
-constexpr double kFarthestCenter =
-    1e3;  // of half diagonals of the frame: a body farther from its centre slides
+// A body farther from its instant centre than this slides [half diagonals of the frame].
+constexpr double kFarthestCenter = 1e3;
 constexpr int kCoils = 8;
 // Springs on pivots: radii [units], and by how much they wind [rad].
 constexpr double kOuterSpiral = 3.4, kInnerSpiral = 1.3;

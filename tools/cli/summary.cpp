@@ -1,5 +1,7 @@
 #include "summary.hpp"
 
+#include "higherpair/geometry/pose.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -22,7 +24,7 @@ std::string unit_of(const std::vector<Column>& columns, const std::string& name)
 
 // One radian in a unit of angles; 0 of any other unit.
 double radian_in(std::string_view unit) {
-  constexpr double kRadian = 180 / 3.14159265358979323846;
+  constexpr double kRadian = 180 / kPi;
   return unit == "deg" ? kRadian : unit == "rad" ? 1 : unit == "rev" ? kRadian / 360 : 0;
 }
 

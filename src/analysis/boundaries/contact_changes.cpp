@@ -98,16 +98,17 @@ bool part_contact(OnPath& at, const PathLimit& limit) {
   if (!parting) {
     return false;
   }
+  StateAside aside(at.run.at.state);
   const bool turns_back = place_at_limit(at.run, at.path, limit, at.s);
-  const State before = at.run.at.state;
+  const double s = turns_back ? limit.s : at.s;
   if (turns_back) {
     at.run.at.state = at.run.work.trial;
   }
-  if (!release(at.run, at.path, turns_back ? limit.s : at.s, limit.group, *parting, !turns_back)) {
-    at.run.at.state = before;
+  if (!release(at.run, at.path, s, limit.group, *parting, !turns_back)) {
     return false;
   }
-  at.s = turns_back ? limit.s : at.s;
+  aside.commit();
+  at.s = s;
   at.parted_at = at.s;
   at.parted.push_back(group);
   at.open = true;

@@ -103,11 +103,9 @@ std::string caption_of(const Model& model, const MotionRow& row, const Box& view
     const Joint& joint = driven_joint(mechanism, i);
     const double size = has_angle(joint.type) ? 1 : view.size().norm() / kMillimetres;
     const double position = joint_motion(mechanism, joint, row.bodies).position;
-    const Dimension dimension = driver_dimension(mechanism, i);
-    const double value =
-        std::abs(position) < kCaptionNoise * size ? 0 : from_si(dimension, model.units()).apply(position);
-    texts.push_back(fmt::format("{} = {:.6g} {}", driver_name(mechanism.drivers[i]), value,
-                                unit_text(dimension, model.units())));
+    const double shown = std::abs(position) < kCaptionNoise * size ? 0 : position;
+    texts.push_back(fmt::format("{} = {}", driver_name(mechanism.drivers[i]),
+                                with_unit(shown, driver_dimension(mechanism, i), model.units())));
   }
   return joined_words(texts);
 }

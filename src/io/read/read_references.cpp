@@ -1,7 +1,5 @@
+#include "higherpair/io/names.hpp"
 #include "reading.hpp"
-
-#include <algorithm>
-#include <cctype>
 
 #include <fmt/core.h>
 
@@ -28,11 +26,6 @@ struct Curves {
   static const std::vector<NamedCurve>& of(const Body& body) { return body.curves; }
   static const std::vector<NamedPoint>& others_of(const Body& body) { return body.points; }
 };
-
-bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 // Another body that has this member and whose name differs from that of `owner` in capital letters only, or
 // is another word for it, as `frame` is for `ground`.

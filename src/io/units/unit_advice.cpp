@@ -33,18 +33,13 @@ constexpr OtherName kOtherNames[] = {{"Hz", "rev/s", "rev/s"},
                                      {"µm", "um", "um"},
                                      {"μm", "um", "um"}};
 
-bool same_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
 // The unit of this name, in whatever letters; empty if there is none.
 std::string spelt_unit(std::string_view word) {
   const std::vector<std::string> names = all_unit_names();
   const auto exact = std::find(names.begin(), names.end(), word);
   const auto unit =
       exact != names.end() ? exact : std::find_if(names.begin(), names.end(), [&](const auto& name) {
-        return same_but_for_case(name, word);
+        return same_letters(name, word);
       });
   return unit == names.end() ? "" : *unit;
 }
