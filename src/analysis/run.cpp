@@ -142,8 +142,8 @@ std::optional<std::size_t> group_at_infinity(const Run& run) {
 // Prepares an assembled run for moving. \returns a contact that is at a limit, from where the continuation is
 // not determined
 std::optional<int> set_out(Run& run) {
-  const std::vector<double>& drivers = run.at.drivers;
-  set_unit_motions(drivers, run.work.motions);
+  const std::vector<double>& drivers = run.at.inputs;
+  set_unit_motions(run, drivers, run.work.motions);
   set_rates(run, run.work.motions, run.at.state);
   run.at.outputs = output_joints(run.mechanism());
   run.at.watches = watched_contacts(run.mechanism());
@@ -151,7 +151,7 @@ std::optional<int> set_out(Run& run) {
   run.at.targets = drivers;
   run.work.drivers = drivers;
   run.work.row_before = drivers;
-  set_path(run.work.path, drivers, drivers);
+  set_path(run, run.work.path, drivers, drivers);
   if (const auto contact = leave_singular_start(run)) {
     return contact;
   }
@@ -166,7 +166,7 @@ std::optional<int> set_out(Run& run) {
 // Whether the position at which a run starts meets its conditions and their rates.
 bool starts_right(Run run) {
   std::vector<DriverMotion> start;
-  set_unit_motions(run.at.drivers, start);
+  set_unit_motions(run, run.at.inputs, start);
   move_to(run, start);
   return run.row.status != RowStatus::kNotConverged;
 }
@@ -176,10 +176,10 @@ bool starts_right(Run run) {
 // start. None if it is not right then either.
 std::optional<Run> started_from_beside(const Run& run) {
   std::vector<DriverMotion> start;
-  set_unit_motions(run.at.drivers, start);
+  set_unit_motions(run, run.at.inputs, start);
   const double reach = kCrossingReach * driver_scale(run, 0);
   for (const double side : {reach, -reach}) {
-    Run beside = planned_run(run.model, {run.at.drivers[0] + side});
+    Run beside = planned_run(run.model, {run.at.inputs[0] + side});
     beside.tolerance = run.tolerance;
     if (assemble(beside) || set_out(beside)) {
       continue;
@@ -194,14 +194,14 @@ std::optional<Run> started_from_beside(const Run& run) {
   return std::nullopt;
 }
 
-// Sets the shares of all events. With a single driver, its coordinate at an event determines the share,
+// Sets the shares of all events. Without a curve the coordinate of a single driver determines the share,
 // whatever path the event was found on; what rounding puts beyond a row is at the row. A stretch beyond a
 // limit that is found late begins before the row before: its share is negative.
 void set_shares(Run& run) {
   const double from = run.work.row_before[0];
   const double to = run.at.targets[0];
   const double length = to - from;
-  const bool by_driver = run.at.targets.size() == 1 && length != 0;
+  const bool by_driver = run.at.targets.size() == 1 && !run.at.curve && length != 0;
   const double near =
       kSameLimit * (by_driver ? (driver_scale(run, 0) + std::abs(from)) / std::abs(length) : 1);
   for (RunEvent& event : run.events) {
@@ -215,6 +215,52 @@ void set_shares(Run& run) {
     if (by_driver) {
       event.driver = std::clamp(event.driver, std::min(from, to), std::max(from, to));
     }
+  }
+}
+
+// Puts a run that is at a row on a curve in time; false where it is not quite there.
+bool enter_curve(Run& run, const std::shared_ptr<const DriverCurve>& curve, double time) {
+  if (run.at.curve || !run.at.on_branch || run.at.beside || run.at.inputs != run.at.targets) {
+    return false;
+  }
+  run.at.curve = curve;
+  run.at.inputs = {time};
+  run.at.targets = {time};
+  return true;
+}
+
+// Moves a run from work.row_before to at.targets. \param drivers  there
+void move_to_targets(Run& run, const std::vector<DriverMotion>& drivers) {
+  run.events.clear();
+  run.smooth_joints.clear();
+  if (run.at.limit_here || run.at.limit_before) {
+    run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
+  }
+  // The row before is asked for again, and run.at.state is short of it.
+  bool reached = run.at.on_branch && run.at.beside && run.at.targets == run.work.row_before;
+  if (reached) {
+    // The row is in run.at.beside.
+  } else if (!run.at.on_branch) {
+    reached = resume(run, run.at.targets, run.work.row_before);
+  } else if (run.at.targets == run.at.inputs) {
+    run.at.beside.reset();
+    reached = true;
+  } else {
+    set_path(run, run.work.path, run.at.inputs, run.at.targets);
+    // The branch may exist again at the end of a path on which it is lost.
+    reached = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
+  }
+  set_shares(run);
+  if (reached) {
+    fill_row(run, drivers);
+    if (const auto g = group_at_infinity(run)) {
+      set_path(run, run.work.path, run.at.inputs, run.at.targets);
+      report_limit(run, run.work.path, limit_event(run, *g, run.work.path, run.work.path.length));
+      run.row.status = RowStatus::kNotAssemblable;
+    }
+  } else {
+    run.row.status = RowStatus::kNotAssemblable;
+    run.row.residual = 0;
   }
 }
 
@@ -279,46 +325,26 @@ std::optional<Run> start_on_branch(RunModel model, const std::vector<double>& dr
 }
 
 void move_to(Run& run, const std::vector<DriverMotion>& drivers) {
-  run.events.clear();
-  run.smooth_joints.clear();
-  if (run.at.limit_here || run.at.limit_before) {
-    run.at.limit_before = std::exchange(run.at.limit_here, std::nullopt);
+  if (run.at.curve) {
+    leave_curve(run);
   }
-  // The row before is asked for again, and run.at.state is short of it.
-  bool reached = run.at.on_branch && run.at.beside.has_value();
+  std::swap(run.work.row_before, run.at.targets);
+  run.at.targets.resize(drivers.size());
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    reached = reached && run.at.targets[i] == drivers[i].position;
-    run.work.row_before[i] = run.at.targets[i];
     run.at.targets[i] = drivers[i].position;
   }
-  if (reached) {
-    // The row is in run.at.beside.
-  } else if (!run.at.on_branch) {
-    reached = resume(run, run.at.targets, run.work.row_before);
-  } else if (run.at.targets == run.at.drivers) {
-    run.at.beside.reset();
-    reached = true;
-  } else {
-    set_path(run.work.path, run.at.drivers, run.at.targets);
-    if (!run.work.path.is_single()) {
-      run.work.path.motions(0, run.work.motions);
-      set_rates(run, run.work.motions, run.at.state);
-    }
-    // The branch may exist again at the end of a path on which it is lost.
-    reached = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
+  move_to_targets(run, drivers);
+}
+
+void move_along(Run& run, const std::shared_ptr<const DriverCurve>& curve, double from, double to,
+                const std::vector<DriverMotion>& drivers) {
+  if (run.at.curve != curve && !enter_curve(run, curve, from)) {
+    move_to(run, drivers);
+    return;
   }
-  set_shares(run);
-  if (reached) {
-    fill_row(run, drivers);
-    if (const auto g = group_at_infinity(run)) {
-      set_path(run.work.path, run.at.drivers, run.at.targets);
-      report_limit(run, run.work.path, limit_event(run, *g, run.work.path, run.work.path.length));
-      run.row.status = RowStatus::kNotAssemblable;
-    }
-  } else {
-    run.row.status = RowStatus::kNotAssemblable;
-    run.row.residual = 0;
-  }
+  std::swap(run.work.row_before, run.at.targets);
+  run.at.targets = {to};
+  move_to_targets(run, drivers);
 }
 
 std::optional<Slip> find_slip(const Run& run, const std::vector<double>& positions) {

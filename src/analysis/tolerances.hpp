@@ -79,6 +79,12 @@ inline constexpr double kVelocityOfKink = 1e-6;
 /// Drivers that are no farther than this from the line along which they left a limit are on it; relative to
 /// the driver's scale plus its coordinate.
 inline constexpr double kOnLineAhead = 1e-9;
+/// At times that are nearer to a break of a curve in time than this, rates are those within the piece;
+/// relative to the time and to the length of the piece.
+inline constexpr double kTimeRounding = 1e-14;
+/// How far beyond a break the drivers go straight to the curve again, where the state has not come to the
+/// break; in units of the inputs.
+inline constexpr double kOverBreak = 0.01;
 /// Turns that differ from half a turn by less than this count as half a turn [rad].
 inline constexpr double kHalfTurn = 1e-3;
 

@@ -100,8 +100,7 @@ void Analysis::Impl::add_event(const RunEvent& what, double share) {
 
 void Analysis::Impl::move() {
   const std::size_t first = found.events.size();
-  for_each_part(schedule, next, motions, [&](const std::vector<DriverMotion>& end, double from, double to) {
-    move_to(run, end);
+  move_to_row(run, schedule, next, motions, [&](double from, double to) {
     for (const RunEvent& event : run.events) {
       add_event(event, std::lerp(from, to, event.share));
     }

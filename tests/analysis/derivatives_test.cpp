@@ -132,7 +132,7 @@ TEST(Derivatives, AgreeWithTheRowAndItsJerk) {
     const Profile profile = shipped(entry.path().stem().string());
     auto run = started(profile);
     std::vector<DriverMotion> drivers;
-    for (const double start : run.at.drivers) {
+    for (const double start : run.at.inputs) {
       drivers.push_back({start + 0.021, 1.3, -0.7});
     }
     move_to(run, drivers);
@@ -227,7 +227,7 @@ TEST(Derivatives, AreTheRatesOfThoseBelow) {
                            "law_cam_flat", "groove_cam", "valve_train", "four_arc_cam"}) {
     SCOPED_TRACE(name);
     auto run = started(shipped(name));
-    expect_rates_of_those_below(run, run.at.drivers.front() + 0.4, 1e-6);
+    expect_rates_of_those_below(run, run.at.inputs.front() + 0.4, 1e-6);
   }
 }
 

@@ -100,7 +100,7 @@ LinkageCase<SixBarByHand> checked_watt_sixbar() {
   LinkageCase<SixBarByHand> reference{sixbar(), started("watt_sixbar_forces")};
   Run run = reference.run;
   InverseDynamics dynamics(run);
-  const double start = run.at.drivers.front();
+  const double start = run.at.inputs.front();
   for (int i = 0; i < kChecks; ++i) {
     const double theta = start + 2 * kPi * i / kChecks;
     const SixBarByHand::Motion hand = reference.by_hand.motion_at(theta);

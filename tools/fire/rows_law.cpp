@@ -78,11 +78,8 @@ void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
 }
 
 void Recorder::move(Run& run, std::int64_t k) {
-  for_each_part(schedule_, k, drivers_in(schedule_, k),
-                [&](const std::vector<DriverMotion>& drivers, double from, double to) {
-                  move_to(run, drivers);
-                  note(run, k, from, to);
-                });
+  move_to_row(run, schedule_, k, drivers_in(schedule_, k),
+              [&](double from, double to) { note(run, k, from, to); });
 }
 
 RunRecord Recorder::record() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/follow/limit_ahead.hpp"
-#include "analysis/follow/straight_path.hpp"
+#include "analysis/follow/path_events.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "joint_passage.hpp"
 

@@ -89,9 +89,24 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
   return true;
 }
 
+// What the drivers' own accelerations add to that of a joint.
+double added_by_drivers(Run& run, const Path& path, double s, int joint) {
+  if (!path.curve) {
+    return 0;
+  }
+  const StateAside aside(run.at.state);
+  path.motions(s, run.work.motions);
+  for (DriverMotion& driver : run.work.motions) {
+    driver.velocity = 0;
+  }
+  set_rates(run, run.work.motions, run.at.state);
+  return acceleration_of(run, joint);
+}
+
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
   const auto joint = reported_joint(run, passage.contact);
-  const double before = joint ? acceleration_of(run, *joint) : 0;
+  const double added = joint ? added_by_drivers(run, path, s, *joint) : 0;
+  const double before = joint ? acceleration_of(run, *joint) - added : 0;
   set_place_of(run, passage.contact, passage.side, passage.after, run.at.state);
   path.motions(s, run.work.motions);
   set_rates(run, run.work.motions, run.at.state);
@@ -112,7 +127,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
               .turns = moved.type == JointType::kRevolute,
               .order = 2,
               .before = before,
-              .after = acceleration_of(run, *joint)});
+              .after = acceleration_of(run, *joint) - added});
   }
 }
 

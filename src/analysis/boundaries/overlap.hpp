@@ -1,7 +1,7 @@
 #pragma once
 
+#include "analysis/follow/path_events.hpp"
 #include "analysis/follow/step.hpp"
-#include "analysis/follow/straight_path.hpp"
 #include "meetings.hpp"
 #include "shared_places.hpp"
 

@@ -1,7 +1,7 @@
 #include "shared_places.hpp"
 
+#include "analysis/follow/path_events.hpp"
 #include "analysis/follow/step.hpp"
-#include "analysis/follow/straight_path.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
 #include "higherpair/analysis/touching_places.hpp"

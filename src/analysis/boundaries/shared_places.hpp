@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analysis/follow/straight_path.hpp"
+#include "analysis/follow/path_events.hpp"
 #include "higherpair/contact/near_places.hpp"
 
 #include <vector>

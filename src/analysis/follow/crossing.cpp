@@ -110,7 +110,7 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
   });
   if (crosses) {
     run.at.beside = run.work.trial;
-    path.positions(s, run.at.drivers);
+    path.inputs(s, run.at.inputs);
   }
   return crosses;
 }

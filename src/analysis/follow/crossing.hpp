@@ -1,7 +1,7 @@
 #pragma once
 
+#include "path_events.hpp"
 #include "step.hpp"
-#include "straight_path.hpp"
 
 namespace higherpair {
 
@@ -20,7 +20,7 @@ void interpolate(const Run& run, const State& a, double h, double t, State& b);
 /// Near a crossing of branches a closed form loses digits: as 1/distance for velocities, as its square for
 /// accelerations; at the crossing it gives no rates. If branches cross at or near the end of the path, `rest`
 /// beyond run.at.state at s, the position there is interpolated between both sides into run.work.trial;
-/// run.at.beside is set to it, and run.at.drivers to where run.at.state is. Otherwise returns false and
+/// run.at.beside is set to it, and run.at.inputs to where run.at.state is. Otherwise returns false and
 /// leaves run.work.trial unchanged.
 [[nodiscard]] bool stop_near_crossing(Run& run, const Path& path, double s, double rest);
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "path_events.hpp"
 #include "step.hpp"
-#include "straight_path.hpp"
 
 namespace higherpair {
 

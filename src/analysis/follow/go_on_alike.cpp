@@ -3,8 +3,8 @@
 #include "analysis/tolerances.hpp"
 #include "events.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "path_events.hpp"
 #include "step.hpp"
-#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ bool is_lost_alike(const Run& a, const Run& b) {
   }
   for (std::size_t i = 0; i < a.at.lost.at.size(); ++i) {
     const double one = a.at.lost.at[i];
-    if (std::abs(one - b.at.lost.at[i]) > kSameRunPosition * (driver_scale(a, i) + std::abs(one))) {
+    if (std::abs(one - b.at.lost.at[i]) > kSameRunPosition * (input_scale(a, i) + std::abs(one))) {
       return false;
     }
   }
@@ -96,7 +96,7 @@ bool has_alike_past(const Run& a, const Run& b) {
 bool go_on_alike(const Run& a, const Run& b) {
   const State* row = row_of(a);
   const State* other = row_of(b);
-  if (a.at.targets != b.at.targets || (row == nullptr) != (other == nullptr) ||
+  if (a.at.curve != b.at.curve || a.at.targets != b.at.targets || (row == nullptr) != (other == nullptr) ||
       a.at.beside.has_value() != b.at.beside.has_value()) {
     return false;
   }

@@ -22,9 +22,9 @@ namespace {
 // Places a row at a limit, in run.work.trial and run.at.beside; run.at.state remains short of it.
 void stop_at_limit(Run& run, const Path& path, Reduction& reduction, const Reduction::Point& limit,
                    double s) {
-  reduction.place_limit(limit);
+  reduction.place_limit(limit, path.length);
   run.at.beside = run.work.trial;
-  path.positions(s, run.at.drivers);
+  path.inputs(s, run.at.inputs);
 }
 
 // How much of the path is left to where something runs off to infinity, and the largest distance for which
@@ -159,7 +159,7 @@ bool place_at_limit(Run& run, const Path& path, const PathLimit& limit, double s
   if (!found || std::abs(s + found->ahead - limit.s) > near) {
     return false;
   }
-  reduction.place_limit(*found);
+  reduction.place_limit(*found, s + found->ahead);
   return true;
 }
 
@@ -240,7 +240,7 @@ bool LimitAhead::rests_before(double s) {
     return false;
   }
   run_.at.beside = run_.work.trial;
-  path_.positions(s, run_.at.drivers);
+  path_.inputs(s, run_.at.inputs);
   return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/tolerances.hpp"
-#include "straight_path.hpp"
+#include "path_events.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -51,11 +51,11 @@ public:
 
   /// Looks for the limit of group g after a step of `h` from s has failed; it becomes the known one if it
   /// comes first. True if it is at the end of the path: it is then reported, run.at.beside is set to the
-  /// position there, which has no rates, and run.at.drivers to where run.at.state is, short of it.
+  /// position there, which has no rates, and run.at.inputs to where run.at.state is, short of it.
   [[nodiscard]] bool look_for(std::size_t g, double s, double h);
 
   /// Whether the end of the path is just before the limit, so near that no step to it can be verified:
-  /// run.at.beside is then set to the position there, and run.at.drivers to where run.at.state is, at s. \pre
+  /// run.at.beside is then set to the position there, and run.at.inputs to where run.at.state is, at s. \pre
   /// is_known()
   [[nodiscard]] bool rests_before(double s);
 

@@ -4,8 +4,8 @@
 #include "analysis/tolerances.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 #include "joint_ends.hpp"
+#include "path_events.hpp"
 #include "step.hpp"
-#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +62,8 @@ RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s) 
   return event;
 }
 
-bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b) {
-  return is_same_item(a, b) && is_at_same_drivers(run, a, b, kSameLimit);
-}
-
 void report_limit(Run& run, const Path& path, RunEvent event) {
-  const bool single = path.is_single();
+  const bool single = path.is_single() && !path.curve;
   const double near = kSameLimit * (single ? driver_scale(run, 0) + std::abs(event.driver) : 1);
   const auto is_at = [&](double driver, double share) {
     return std::abs(single ? event.driver - driver : event.share - share) <= near;

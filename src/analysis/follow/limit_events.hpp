@@ -9,10 +9,6 @@ namespace higherpair {
 /// The event of a group's limit at s on a path.
 [[nodiscard]] RunEvent limit_event(const Run& run, std::size_t g, const Path& path, double s);
 
-/// Whether two events are the same limit: of the same type and item, with all drivers at the same
-/// positions.
-[[nodiscard]] bool is_same_limit(const Run& run, const RunEvent& a, const RunEvent& b);
-
 /// Reports a limit unless it has been reported: where the motion comes to a limit and goes on from there,
 /// both find the same limit.
 void report_limit(Run& run, const Path& path, RunEvent event);

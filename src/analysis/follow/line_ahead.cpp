@@ -13,7 +13,7 @@ LineAhead::LineAhead(const Run& run, const std::vector<double>& from, const std:
   const std::vector<double> on_line = at(x_of(from));
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double off = std::abs(from[i] - on_line[i]);
-    is_from_limit_ = is_from_limit_ && off <= kOnLineAhead * (driver_scale(run, i) + std::abs(from[i]));
+    is_from_limit_ = is_from_limit_ && off <= kOnLineAhead * (input_scale(run, i) + std::abs(from[i]));
   }
   if (!is_from_limit_) {
     begin_ = from;
@@ -22,8 +22,8 @@ LineAhead::LineAhead(const Run& run, const std::vector<double>& from, const std:
 }
 
 void LineAhead::aim(const Run& run, const std::vector<double>& to) {
-  leading_ = leading_driver(run, begin_, to);
-  scale_ = driver_scale(run, leading_);
+  leading_ = leading_input(run, begin_, to);
+  scale_ = input_scale(run, leading_);
   sense_ = to[leading_] < begin_[leading_] ? -1 : 1;
   slope_.resize(to.size());
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -32,11 +32,11 @@ void LineAhead::aim(const Run& run, const std::vector<double>& to) {
 }
 
 std::vector<double> LineAhead::at(double x) const {
-  std::vector<double> drivers(begin_.size());
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    drivers[i] = i == leading_ ? x : begin_[i] + (x - begin_[leading_]) * slope_[i];
+  std::vector<double> inputs(begin_.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i] = i == leading_ ? x : begin_[i] + (x - begin_[leading_]) * slope_[i];
   }
-  return drivers;
+  return inputs;
 }
 
 }  // namespace higherpair

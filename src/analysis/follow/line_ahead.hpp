@@ -7,20 +7,20 @@
 
 namespace higherpair {
 
-/// The straight line of the drivers beyond a limit, on which a lost branch is looked for: from the limit
+/// The straight line of the inputs beyond a limit, on which a lost branch is looked for: from the limit
 /// through the row before to this row; or, if these do not lie on one line, from the row before. A position
-/// on it is given by the coordinate x of its leading driver, the one that moves most in its unit; the others
-/// follow in proportion. All rows on one line share it, however many they are.
+/// on it is given by its leading input x, the one that changes most in its unit; the others follow in
+/// proportion. All rows on one line share it, however many they are; on a curve in time that is all of them.
 class LineAhead {
 public:
   /// \param from  the row before, or the limit
   /// \param to    this row; not where the line begins
   LineAhead(const Run& run, const std::vector<double>& from, const std::vector<double>& to);
 
-  /// The drivers at x.
+  /// The inputs at x.
   [[nodiscard]] std::vector<double> at(double x) const;
-  /// The leading driver's coordinate.
-  [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return drivers[leading_]; }
+  /// The leading input.
+  [[nodiscard]] double x_of(const std::vector<double>& inputs) const { return inputs[leading_]; }
   [[nodiscard]] const std::vector<double>& begin() const { return begin_; }
   [[nodiscard]] std::size_t leading() const { return leading_; }
   /// One unit of x.
@@ -34,7 +34,7 @@ private:
   void aim(const Run& run, const std::vector<double>& to);
 
   std::vector<double> begin_;
-  std::vector<double> slope_;  // d(driver)/dx
+  std::vector<double> slope_;  // d(input)/dx
   std::size_t leading_ = 0;
   double scale_ = 1;
   double sense_ = 1;

@@ -77,27 +77,27 @@ std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlo
   return before ? before : placed_on_hill(run, line, there, b);
 }
 
-// The drivers on a line, to within the grid where bodies are coupled.
-std::vector<double> drivers_near(const Run& run, const LineAhead& line, double x) {
-  std::vector<double> drivers = line.at(x);
+// The inputs on a line, to within the grid where bodies are coupled.
+std::vector<double> inputs_near(const Run& run, const LineAhead& line, double x) {
+  std::vector<double> inputs = line.at(x);
   if (!run.plan().couples) {
-    return drivers;
+    return inputs;
   }
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    drivers[i] = i == line.leading() ? x : on_search_grid(drivers[i], driver_scale(run, i));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    inputs[i] = i == line.leading() ? x : on_search_grid(inputs[i], input_scale(run, i));
   }
-  return drivers;
+  return inputs;
 }
 
 }  // namespace
 
 Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing) {
   const double nudge = kALittleAhead * spacing;
-  const Placeable here = place_anew(run, drivers_near(run, line, x));
+  const Placeable here = place_anew(run, inputs_near(run, line, x));
   if (here.complete || !std::isfinite(here.room)) {
     return {x, here, 0, kNoValue};
   }
-  const Placeable ahead = place_anew(run, drivers_near(run, line, x + nudge));
+  const Placeable ahead = place_anew(run, inputs_near(run, line, x + nudge));
   const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
   const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
   return {x, here, rises, alike ? (ahead.room - here.room) / nudge : kNoValue};

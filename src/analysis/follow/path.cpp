@@ -10,8 +10,8 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "joint_ends.hpp"
 #include "limit_events.hpp"
+#include "path_events.hpp"
 #include "step.hpp"
-#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,25 +28,13 @@ constexpr double kMostSteps = 2e5;   // inner steps in addition to the least num
 // fill the memory.
 constexpr std::size_t kMostEvents = 250'000;
 
-// The least number of inner steps of a path.
-double parts_of(const Run& run, const Path& path) {
-  double parts = 1;
-  for (std::size_t i = 0; i < path.from.size(); ++i) {
-    const Joint& joint = driven_joint(run.mechanism(), i);
-    const double largest =
-        joint.type == JointType::kRevolute ? kLargestTurn : kLargestSlide * driver_scale(run, i);
-    parts = std::max(parts, std::abs(path.to[i] - path.from[i]) / largest);
-  }
-  return parts;
-}
-
 bool moves_on_boundaries(const Run& run, std::size_t g) {
   const std::vector<int>& contacts = run.plan().groups[g].contacts;
   return std::any_of(contacts.begin(), contacts.end(),
                      [&](int contact) { return run.mechanism().contacts[contact].by_boundary; });
 }
 
-// Follows a path with the drivers as parameter, in steps each of which continues the motion smoothly (see
+// Follows a path with the inputs as parameter, in steps each of which continues the motion smoothly (see
 // step.cpp). A step
 //   - is as long as the last ones allow (StepLength), and before a known limit covers only a fraction of the
 //     distance to it, so that a limit of another group that comes first is not passed over;
@@ -59,7 +47,7 @@ bool moves_on_boundaries(const Run& run, std::size_t g) {
 class Follower {
 public:
   Follower(Run& run, const Path& path, double first_step)
-      : Follower(run, path, first_step, parts_of(run, path)) {
+      : Follower(run, path, first_step, least_steps(run, path)) {
     run.at.beside.reset();
   }
 
@@ -79,7 +67,7 @@ public:
         return outcome == Outcome::kArrived;
       }
     }
-    run_.at.drivers = path_.to;
+    run_.at.inputs = path_.to;
     return true;
   }
 
@@ -300,14 +288,14 @@ private:
   // The motion is lost at s = `at`; s = `from` is the last position before.
   void end(const RunEvent& event, double from, double at) {
     run_.at.lost.event = event;
-    path_.positions(from, run_.at.lost.from);
-    path_.positions(at, run_.at.lost.at);
+    path_.inputs(from, run_.at.lost.from);
+    path_.inputs(at, run_.at.lost.at);
     run_.at.lost.looked_to.reset();
     run_.at.lost.other.reset();
     run_.at.lost.nearest.reset();
     report_limit(run_, path_, event);
     run_.at.on_branch = false;
-    run_.at.drivers = path_.to;
+    run_.at.inputs = path_.to;
   }
 
   Run& run_;
@@ -327,10 +315,55 @@ private:
   double steps_left_;
 };
 
+// A part of a path on a curve, between two times.
+void set_part(const Run& run, const Path& path, double from, double to, Path& part) {
+  set_path(run, part, {from}, {to});
+  part.share_from = share_at(path, from - path.from[0]);
+  part.share_to = share_at(path, to - path.from[0]);
+}
+
+// The first break on the way from one time to another, or where that way ends.
+double next_break(const DriverCurve& curve, double from, double to) {
+  const auto [before, after] = std::equal_range(curve.breaks.begin(), curve.breaks.end(), from);
+  if (to > from) {
+    return after == curve.breaks.end() ? to : std::min(*after, to);
+  }
+  return before == curve.breaks.begin() ? to : std::max(before[-1], to);
+}
+
+// Follows a path on which the drivers' rates do not jump.
+bool follow_piece(Run& run, const Path& path, double first_step) {
+  set_rates_on(run, path);
+  return Follower(run, path, first_step).follow();
+}
+
 }  // namespace
 
 bool follow(Run& run, const Path& path, double first_step) {
-  return Follower(run, path, first_step).follow();
+  if (!path.curve) {
+    return follow_piece(run, path, first_step);
+  }
+  Path piece;
+  double at = path.from[0];
+  do {
+    set_part(run, path, at, next_break(*path.curve, at, path.to[0]), piece);
+    if (!follow_piece(run, piece, first_step)) {
+      return false;
+    }
+    first_step = kInf;
+    at = piece.to[0];
+    if (at != path.to[0] && run.at.inputs[0] != at) {
+      // Next to a change point, where rates lose their digits, the state has not come to the break.
+      const double beyond = at + std::copysign(kOverBreak * unit_of(run, path), path.length);
+      at = std::abs(beyond - at) < std::abs(path.to[0] - at) ? beyond : path.to[0];
+      set_part(run, path, run.at.inputs[0], at, piece);
+      piece.is_chord = true;
+      if (!follow_piece(run, piece, kInf)) {
+        return false;
+      }
+    }
+  } while (at != path.to[0]);
+  return true;
 }
 
 }  // namespace higherpair

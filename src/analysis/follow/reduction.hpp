@@ -1,6 +1,6 @@
 #pragma once
 
-#include "straight_path.hpp"
+#include "path_events.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -61,7 +61,8 @@ public:
   void place(const Point& point);
 
   /// Places all groups in run.work.trial at a limit: this one, and as far as possible those after it.
-  void place_limit(const Point& limit);
+  /// \param at  s of the limit, or of a row there
+  void place_limit(const Point& limit, double at);
 
 private:
   [[nodiscard]] bool make_border();

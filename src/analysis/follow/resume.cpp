@@ -58,32 +58,32 @@ bool has_coupled_far_out(const Run& run) {
   return farthest_coupled(model_of(run), run.at.state) > kCoupledFarOut * run.plan().size;
 }
 
-// Whether the drivers are at the limit, to within half of the tolerance of a row there, or have reversed away
+// Whether the inputs are at the limit, to within half of the tolerance of a row there, or have reversed away
 // from it.
-bool has_come_back(const Run& run, const std::vector<double>& drivers) {
+bool has_come_back(const Run& run, const std::vector<double>& inputs) {
   double beyond = 0;
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    const double scale = driver_scale(run, i);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const double scale = input_scale(run, i);
     const double ahead = (run.at.lost.at[i] - run.at.lost.from[i]) / scale;
-    const double near = kOnLimit / 2 * (1 + std::abs(drivers[i]) / scale);
-    beyond += (drivers[i] - run.at.lost.at[i]) / scale * ahead - near * std::abs(ahead);
+    const double near = kOnLimit / 2 * (1 + std::abs(inputs[i]) / scale);
+    beyond += (inputs[i] - run.at.lost.at[i]) / scale * ahead - near * std::abs(ahead);
   }
   return beyond <= 0;
 }
 
-// The fraction of the path from the row before to this one at which the drivers are.
-double share_of(const Run& run, const std::vector<double>& drivers) {
+// The fraction of the path from the row before to this one at which the inputs are.
+double share_of(const Run& run, const std::vector<double>& inputs) {
   const std::vector<double>& from = run.work.row_before;
   const std::vector<double>& to = run.at.targets;
-  const std::size_t leading = leading_driver(run, from, to);
+  const std::size_t leading = leading_input(run, from, to);
   const double whole = to[leading] - from[leading];
-  return whole == 0 ? 1 : (drivers[leading] - from[leading]) / whole;
+  return whole == 0 ? 1 : (inputs[leading] - from[leading]) / whole;
 }
 
 // A part of the path between two rows, on its line.
 Path part_of_path(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
   Path path;
-  set_path(path, from, to);
+  set_path(run, path, from, to);
   path.share_from = share_of(run, from);
   path.share_to = share_of(run, to);
   return path;
@@ -98,26 +98,13 @@ void hold_again(Run& run) {
   run.at.on_branch = true;
 }
 
-// Sets the rates of run.at.state, which may be those of another path.
-void set_rates_along(Run& run, const Path& path) {
-  if (!path.is_single()) {
-    path.motions(0, run.work.motions);
-    set_rates(run, run.work.motions, run.at.state);
-  }
-}
-
-bool follow_part(Run& run, const Path& path, double first_step = kInf) {
-  set_rates_along(run, path);
-  return follow(run, path, first_step);
-}
-
 // Continues the motion from where it was lost, after the drivers have reversed away from the limit.
-bool come_back(Run& run, const std::vector<double>& drivers) {
-  const Path path = part_of_path(run, run.at.lost.from, drivers);
+bool come_back(Run& run, const std::vector<double>& inputs) {
+  const Path path = part_of_path(run, run.at.lost.from, inputs);
   hold_again(run);
   report_limit(run, path, run.at.lost.event);
   const double to_limit = distance_between(run, run.at.lost.from, run.at.lost.at);
-  return follow_part(run, path, std::max(to_limit, kShortestFirstStep) * unit_of(run, path));
+  return follow(run, path, std::max(to_limit, kShortestFirstStep) * unit_of(run, path));
 }
 
 // Whether a group is so near to its limit that its position is known to only half the digits. At a degenerate
@@ -129,13 +116,27 @@ bool is_beside_limit(const State& state) {
   });
 }
 
-std::vector<double> drivers_of(const RunEvent& event) {
-  std::vector<double> drivers{event.driver};
-  drivers.insert(drivers.end(), event.further_drivers.begin(), event.further_drivers.end());
-  return drivers;
+std::vector<double> inputs_of(const Run& run, const RunEvent& event) {
+  if (run.at.curve) {
+    return {std::lerp(run.work.row_before[0], run.at.targets[0], event.share)};
+  }
+  std::vector<double> inputs{event.driver};
+  inputs.insert(inputs.end(), event.further_drivers.begin(), event.further_drivers.end());
+  return inputs;
 }
 
-// The branch at a position of the drivers, placed in run.work.trial, followed back as far as `to`.
+// Whether an event of the present path is the limit at which the motion was lost.
+bool is_where_lost(const Run& run, const RunEvent& event) {
+  const std::vector<double> inputs = inputs_of(run, event);
+  bool same = is_same_item(event, run.at.lost.event);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const double near = kSameLimit * (input_scale(run, i) + std::abs(inputs[i]));
+    same = same && std::abs(inputs[i] - run.at.lost.at[i]) <= near;
+  }
+  return same;
+}
+
+// The branch at these inputs, placed in run.work.trial, followed back as far as `to`.
 Run followed_to(Run& run, const std::vector<double>& at, const std::vector<double>& to) {
   std::vector<RunEvent> events = std::exchange(run.events, {});  // not to copy as many as there may be
   Run back = run;
@@ -143,9 +144,9 @@ Run followed_to(Run& run, const std::vector<double>& at, const std::vector<doubl
   std::swap(back.at.state, back.work.trial);
   back.at.on_branch = true;
   back.at.beside.reset();
-  back.at.drivers = at;
+  back.at.inputs = at;
   renew_overlaps(back);
-  (void)follow_part(back, part_of_path(run, at, to));
+  (void)follow(back, part_of_path(run, at, to));
   return back;
 }
 
@@ -161,7 +162,7 @@ Run followed_back(Run& run, const std::vector<double>& at, const std::vector<dou
   RunEvent event = *overlap;
   event.type = EventType::kLimitPosition;
   event.cause = "before this position of the driver the two bodies overlap elsewhere on their boundaries";
-  const std::vector<double> apart = drivers_of(event);
+  const std::vector<double> apart = inputs_of(run, event);
   back = followed_to(run, at, apart);
   if (back.at.on_branch) {
     back.at.on_branch = false;
@@ -244,14 +245,14 @@ private:
 // Looks for a branch on a line and takes it up where it is found.
 class StretchSearch {
 public:
-  /// \param drivers  of the row, at the end of the line
-  StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& drivers)
+  /// \param inputs  of the row, at the end of the line
+  StretchSearch(Run& run, const LineAhead& line, const std::vector<double>& inputs)
       : run_(run),
         line_(line),
-        drivers_(drivers),
+        inputs_(inputs),
         probes_(line, run.plan().couples),
         couples_(run.plan().couples),
-        to_(line.x_of(drivers)),
+        to_(line.x_of(inputs)),
         searched_to_(line.x_of(line.begin())) {}
 
   /// Resumes at the beginning of the stretch that contains x, if that is before the row, and follows the
@@ -264,8 +265,8 @@ public:
 
 private:
   [[nodiscard]] bool is_before(double a, double b) const { return (b - a) * line_.sense() > 0; }
-  [[nodiscard]] std::vector<double> drivers_at(double x) const { return x == to_ ? drivers_ : line_.at(x); }
-  [[nodiscard]] double x_of(const std::vector<double>& drivers) const { return line_.x_of(drivers); }
+  [[nodiscard]] std::vector<double> inputs_at(double x) const { return x == to_ ? inputs_ : line_.at(x); }
+  [[nodiscard]] double x_of(const std::vector<double>& inputs) const { return line_.x_of(inputs); }
 
   [[nodiscard]] double first_probe(double from) const;
   Outlook outlook(double k);
@@ -280,7 +281,7 @@ private:
 
   Run& run_;
   const LineAhead& line_;
-  const std::vector<double>& drivers_;
+  const std::vector<double>& inputs_;
   Probes probes_;
   bool couples_;                                    // whether bodies are coupled
   double to_;                                       // x of the row
@@ -295,14 +296,14 @@ void StretchSearch::go_on_from(const Run& back, const State& state, double from)
   const State lost = std::exchange(run_.at.state, state);
   hold_again(run_);
   run_.at.beside.reset();
-  run_.at.drivers = drivers_at(from);
-  const Path path = part_of_path(run_, line_.begin(), drivers_);
+  run_.at.inputs = inputs_at(from);
+  const Path path = part_of_path(run_, line_.begin(), inputs_);
   for (const RunEvent& event : back.events) {
     // At the end of a curve the motion may have gone on over the edge.
     const bool is_last = &event == &back.events.back();
     const bool is_limit =
         event.type == EventType::kLimitPosition || (event.type == EventType::kEnd && is_last);
-    if (is_limit && !is_same_limit(run_, event, run_.at.lost.event)) {
+    if (is_limit && !is_where_lost(run_, event)) {
       report_limit(run_, path, event);
     }
   }
@@ -319,7 +320,7 @@ bool StretchSearch::come_to_beginning(double x) {
   if (!place_anew(run_, line_.at(within)).complete || is_beside_limit(run_.work.trial)) {
     return false;
   }
-  Run inside = followed_back(run_, line_.at(within), drivers_at(x));
+  Run inside = followed_back(run_, line_.at(within), inputs_at(x));
   if (!inside.at.on_branch || (!couples_ && (!inside.at.beside || is_another_branch(inside)))) {
     return false;
   }
@@ -329,7 +330,7 @@ bool StretchSearch::come_to_beginning(double x) {
   const State lost = run_.at.state;
   const State& begin = inside.at.shown();
   go_on_from(inside, begin, x);
-  run_.at.drivers = inside.at.drivers;
+  run_.at.inputs = inside.at.inputs;
   take_short_way(run_, lost, begin);
   if (inside.at.beside) {
     run_.at.beside = std::exchange(run_.at.state, inside.at.state);
@@ -340,9 +341,9 @@ bool StretchSearch::come_to_beginning(double x) {
 
 // \param first_step  in x
 bool StretchSearch::follow_from(double from, double first_step) {
-  const Path path = part_of_path(run_, drivers_at(from), drivers_);
+  const Path path = part_of_path(run_, inputs_at(from), inputs_);
   const double per_x = path.is_single() ? 1 : path.length / std::abs(to_ - from);
-  return follow_part(run_, path, from == to_ ? first_step : first_step * per_x);
+  return follow(run_, path, from == to_ ? first_step : first_step * per_x);
 }
 
 // At a pole one stretch ends where another begins, at `begin`. Resumes on the former, from as near to the
@@ -370,11 +371,11 @@ std::optional<Run> StretchSearch::followed_back_from(double x) {
     return is_another_branch(back) &&
            have_same_poses(back.at.state, other->state, run_.plan().size, kSameRunPosition);
   };
-  if (other && is_before(other->x, x) && is_other(followed_back(run_, drivers_at(x), drivers_at(other->x)))) {
+  if (other && is_before(other->x, x) && is_other(followed_back(run_, inputs_at(x), inputs_at(other->x)))) {
     other = {x, run_.work.trial};
     return std::nullopt;
   }
-  Run back = followed_back(run_, drivers_at(x), drivers_at(searched_to_));
+  Run back = followed_back(run_, inputs_at(x), inputs_at(searched_to_));
   if (is_another_branch(back)) {
     other = {x, run_.work.trial};
     return std::nullopt;
@@ -383,7 +384,7 @@ std::optional<Run> StretchSearch::followed_back_from(double x) {
 }
 
 Taken StretchSearch::take_up(double x, int poles) {
-  if (!place_anew(run_, drivers_at(x)).complete) {
+  if (!place_anew(run_, inputs_at(x)).complete) {
     return Taken::kNot;
   }
   if (is_beside_limit(run_.work.trial)) {
@@ -393,14 +394,14 @@ Taken StretchSearch::take_up(double x, int poles) {
     if (come_to_beginning(x)) {
       return Taken::kArrived;
     }
-    (void)place_anew(run_, drivers_at(x));
+    (void)place_anew(run_, inputs_at(x));
   }
   const std::optional<Run> back = followed_back_from(x);
   if (!back) {
     return Taken::kNot;
   }
   const State found = run_.work.trial;
-  const double begin = x_of(back->at.on_branch ? back->at.drivers : back->at.lost.from);
+  const double begin = x_of(back->at.on_branch ? back->at.inputs : back->at.lost.from);
   if (!back->at.on_branch && poles > 0) {
     const Taken taken = take_up_across(x_of(back->at.lost.at), begin, poles - 1);
     if (taken == Taken::kArrived || taken == Taken::kLost) {
@@ -518,7 +519,7 @@ Taken StretchSearch::take_up_row() {
 // depends on the rows, and with it where their conditions could be led to.
 void look_from_limit(Run& run) {
   const Path path = part_of_path(run, run.at.lost.from, run.at.lost.at);
-  set_rates_along(run, path);
+  set_rates_on(run, path);
   const std::vector<Group>& groups = run.plan().groups;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (!traits_of(groups[g]).coupled) {
@@ -527,7 +528,7 @@ void look_from_limit(Run& run) {
     Reduction reduction(run, path, g, 0);
     const auto limit = reduction.limit_ahead(path.length);
     if (limit && std::abs(limit->ahead - path.length) <= kSameLimit * unit_of(run, path)) {
-      reduction.place_limit(*limit);
+      reduction.place_limit(*limit, path.length);
       round_to_grid(run, run.work.trial);
       run.at.lost.nearest =
           Nearest{run.work.trial, std::vector<std::optional<LeastViolation>>(groups.size())};
@@ -537,32 +538,32 @@ void look_from_limit(Run& run) {
 }
 
 // Resumes the motion at the first possible position beyond `from`.
-Taken take_up_again(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
+Taken take_up_again(Run& run, const std::vector<double>& inputs, const std::vector<double>& from) {
   if (is_stopped(run) || run.at.lost.for_good) {
     return Taken::kNot;
   }
-  const bool comes_back = has_come_back(run, drivers);
-  if (comes_back && come_back(run, drivers)) {
+  const bool comes_back = has_come_back(run, inputs);
+  if (comes_back && come_back(run, inputs)) {
     return Taken::kArrived;
   }
   // The motion may have been lost again on the way to the drivers, or at once.
-  if ((comes_back && has_come_back(run, drivers)) || has_coupled_far_out(run)) {
+  if ((comes_back && has_come_back(run, inputs)) || has_coupled_far_out(run)) {
     return Taken::kNot;
   }
   if (run.plan().couples && !run.at.lost.nearest) {
     look_from_limit(run);
   }
   const std::vector<double> behind = comes_back ? run.at.lost.at : from;
-  const LineAhead line(run, behind, drivers);
-  return StretchSearch(run, line, drivers).take_up_first(line.x_of(behind));
+  const LineAhead line(run, behind, inputs);
+  return StretchSearch(run, line, inputs).take_up_first(line.x_of(behind));
 }
 
 }  // namespace
 
-bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from) {
-  Taken taken = take_up_again(run, drivers, from);
+bool resume(Run& run, const std::vector<double>& inputs, const std::vector<double>& from) {
+  Taken taken = take_up_again(run, inputs, from);
   while (taken == Taken::kLost) {
-    taken = take_up_again(run, drivers, run.at.lost.at);
+    taken = take_up_again(run, inputs, run.at.lost.at);
   }
   return taken == Taken::kArrived;
 }

@@ -8,7 +8,6 @@
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "joint_ends.hpp"
 #include "reduction.hpp"
-#include "straight_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -225,45 +224,16 @@ GroupStatus step_on_branch(Run& run, const Path& path, std::size_t g, double s, 
 
 }  // namespace
 
-std::size_t leading_driver(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
-  const auto moved = [&](std::size_t i) { return std::abs(to[i] - from[i]) / driver_scale(run, i); };
-  std::size_t leading = 0;
-  for (std::size_t i = 1; i < to.size(); ++i) {
-    leading = moved(i) > moved(leading) ? i : leading;
-  }
-  return leading;
-}
-
-double distance_between(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
-  const std::size_t i = leading_driver(run, from, to);
-  return std::abs(to[i] - from[i]) / driver_scale(run, i);
-}
-
-double unit_of(const Run& run, const Path& path) {
-  return path.is_single() ? driver_scale(run, 0) : 1 / distance_between(run, path.from, path.to);
-}
-
-double size_at(const Run& run, const Path& path, double s) {
-  if (path.is_single()) {
-    return std::abs(driver_at(path, s));
-  }
-  double largest = 0;
-  for (std::size_t i = 0; i < path.from.size(); ++i) {
-    largest = std::max(largest, std::abs(std::lerp(path.from[i], path.to[i], s)) / driver_scale(run, i));
-  }
-  return largest * unit_of(run, path);
-}
-
 void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& state) {
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     set_group_rates(model_of(run), g, drivers, state);
   }
 }
 
-void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions) {
-  motions.resize(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    motions[i] = {positions[i], positions.size() == 1 ? 1.0 : 0.0, 0};
+void set_rates_on(Run& run, const Path& path) {
+  if (path.curve || !path.is_single()) {
+    path.motions(0, run.work.motions);
+    set_rates(run, run.work.motions, run.at.state);
   }
 }
 
@@ -273,10 +243,6 @@ double fastest_body(const Run& run, const State& state) {
     speed = std::max({speed, std::abs(body.omega), body.v_WB.norm() / run.plan().size});
   }
   return speed;
-}
-
-double driver_scale(const Run& run, std::size_t driver) {
-  return driven_joint(run.mechanism(), driver).type == JointType::kRevolute ? 1 : run.plan().size;
 }
 
 StepResult try_step(Run& run, const Path& path, double s, double h) {
@@ -345,8 +311,12 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
   return true;
 }
 
-Placeable place_anew(Run& run, const std::vector<double>& drivers) {
+Placeable place_anew(Run& run, const std::vector<double>& inputs) {
   State& to = run.work.trial;
+  set_unit_motions(run, inputs, run.work.motions);
+  run.work.drivers.resize(run.work.motions.size());
+  std::transform(run.work.motions.begin(), run.work.motions.end(), run.work.drivers.begin(),
+                 [](const DriverMotion& driver) { return driver.position; });
   const State& nearest = run.at.lost.nearest ? run.at.lost.nearest->state : run.at.state;
   if (run.plan().couples) {
     to = nearest;
@@ -359,15 +329,15 @@ Placeable place_anew(Run& run, const std::vector<double>& drivers) {
     to.groups[g].mode = run.at.state.groups[g].mode;
     const bool coupled = traits_of(run.plan().groups[g]).coupled;
     const GroupStatus status =
-        coupled ? place_coupled_anew(model_of(run), g, nearest, drivers, to, run.work.continuations[g])
-                : place_group_anew(model_of(run), g, run.at.state, drivers, to);
+        coupled
+            ? place_coupled_anew(model_of(run), g, nearest, run.work.drivers, to, run.work.continuations[g])
+            : place_group_anew(model_of(run), g, run.at.state, run.work.drivers, to);
     if (status != GroupStatus::kOk) {
       const double reach = reach_of(model_of(run), g, to);
       return reach >= 0 ? Placeable{false, 2 * g + 1, room_to_end(model_of(run), g, to)}
                         : Placeable{false, 2 * g, reach};
     }
   }
-  set_unit_motions(drivers, run.work.motions);
   set_rates(run, run.work.motions, to);
   return {true, 2 * run.plan().groups.size(), 0};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analysis/groups/group_solver.hpp"
-#include "higherpair/analysis/run.hpp"
+#include "inputs.hpp"
 
 #include <optional>
 #include <tuple>
@@ -38,9 +38,6 @@ private:
   return {run.mechanism(), run.plan()};
 }
 
-/// The drivers at their positions: a single one moves at unit rate, several are at rest.
-void set_unit_motions(const std::vector<double>& positions, std::vector<DriverMotion>& motions);
-
 struct StepResult {
   enum Kind { kOk, kLost, kDisagrees } kind = kOk;
   std::size_t group = 0;  ///< the group that failed
@@ -50,30 +47,15 @@ struct StepResult {
 /// continues its motion smoothly, straight through change points (run.work.crossings).
 [[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
 
+/// Sets the rates of run.at.state, which may be those of another path, at the beginning of this one.
+void set_rates_on(Run& run, const Path& path);
+
 /// The first group whose motion from run.at.state over `h` to run.work.trial, whose rates are set, is not
 /// smooth.
 [[nodiscard]] std::optional<std::size_t> broken_off(const Run& run, double h);
 
 /// How fast the fastest body moves, per unit of the path: turns, or distances relative to the size.
 [[nodiscard]] double fastest_body(const Run& run, const State& state);
-
-/// One unit of a driver's coordinate: a radian, or the size of the mechanism.
-[[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
-
-/// The driver that moves most between two positions, measured in its unit.
-[[nodiscard]] std::size_t leading_driver(const Run& run, const std::vector<double>& from,
-                                         const std::vector<double>& to);
-
-/// How far that driver moves, in its unit.
-[[nodiscard]] double distance_between(const Run& run, const std::vector<double>& from,
-                                      const std::vector<double>& to);
-
-/// One unit of the drivers in the path's coordinate.
-[[nodiscard]] double unit_of(const Run& run, const Path& path);
-
-/// The largest of the drivers' coordinates at s, in the path's coordinate: the magnitude that their rounding
-/// is relative to.
-[[nodiscard]] double size_at(const Run& run, const Path& path, double s);
 
 /// Places all groups and sets their rates in run.work.trial, `x` beyond run.at.state, which is at s; in the
 /// modes of run.at.state and without comparing with a prediction.
@@ -126,8 +108,8 @@ struct Placeable {
   }
 };
 
-/// Places all groups at the drivers' positions in run.work.trial in the modes of run.at.state, however far
-/// that is; rates are for a unit rate of a single driver.
-[[nodiscard]] Placeable place_anew(Run& run, const std::vector<double>& drivers);
+/// Places all groups at these inputs in run.work.trial in the modes of run.at.state, however far that is;
+/// rates are those of set_unit_motions().
+[[nodiscard]] Placeable place_anew(Run& run, const std::vector<double>& inputs);
 
 }  // namespace higherpair

@@ -224,7 +224,7 @@ Run planned_run(RunModel model, const std::vector<double>& drivers) {
   if (std::any_of(contacts.begin(), contacts.end(), [](const Contact& one) { return one.by_boundary; })) {
     run.local = *run.model.mechanism;
   }
-  run.at.drivers = drivers;
+  run.at.inputs = drivers;
   return run;
 }
 

@@ -18,12 +18,12 @@ namespace higherpair {
                                          const std::vector<BodyMotion>& bodies,
                                          const std::vector<BodyMotion>& posed);
 
-/// Sets run.at.state to the assembly at run.at.drivers that is nearest to the poses, without rates; may be
+/// Sets run.at.state to the assembly at run.at.inputs that is nearest to the poses, without rates; may be
 /// stopped by run.stop, and then finds none. \returns why there is none
 [[nodiscard]] std::optional<StartFailure> assemble(Run& run);
 
 /// The same in the modes of a branch (branch_run.hpp); false where the branch has no assembly at
-/// run.at.drivers. run.at.state then holds the groups before the first that cannot be placed.
+/// run.at.inputs. run.at.state then holds the groups before the first that cannot be placed.
 [[nodiscard]] bool assemble_on(Run& run, int branch);
 
 /// The poses, with the modes of a branch.
@@ -34,7 +34,7 @@ struct Assemblies {
   bool complete = true;       ///< false: there are more
 };
 
-/// Every combination of assembly modes that closes at run.at.drivers.
+/// Every combination of assembly modes that closes at run.at.inputs.
 [[nodiscard]] Assemblies assemble_all(Run& run);
 
 }  // namespace higherpair

@@ -18,7 +18,7 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
   place.contact = tracked.contact;
   place.follower = tracked.follower;
   place.pair = tracked.pair;
-  place.u = tracked.driver_sign * run.at.drivers[tracked.driver];
+  place.u = tracked.driver_sign * run.at.inputs[tracked.driver];
   place.known_is_first = tracked.driver_is_first;
   return place;
 }

@@ -123,7 +123,7 @@ bool FirstPosition::place(std::size_t g, int mode) {
   const State& from = touching != nullptr ? touching_start_ : posed_;
   const GroupStatus status = starts_rolling(run_.mechanism(), group)
                                  ? start_rolling_bodies(g)
-                                 : place_group(model_, g, from, 0, run_.at.drivers, state_);
+                                 : place_group(model_, g, from, 0, run_.at.inputs, state_);
   if (status != GroupStatus::kOk) {
     fail(g, why_unplaced(run_, state_, g),
          distance_from_poses(run_.mechanism(), group, state_.bodies, posed_.bodies));
@@ -150,7 +150,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   for (const int contact : group.contacts) {
     slipping.contacts[contact].rolling = false;
   }
-  const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.drivers, state_,
+  const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.inputs, state_,
                                            phase_bodies_of(run_.plan(), group));
   begin_arcs(group);
   judge_coupled(model_, g, state_);
@@ -169,7 +169,7 @@ void FirstPosition::begin_arcs(const Group& group) {
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
   const Contact& contact = run_.mechanism().contacts[tracked.contact];
-  const double u = tracked.driver_sign * run_.at.drivers[tracked.driver];
+  const double u = tracked.driver_sign * run_.at.inputs[tracked.driver];
   const double q = carried_coordinate(tracked.follower, posed_.bodies);
   const FindResult found = first_contact(tracked.pair, contact.approach, u, q, tracked.follower.sign);
   const bool anywhere = moves_in_itself(tracked.pair.curve2, tracked.pair.motion2);
@@ -188,7 +188,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
     state_.tracks[g] = start_track(tracked.pair, found.at, state_.groups[g].mode);
   }
   const State from = state_;
-  if (place_group(model_, g, from, 0, run_.at.drivers, state_) != GroupStatus::kOk) {
+  if (place_group(model_, g, from, 0, run_.at.inputs, state_) != GroupStatus::kOk) {
     fail(g, why_unplaced(run_, state_, g));
     return false;
   }
@@ -214,7 +214,7 @@ bool FirstPosition::start_rolling_pair(const TrackedPair& tracked, std::size_t g
   fail(g, "contacts." + contact.name +
               ": this pair cannot roll; set rolling = false, or choose curves and joints whose contact point "
               "stays at the instant centre");
-  failure_.slip = Slip{run_.at.drivers[tracked.driver], found.at.sliding, tracked.contact};
+  failure_.slip = Slip{run_.at.inputs[tracked.driver], found.at.sliding, tracked.contact};
   return false;
 }
 

@@ -63,9 +63,9 @@ bool is_coupled(const Run& run, std::size_t g) {
 // Moves a coupled group onto its singular position: near it Newton's method yields only half the digits.
 void settle_coupled(Run& run, std::size_t g) {
   Path path;
-  std::vector<double> ahead = run.at.drivers;
+  std::vector<double> ahead = run.at.inputs;
   ahead[0] += driver_scale(run, 0);
-  set_path(path, run.at.drivers, ahead);
+  set_path(run, path, run.at.inputs, ahead);
   run.work.trial = run.at.state;
   Reduction reduction(run, path, g, 0);
   if (const auto singular = reduction.singular_point(kNearSingularStart * unit_of(run, path))) {
@@ -185,10 +185,10 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
   std::vector<Departure> found;
   const StateAside start(run.at.state);
   const State at_rest = without_rates(start.kept());
-  std::vector<double> there = run.at.drivers;
+  std::vector<double> there = run.at.inputs;
   there[driver] += reach;
   Path path;
-  set_path(path, run.at.drivers, there);
+  set_path(run, path, run.at.inputs, there);
   const std::size_t chosen = std::min(groups.size(), kMostChosen);
   for (unsigned combination = 0; combination < (1U << chosen); ++combination) {
     run.at.state = at_rest;
@@ -292,12 +292,12 @@ std::optional<int> leave_singular_start(Run& run) {
     }
   }
   std::optional<Departure> chosen;
-  for (std::size_t driver = 0; driver < run.at.drivers.size() && !chosen; ++driver) {
+  for (std::size_t driver = 0; driver < run.at.inputs.size() && !chosen; ++driver) {
     const double reach = kCrossingReach * driver_scale(run, driver);
     std::vector<Departure> before = departures(run, groups, driver, -reach);
     const std::vector<Departure> after = departures(run, groups, driver, reach);
     const bool crossing = !before.empty() && !after.empty();
-    if (crossing && run.at.drivers.size() == 1) {
+    if (crossing && run.at.inputs.size() == 1) {
       measure_at_start(run, groups, after, before);
       chosen = posed_among(run, before);
       if (chosen) {
@@ -314,13 +314,13 @@ std::optional<int> leave_singular_start(Run& run) {
   if (!chosen) {
     return tracked == nullptr ? std::nullopt : std::optional(tracked->contact);
   }
-  if (run.at.drivers.size() == 1 && !(std::abs(start.sine) > start.noise) &&
+  if (run.at.inputs.size() == 1 && !(std::abs(start.sine) > start.noise) &&
       leads_to(run.at.state, chosen->state) &&
       std::all_of(groups.begin(), groups.end(), [&](std::size_t g) { return has_own_position(run, g); })) {
     run.at.beside = run.at.state;
   }
   run.at.state = chosen->state;
-  run.at.drivers[chosen->driver] += chosen->reach;
+  run.at.inputs[chosen->driver] += chosen->reach;
   return std::nullopt;
 }
 

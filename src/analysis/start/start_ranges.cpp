@@ -113,7 +113,7 @@ private:
   [[nodiscard]] double at(double x) const { return from_ + x * span_; }
 
   bool assembles(double driver) {
-    run_.at.drivers.front() = driver;
+    run_.at.inputs.front() = driver;
     return !assemble(run_);
   }
 

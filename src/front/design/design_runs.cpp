@@ -22,14 +22,12 @@ void follow(Run& run, const DriverSchedule& schedule, RowReader& reader) {
   int limits = 0;
   for (std::int64_t k = 0; k < schedule.size(); ++k) {
     const std::vector<DriverMotion> motions = drivers_in(schedule, k);
-    for_each_part(
-        schedule, k, motions, [&](const std::vector<DriverMotion>& drivers, double from, double to) {
-          move_to(run, drivers);
-          limits += static_cast<int>(
-              std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
-                return is_fault(event.type, k, std::lerp(from, to, event.share), schedule.size() - 1);
-              }));
-        });
+    move_to_row(run, schedule, k, motions, [&](double from, double to) {
+      limits +=
+          static_cast<int>(std::count_if(run.events.begin(), run.events.end(), [&](const RunEvent& event) {
+            return is_fault(event.type, k, std::lerp(from, to, event.share), schedule.size() - 1);
+          }));
+    });
     const bool there = run.row.status != RowStatus::kNotAssemblable;
     reader.take(run.row.bodies, there, motions.front().position, run.row.status);
     there ? reader.take_gaps(run.row.bodies) : reader.take_gaps(closure_gaps(run, positions_in(schedule, k)));

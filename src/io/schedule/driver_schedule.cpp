@@ -199,6 +199,9 @@ tl::expected<DriverSchedule, Diagnostics> DriverSchedule::in_time(const Profile&
       return tl::unexpected(Diagnostics{mistake(profile, i, "duration", "takes the driver beyond 1e50 m")});
     }
   }
+  if (schedule.driver_count() > 1) {
+    schedule.curve_ = schedule.make_curve();
+  }
   return schedule;
 }
 

@@ -110,10 +110,7 @@ std::vector<double> positions_in(const DriverSchedule& schedule, std::int64_t ro
 
 void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                  const std::vector<DriverMotion>& at_row) {
-  for_each_part(schedule, row, at_row,
-                [&](const std::vector<DriverMotion>& drivers, double /*from*/, double /*to*/) {
-                  move_to(run, drivers);
-                });
+  move_to_row(run, schedule, row, at_row, [](double /*from*/, double /*to*/) {});
 }
 
 RowPath path_of(const DriverSchedule& schedule) {

@@ -8,6 +8,8 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -241,6 +243,24 @@ std::vector<double> DriverSchedule::breaks() const {
     t = time_to_si_.apply(t);
   }
   return apart;
+}
+
+std::shared_ptr<const DriverCurve> DriverSchedule::make_curve() const {
+  DriverCurve curve;
+  for (std::size_t i = 0; i < driver_count(); ++i) {
+    curve.greatest_speeds.push_back(greatest_speed(i));
+  }
+  const auto& speeds = curve.greatest_speeds;
+  if (size_ == 1 || std::all_of(speeds.begin(), speeds.end(), [](double speed) { return speed == 0; })) {
+    return nullptr;
+  }
+  curve.breaks = breaks();
+  curve.breaks.insert(curve.breaks.begin(), 0);
+  curve.breaks.push_back(time_si(size_ - 1));
+  curve.motion = [schedule = *this](std::size_t driver, double time) {
+    return schedule.at_time(time, driver);
+  };
+  return std::make_shared<const DriverCurve>(std::move(curve));
 }
 
 }  // namespace higherpair

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "higherpair/analysis/driver_curve.hpp"
 #include "higherpair/analysis/row.hpp"
 #include "higherpair/analysis/state.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
 #include "higherpair/numeric/stop.hpp"
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,22 +31,31 @@ struct StartFailure {
   std::optional<Slip> slip;  ///< set where a rolling contact would have to slip
 };
 
-/// The straight path of the drivers from one row to the next. Its coordinate s runs from 0 to `length`: with
-/// one driver the change of that driver's coordinate, with several the fraction of the path.
+/// The path of the drivers from one row to the next: straight, or a part of a curve in time. What it varies
+/// are its inputs: the drivers' coordinates; on a curve the time alone. Its coordinate s runs from 0 to
+/// `length`: with one input the change of that, with several the fraction of the path.
 struct Path {
-  std::vector<double> from;
+  std::vector<double> from;  ///< inputs
   std::vector<double> to;
   double length = 0;
   /// Fractions of the drivers' path from the previous row to this one, at `from` and at `to`: a path may be a
   /// part of it.
   double share_from = 0;
   double share_to = 1;
+  std::shared_ptr<const DriverCurve> curve;  ///< null if the path is straight
+  std::array<double, 2> piece{};             ///< of the curve: the breaks before and after the path [s]
+  bool is_chord = false;                     ///< goes straight between two points of the curve
 
   [[nodiscard]] bool is_single() const { return from.size() == 1; }
-  /// Writes the positions at s to `out`.
+  /// Writes the inputs at s to `out`.
+  void inputs(double s, std::vector<double>& out) const;
+  /// Writes the positions of the drivers at s to `out`.
   void positions(double s, std::vector<double>& out) const;
   /// Writes the positions of the drivers at s and their rates per unit of s to `out`.
   void motions(double s, std::vector<DriverMotion>& out) const;
+
+private:
+  [[nodiscard]] DriverMotion on_curve(double s, std::size_t driver) const;
 };
 
 /// A joint to ground that is not driven, and the sense of its last motion.
@@ -76,17 +88,16 @@ struct Nearest {
 
 /// Where a branch beyond a limit was found to be another one than the lost one.
 struct OtherBranch {
-  double x = 0;  ///< coordinate of the leading driver
+  double x = 0;  ///< the leading input
   State state;
 };
 
 /// A limit at which the motion was lost.
 struct Loss {
-  std::vector<double> from;  ///< drivers at Run::state, the last position before it
-  std::vector<double> at;    ///< the drivers at the limit
+  std::vector<double> from;  ///< inputs at RunPosition::state, the last position before it
+  std::vector<double> at;    ///< the inputs at the limit
   RunEvent event;
-  /// How far on the straight line beyond it the branch has been searched for without success: coordinate of
-  /// the leading driver.
+  /// How far on the line beyond it the branch has been searched for without success: the leading input.
   std::optional<double> looked_to;
   std::optional<OtherBranch> other;  ///< the last one found on that line
   std::optional<Nearest> nearest;    ///< with coupled bodies: their closest approach to assembly there
@@ -101,9 +112,11 @@ struct RunModel {
 
 /// The position of a run. Assigning it to another run of the same model puts that run there.
 struct RunPosition {
-  State state;                  ///< the last position; rates per unit of the path
-  std::vector<double> drivers;  ///< the drivers' coordinates there
-  std::vector<double> targets;  ///< the drivers of the last row, which may not have been reached
+  State state;  ///< the last position; rates per unit of the path
+  /// What moves the run, there: the drivers' coordinates, or, on a curve, the time alone.
+  std::vector<double> inputs;
+  std::vector<double> targets;               ///< the inputs of the last row, which may not have been reached
+  std::shared_ptr<const DriverCurve> curve;  ///< that the drivers follow; null if they go straight
   /// The last row, if it is next to a change point or at a limit, and `state` short of it.
   std::optional<State> beside;
   bool on_branch = true;  ///< false: the motion was lost at a limit; `state` is the last position before it
@@ -126,7 +139,7 @@ struct StepWorkspace {
   std::vector<Crossing> crossings;                           ///< those of the present step
   std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups, in `trial` beyond a limit
   Path path;                                                 ///< to the next row
-  std::vector<double> row_before;                            ///< drivers at that row
+  std::vector<double> row_before;                            ///< inputs at the last row
 };
 
 /// A running analysis. A copy continues from its position independently, in any thread.
@@ -179,6 +192,12 @@ struct Run {
 /// are coupled.
 /// \param drivers  of Mechanism::drivers; velocity and acceleration are those at the row
 void move_to(Run& run, const std::vector<DriverMotion>& drivers);
+
+/// The same along a curve in time, from the row at `from` to the row at `to` [s]. A run that is not quite at
+/// a row, because that is next to a change point or lost, goes straight to this one first.
+/// \param drivers  at `to`; where rates jump there, either of both
+void move_along(Run& run, const std::shared_ptr<const DriverCurve>& curve, double from, double to,
+                const std::vector<DriverMotion>& drivers);
 
 /// Velocities and accelerations of all bodies and contacts of `state`, whose positions are given, for the
 /// rates of the drivers.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/analysis/driver_motion.hpp"
+#include "higherpair/analysis/driver_curve.hpp"
 #include "higherpair/cam/motion_law.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/profile.hpp"
@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -76,8 +77,12 @@ public:
   /// it.
   [[nodiscard]] DriverMotion at_time(double time_si, std::size_t driver) const;
 
+  /// The motion of several drivers in time; null for one driver, for rows without time, and where nothing
+  /// moves.
+  [[nodiscard]] const std::shared_ptr<const DriverCurve>& curve() const { return curve_; }
+
   /// The time, in the profile's unit, at which the drivers pass a place on their path from the row before to
-  /// `row`: a single driver by its law of motion, several in proportion to their path.
+  /// `row`: a single driver by its law of motion, several in proportion to the time.
   /// \param position  of a single driver, in the profile's unit
   /// \param share     fraction of that path
   [[nodiscard]] double passing_time(std::int64_t row, double position, double share) const;
@@ -146,6 +151,7 @@ private:
   [[nodiscard]] DriverMotion values(std::int64_t row, const OneDriver& driver) const;
   [[nodiscard]] LawSide side_of(std::int64_t row) const;
   [[nodiscard]] double way(const OneDriver& driver, double from, double to) const;
+  [[nodiscard]] std::shared_ptr<const DriverCurve> make_curve() const;
   [[nodiscard]] static std::vector<double> reversals(const OneDriver& driver, double from, double to);
 
   std::vector<OneDriver> drivers_;
@@ -156,6 +162,7 @@ private:
   double time_step_rest_ = 0;  ///< the decimal number given, less its double
   Scaling time_to_si_;
   Scaling time_from_si_;
+  std::shared_ptr<const DriverCurve> curve_;
 };
 
 }  // namespace higherpair

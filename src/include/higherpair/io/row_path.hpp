@@ -1,8 +1,10 @@
 #pragma once
 
+#include "higherpair/analysis/run.hpp"
 #include "higherpair/dynamics/contact_forces.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -38,7 +40,23 @@ void for_each_part(const DriverSchedule& schedule, std::int64_t row, const std::
   go(at_row, from, 1.0);
 }
 
-/// Moves a run from the row before to a row, part by part. \param at_row  drivers_in(schedule, row)
+/// Moves a run from the row before to a row, part by part, and calls seen(from, to) after each of them, with
+/// the fractions of the time between the two rows at its ends. \param at_row  drivers_in(schedule, row)
+template <class Seen>
+void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
+                 const std::vector<DriverMotion>& at_row, Seen&& seen) {
+  if (schedule.curve()) {
+    move_along(run, schedule.curve(), schedule.time_si(std::max<std::int64_t>(row - 1, 0)),
+               schedule.time_si(row), at_row);
+    seen(0.0, 1.0);
+    return;
+  }
+  for_each_part(schedule, row, at_row, [&](const std::vector<DriverMotion>& drivers, double from, double to) {
+    move_to(run, drivers);
+    seen(from, to);
+  });
+}
+
 void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                  const std::vector<DriverMotion>& at_row);
 

@@ -1,7 +1,6 @@
-#include "straight_path.hpp"
+#include "path_events.hpp"
 
 #include "analysis/tolerances.hpp"
-#include "step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +32,6 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
   }
 }
 
-double share_at(const Path& path, double s) {
-  return std::lerp(path.share_from, path.share_to, path.length == 0 ? 1 : s / path.length);
-}
-
 RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
   RunEvent event;
   event.type = type;
@@ -57,50 +52,18 @@ RunEvent& report_contact(Run& run, EventType type, const Path& path, double s, s
 }
 
 void set_jump(RunEvent& event, const Path& path, EventJump jump) {
-  double pace = 1;  // of that driver, per unit of s
-  for (std::size_t i = 0; !path.is_single() && i < path.from.size(); ++i) {
-    if (path.from[i] != path.to[i]) {
-      jump.driver = static_cast<int>(i);
-      pace = path.to[i] - path.from[i];
-      break;
-    }
-  }
+  const double s = path.length * (event.share - path.share_from) / (path.share_to - path.share_from);
+  std::vector<DriverMotion> drivers;
+  path.motions(s, drivers);
+  const auto moves = [](const DriverMotion& driver) { return driver.velocity != 0; };
+  const auto first = std::find_if(drivers.begin(), drivers.end(), moves);
+  const double pace = first == drivers.end() ? 1 : first->velocity;  // per unit of s
+  jump.driver = first == drivers.end() ? 0 : static_cast<int>(first - drivers.begin());
   const double none = kRateRounding * std::max(std::abs(jump.before), std::abs(jump.after));
   for (double* rate : {&jump.before, &jump.after}) {
     *rate = std::abs(*rate) <= none ? 0 : *rate / (jump.order == 1 ? pace : pace * pace);
   }
   event.jump = std::move(jump);
-}
-
-double driver_at(const Path& path, double s) {
-  return path.is_single() ? path.from[0] + s : path.from[0] + s * (path.to[0] - path.from[0]);
-}
-
-void Path::positions(double s, std::vector<double>& out) const {
-  out.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    out[i] = s == length ? to[i] : from[i] + s * (is_single() ? 1 : to[i] - from[i]);
-  }
-}
-
-void Path::motions(double s, std::vector<DriverMotion>& out) const {
-  out.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const double rate = is_single() ? 1 : to[i] - from[i];
-    out[i] = {s == length ? to[i] : from[i] + s * rate, rate, 0};
-  }
-}
-
-void set_path(Path& path, const std::vector<double>& from, const std::vector<double>& to) {
-  path.from.resize(from.size());
-  path.to.resize(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) {  // a few numbers: a loop costs less than copying blocks
-    path.from[i] = from[i];
-    path.to[i] = to[i];
-  }
-  path.length = path.is_single() ? to[0] - from[0] : from == to ? 0 : 1;
-  path.share_from = 0;
-  path.share_to = 1;
 }
 
 }  // namespace higherpair

@@ -1,22 +1,12 @@
 #pragma once
 
-#include "higherpair/analysis/run.hpp"
+#include "inputs.hpp"
 
 #include <string_view>
-#include <vector>
 
-// The straight path of the drivers from one row to the next, and events on it.
+// Events on the path from one row to the next.
 
 namespace higherpair {
-
-/// Sets the ends of a path.
-void set_path(Path& path, const std::vector<double>& from, const std::vector<double>& to);
-
-/// The first driver's coordinate at s.
-[[nodiscard]] double driver_at(const Path& path, double s);
-
-/// How far s is on the way from row to row, of which the path may be a part: 0 to 1.
-[[nodiscard]] double share_at(const Path& path, double s);
 
 /// An event at s on the path.
 [[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
