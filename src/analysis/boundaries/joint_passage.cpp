@@ -48,6 +48,20 @@ std::string cause_of(const Run& run, const JointPassage& passage, EventType type
   return fmt::format("the curvature of {} jumps", body);
 }
 
+// What the drivers' own accelerations add to that of a joint.
+double added_by_drivers(Run& run, const Path& path, double s, int joint) {
+  if (!path.curve) {
+    return 0;
+  }
+  const StateAside aside(run.at.state);
+  path.motions(s, run.work.motions);
+  for (DriverMotion& driver : run.work.motions) {
+    driver.velocity = 0;
+  }
+  set_rates(run, run.work.motions, run.at.state);
+  return acceleration_of(run, joint);
+}
+
 }  // namespace
 
 SpanJoint joint_of(const Run& run, const JointPassage& passage) {
@@ -87,20 +101,6 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
   set_place_of(run, passage.contact, passage.side, passage.before, run.work.trial);
   set_rates(run, run.work.motions, run.work.trial);
   return true;
-}
-
-// What the drivers' own accelerations add to that of a joint.
-double added_by_drivers(Run& run, const Path& path, double s, int joint) {
-  if (!path.curve) {
-    return 0;
-  }
-  const StateAside aside(run.at.state);
-  path.motions(s, run.work.motions);
-  for (DriverMotion& driver : run.work.motions) {
-    driver.velocity = 0;
-  }
-  set_rates(run, run.work.motions, run.at.state);
-  return acceleration_of(run, joint);
 }
 
 void go_over_joint(Run& run, const Path& path, double s, const JointPassage& passage) {
