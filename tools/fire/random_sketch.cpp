@@ -563,6 +563,7 @@ void Drawing::groups(SketchKind kind) {
         break;
       case SketchKind::kTwo:
       case SketchKind::kStep:
+      case SketchKind::kTimes:
         any_group();
         break;
       case SketchKind::kEnds:
@@ -589,7 +590,7 @@ Sketch Drawing::draw(SketchKind kind) {
     known_ = {0};
     drive(0);
   }
-  if (kind == SketchKind::kTwo) {
+  if (kind == SketchKind::kTwo || kind == SketchKind::kTimes) {
     drive(chance(0.5) ? 0 : known_.back());
   }
   if (kind == SketchKind::kGeared) {
@@ -604,6 +605,13 @@ Sketch Drawing::draw(SketchKind kind) {
     Sketch::Driver& driver = sketch_.drivers.front();
     driver.velocity = (driver.end - driver.start) / sketch_.duration;
     driver.acceleration = -driver.velocity / (sketch_.duration * between(0.2, 1.5));
+  }
+  if (kind == SketchKind::kTimes) {
+    sketch_.duration = between(0.5, 2);
+    for (Sketch::Driver& driver : sketch_.drivers) {
+      driver.velocity = (driver.end - driver.start) / sketch_.duration * between(0, 2);
+      driver.acceleration = driver.velocity / sketch_.duration * between(-3, 3);
+    }
   }
   return sketch_;
 }
@@ -621,7 +629,7 @@ constexpr std::array kKindNames{
     KindName{SketchKind::kCam, "cam"},         KindName{SketchKind::kStep, "step"},
     KindName{SketchKind::kLaw, "law"},         KindName{SketchKind::kTeeth, "teeth"},
     KindName{SketchKind::kFace, "face"},       KindName{SketchKind::kOffset, "offset"},
-    KindName{SketchKind::kEnds, "ends"}};
+    KindName{SketchKind::kEnds, "ends"},       KindName{SketchKind::kTimes, "times"}};
 
 }  // namespace
 

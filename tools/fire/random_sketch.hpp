@@ -27,6 +27,7 @@ enum class SketchKind {
   kFace,     ///< an open face on an ellipse
   kOffset,   ///< a roller on the offset of a cam of straight and round parts
   kEnds,     ///< dyads and followers on slides and slots whose lines end
+  kTimes,    ///< two drivers in time whose accelerations differ, groups of all kinds
 };
 
 [[nodiscard]] std::vector<SketchKind> all_kinds();

@@ -82,22 +82,21 @@ void Path::motions(double s, std::vector<DriverMotion>& out) const {
   }
 }
 
-// At the ends of a piece the rates are those within it, whatever a rounding of the time does.
+// Beyond its piece the drivers go on with the accelerations at the end of it: what is looked for right ahead
+// may not depend on a jump of their rates there.
 DriverMotion Path::on_curve(double s, std::size_t driver) const {
   if (is_chord) {
     const double a = curve->motion(driver, from[0]).position, b = curve->motion(driver, to[0]).position;
     return {std::lerp(a, b, s / length), (b - a) / length, 0};
   }
   const double time = s == length ? to[0] : from[0] + s;
-  DriverMotion motion = curve->motion(driver, time);
   const auto [begin, end] = piece;
-  const double near = kTimeRounding * std::max(std::abs(time), end - begin);
-  if (std::min(std::abs(time - begin), std::abs(time - end)) < near) {
-    const double within = std::abs(time - begin) < near ? begin + near : end - near;
-    const DriverMotion rates = curve->motion(driver, within);
-    motion.velocity = rates.velocity;
-    motion.acceleration = rates.acceleration;
-  }
+  const double near = kTimeRounding * std::max(std::abs(end), end - begin);
+  const double within = std::clamp(time, begin + near, end - near);
+  DriverMotion motion = curve->motion(driver, within);
+  const double rest = time - within;
+  motion.position += rest * (motion.velocity + rest / 2 * motion.acceleration);
+  motion.velocity += rest * motion.acceleration;
   return motion;
 }
 

@@ -275,9 +275,9 @@ private:
                        "not used, for another driver follows a law: all move in time, this one with its "
                        "`velocity` and `acceleration`");
       }
-    } else if (program.end && *program.end == program.start && !program.duration) {
+    } else if (program.end && *program.end == program.start && !has_duration()) {
       add_with_value(path + ".end", "the start: the driver stays there, and all rows are alike");
-    } else if (!turns && !program.end && !program.duration) {
+    } else if (!turns && !program.end && !has_duration()) {
       add(path + ".joint", "this joint slides, and without an `end` it stays at its start");
     } else {
       spacing(path + ".samples", program, turns);
@@ -288,6 +288,12 @@ private:
     if (program.time_step && program.duration && *program.time_step > *program.duration) {
       add_with_value(path + ".time_step", "longer than the duration");
     }
+  }
+
+  // Whether the drivers move in time: one of them gives the duration for all.
+  [[nodiscard]] bool has_duration() const {
+    return std::any_of(profile_.programs.begin(), profile_.programs.end(),
+                       [](const DriverProgram& program) { return program.duration.has_value(); });
   }
 
   // Whether a driver follows a law.
