@@ -80,7 +80,7 @@ inline constexpr double kVelocityOfKink = 1e-6;
 /// the driver's scale plus its coordinate.
 inline constexpr double kOnLineAhead = 1e-9;
 /// At times that are nearer to a break of a curve in time than this, rates are those within the piece;
-/// relative to the time and to the length of the piece.
+/// relative to the larger of the time and the length of the piece.
 inline constexpr double kTimeRounding = 1e-14;
 /// How far beyond a break the drivers go straight to the curve again, where the state has not come to the
 /// break; in units of the inputs.

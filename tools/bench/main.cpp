@@ -227,7 +227,7 @@ void register_boundaries(const BoundaryCase& spline, const JointCase& joint, dou
   });
   const auto add_step = [&](const std::string& name, const Run& start) {
     add("one_step/" + name, [=, step = joint.step](benchmark::State& state) {
-      const std::vector<DriverMotion> next{{start.at.drivers.front() + step, 1, 0}};
+      const std::vector<DriverMotion> next{{start.at.inputs.front() + step, 1, 0}};
       Run run = start;
       for (auto _ : state) {
         run.at = start.at;
@@ -261,7 +261,7 @@ void register_plan(const std::string& name, const Run& start, double floor) {
   const auto measure = [=](benchmark::State& state, bool with_forces) {
     Run run = start;
     InverseDynamics dynamics(run);
-    const double from = start.at.drivers.front();
+    const double from = start.at.inputs.front();
     std::vector<DriverMotion> motions(1);
     const auto step = [&](int k) {
       motions[0] = {from + driver_position(k), 1, 0};

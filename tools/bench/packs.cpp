@@ -25,7 +25,7 @@ PackCase checked(const std::string& name, const Run& start, const std::vector<Ch
                  double tolerance, const Append& append) {
   std::vector<DriverMotion> drivers;
   for (int step = 0; step < kStepsPerTurn; ++step) {
-    drivers.push_back({start.at.drivers.front() + driver_position(step), 1, 0});
+    drivers.push_back({start.at.inputs.front() + driver_position(step), 1, 0});
   }
   auto chain = DyadChain::of(start.mechanism(), start.plan(), drivers, columns);
   require(chain.has_value() && chain->solve(start.mechanism()), name + ": rows are not proven");
