@@ -246,7 +246,7 @@ void move_to_targets(Run& run, const std::vector<DriverMotion>& drivers) {
     run.at.beside.reset();
     reached = true;
   } else {
-    set_path(run, run.work.path, run.at.inputs, run.at.targets);
+    set_part(run, run.work.path, run.at.inputs, run.at.targets);
     // The branch may exist again at the end of a path on which it is lost.
     reached = follow(run, run.work.path) || resume(run, run.at.targets, run.at.lost.at);
   }

@@ -180,9 +180,11 @@ void note_crossings(Run& run, const Path& path, double s, double end) {
                               "branches cross here: the input cannot tell which way the mechanism goes on; "
                               "it is taken straight on");
     name_item(run, crossing.group, event);
+    // A chord leads over the change point at the break before it.
     const bool known =
         std::any_of(run.at.reported.begin(), run.at.reported.end(), [&](const RunEvent& other) {
-          return is_same_item(event, other) && is_at_same_drivers(run, event, other, kSameChangePoint);
+          return is_same_item(event, other) &&
+                 (path.is_chord || is_at_same_drivers(run, event, other, kSameChangePoint));
         });
     if (!known) {
       run.at.reported.push_back(event);

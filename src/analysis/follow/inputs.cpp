@@ -24,6 +24,15 @@ std::array<double, 2> piece_at(const DriverCurve& curve, double time) {
   return {next[-1], *next};
 }
 
+// The fraction of the path from the row before to this one at which the inputs are.
+double share_of(const Run& run, const std::vector<double>& inputs) {
+  const std::vector<double>& from = run.work.row_before;
+  const std::vector<double>& to = run.at.targets;
+  const std::size_t leading = leading_input(run, from, to);
+  const double whole = to[leading] - from[leading];
+  return whole == 0 ? 1 : (inputs[leading] - from[leading]) / whole;
+}
+
 }  // namespace
 
 void set_path(const Run& run, Path& path, const std::vector<double>& from, const std::vector<double>& to) {
@@ -43,6 +52,18 @@ void set_path(const Run& run, Path& path, const std::vector<double>& from, const
   if (path.curve) {
     path.piece = piece_at(*path.curve, std::midpoint(from[0], to[0]));
   }
+}
+
+void set_part(const Run& run, Path& part, const std::vector<double>& from, const std::vector<double>& to) {
+  set_path(run, part, from, to);
+  part.share_from = share_of(run, from);
+  part.share_to = share_of(run, to);
+}
+
+Path part_of_path(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
+  Path path;
+  set_part(run, path, from, to);
+  return path;
 }
 
 double share_at(const Path& path, double s) {

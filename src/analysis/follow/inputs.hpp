@@ -13,6 +13,12 @@ namespace higherpair {
 /// Sets the ends of a path on the run's curve, or of a straight one.
 void set_path(const Run& run, Path& path, const std::vector<double>& from, const std::vector<double>& to);
 
+/// A part of the path from the row before to the present one, on its line; also one that begins short of the
+/// row before, or beyond a limit.
+void set_part(const Run& run, Path& part, const std::vector<double>& from, const std::vector<double>& to);
+[[nodiscard]] Path part_of_path(const Run& run, const std::vector<double>& from,
+                                const std::vector<double>& to);
+
 /// How far s is on the way from row to row, of which the path may be a part: 0 to 1.
 [[nodiscard]] double share_at(const Path& path, double s);
 

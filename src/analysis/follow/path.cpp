@@ -315,13 +315,6 @@ private:
   double steps_left_;
 };
 
-// A part of a path on a curve, between two times.
-void set_part(const Run& run, const Path& path, double from, double to, Path& part) {
-  set_path(run, part, {from}, {to});
-  part.share_from = share_at(path, from - path.from[0]);
-  part.share_to = share_at(path, to - path.from[0]);
-}
-
 // The first break on the way from one time to another, or where that way ends.
 double next_break(const DriverCurve& curve, double from, double to) {
   const auto [before, after] = std::equal_range(curve.breaks.begin(), curve.breaks.end(), from);
@@ -346,7 +339,7 @@ bool follow(Run& run, const Path& path, double first_step) {
   Path piece;
   double at = path.from[0];
   do {
-    set_part(run, path, at, next_break(*path.curve, at, path.to[0]), piece);
+    set_part(run, piece, {at}, {next_break(*path.curve, at, path.to[0])});
     if (!follow_piece(run, piece, first_step)) {
       return false;
     }
@@ -356,7 +349,7 @@ bool follow(Run& run, const Path& path, double first_step) {
       // Next to a change point, where rates lose their digits, the state has not come to the break.
       const double beyond = at + std::copysign(kOverBreak * unit_of(run, path), path.length);
       at = std::abs(beyond - at) < std::abs(path.to[0] - at) ? beyond : path.to[0];
-      set_part(run, path, run.at.inputs[0], at, piece);
+      set_part(run, piece, run.at.inputs, {at});
       piece.is_chord = true;
       if (!follow_piece(run, piece, kInf)) {
         return false;

@@ -71,24 +71,6 @@ bool has_come_back(const Run& run, const std::vector<double>& inputs) {
   return beyond <= 0;
 }
 
-// The fraction of the path from the row before to this one at which the inputs are.
-double share_of(const Run& run, const std::vector<double>& inputs) {
-  const std::vector<double>& from = run.work.row_before;
-  const std::vector<double>& to = run.at.targets;
-  const std::size_t leading = leading_input(run, from, to);
-  const double whole = to[leading] - from[leading];
-  return whole == 0 ? 1 : (inputs[leading] - from[leading]) / whole;
-}
-
-// A part of the path between two rows, on its line.
-Path part_of_path(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
-  Path path;
-  set_path(run, path, from, to);
-  path.share_from = share_of(run, from);
-  path.share_to = share_of(run, to);
-  return path;
-}
-
 // The motion is resumed beyond a gap, in which arcs along the curves are not measured.
 void hold_again(Run& run) {
   renew_overlaps(run);
