@@ -165,7 +165,18 @@ DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotio
   return path;
 }
 
+void DriverPath::move(Run& run, double from, double to) const {
+  if (curve) {
+    move_along(run, curve, from, to, at(to));
+  } else {
+    move_to(run, at(to));
+  }
+}
+
 double DriverPath::place_of(double share, double from, double to) const {
+  if (curve) {
+    return std::lerp(from, to, share);
+  }
   const std::vector<DriverMotion> first = at(from), last = at(to);
   const auto travel = [&](std::size_t i) { return last[i].position - first[i].position; };
   std::size_t most = 0;

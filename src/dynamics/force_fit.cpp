@@ -39,7 +39,6 @@ ForceFitter::ForceFitter(const Run& start, const DriverPath& path, const std::ve
       contacts_(start.mechanism().contacts.size()) {
   set_floor();
   position_.at = path_.knots.front();
-  path_.motion(position_.at, drivers_);
   breaks_.resize(contacts_);
   parts_.resize(contacts_);
   for (std::size_t i = 0; i < contacts_; ++i) {
@@ -57,11 +56,13 @@ std::optional<double> ForceFitter::last_break() const {
 void ForceFitter::set_floor() {
   floor_.assign(columns_.count(), 0);
   Run probe = position_.run;
+  double at = path_.knots.front();
   std::vector<std::vector<double>> largest(columns_.count());
   for (int k = 0; k < kFloorSamples && !is_stopped(probe); ++k) {
     const double share = k / (kFloorSamples - 1.0);
-    path_.motion(path_.knots.front() + share * (path_.knots.back() - path_.knots.front()), drivers_);
-    move_to(probe, drivers_);
+    const double next = path_.knots.front() + share * (path_.knots.back() - path_.knots.front());
+    path_.move(probe, at, next);
+    at = next;
     if (columns_.solve(probe)) {
       for (std::size_t column = 0; column < largest.size(); ++column) {
         largest[column].push_back(columns_.largest(column));
@@ -164,7 +165,8 @@ std::optional<double> ForceFitter::place_of(const SmoothJoint& joint, const Forc
   double low = joint.from, high = joint.to;
   while (high - low > shortest_step(longest_, high) && !is_stopped(before.run)) {
     const double middle = (low + high) / 2;
-    move_to(before.run, path_.at(middle));
+    path_.move(before.run, before.at, middle);
+    before.at = middle;
     (part_of(before.run, joint.contact, joint.side) == joint.before ? low : high) = middle;
   }
   const double near = kAtPieceEnd * longest_;
@@ -179,8 +181,7 @@ void ForceFitter::move(double to, ForceFit& fit) {
   for (std::size_t i = 0; i < contacts_; ++i) {
     parts_[i] = {part_of(position_.run, i, 0), part_of(position_.run, i, 1)};
   }
-  path_.motion(to, drivers_);
-  move_to(position_.run, drivers_);
+  path_.move(position_.run, position_.at, to);
   for (const RunEvent& event : position_.run.events) {
     if (!fit.event && breaks_motion(event.type)) {
       const double at = path_.place_of(event.share, position_.at, to);

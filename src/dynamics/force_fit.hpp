@@ -95,7 +95,6 @@ private:
   double last_break_at_ = 0;
   std::vector<double> floor_;   // lower bounds of `scales_`
   std::vector<double> scales_;  // largest values of the columns in a fit
-  std::vector<DriverMotion> drivers_;
   /// Of every contact by_boundary, side and span: Span::breaks.
   std::vector<std::array<std::vector<std::vector<double>>, 2>> breaks_;
   std::vector<std::array<SmoothPart, 2>> parts_;  // of the contacts, before the last move

@@ -100,8 +100,10 @@ double ForceWatch::polished(const ForceFitter::Position& before, const ForcePiec
   const double half_length = (piece.to - piece.from) / 2;
   Run probe = before.run;
   double at = zero;
+  double was = before.at;
   for (int pass = 0; pass < 2 && half_length > 0 && at > before.at; ++pass) {
-    move_to(probe, path_.at(at));
+    path_.move(probe, was, at);
+    was = at;
     if (!fitter_.columns().solve(probe) || !fitter_.columns().is_known(i)) {
       return zero;
     }

@@ -45,8 +45,7 @@ public:
   Mover(const Run& run, const DriverPath& path, double at) : path_(&path), run_(run), at_(at) {}
 
   const Run& move(double at) {
-    path_->motion(at, drivers_);
-    move_to(run_, drivers_);
+    path_->move(run_, at_, at);
     at_ = at;
     return run_;
   }
@@ -57,7 +56,6 @@ private:
   const DriverPath* path_;
   Run run_;
   double at_;
-  std::vector<DriverMotion> drivers_;
 };
 
 // A stretch of the path on which everything is smooth, as far as is known.

@@ -224,6 +224,16 @@ TEST(Notes, WhatADriverDoesNotUse) {
               ElementsAre("test.toml:13:13: note: driver.time_step = 2: longer than the duration"));
 }
 
+TEST(Notes, ASlideThatMovesForTheDurationOfAnotherDriver) {
+  const std::string both =
+      "[bodies.ground]\npoints.O = [0, 0]\n[bodies.one]\npoints.P = [0, 0]\n[bodies.other]\npoints.P = [0, "
+      "0]\n[joints.x]\ntype = \"prismatic\"\nbetween = [\"ground.O\", \"one.P\"]\ndirection = "
+      "0\n[joints.y]\ntype = \"prismatic\"\nbetween = [\"ground.O\", \"other.P\"]\ndirection = "
+      "90\n[drivers.x]\njoint = \"x\"\nvelocity = 1\n[drivers.y]\njoint = \"y\"\nvelocity = 2\n";
+  EXPECT_THAT(notes(both), SizeIs(2));
+  EXPECT_THAT(notes(both + "duration = 3\ntime_step = 0.5\n"), IsEmpty());
+}
+
 TEST(Notes, AnEndThatALawOfAnotherDriverLeavesUnused) {
   const auto robot = [](const std::string& second) {
     return notes(

@@ -67,6 +67,7 @@ RowPath path_through(const DriverSchedule& schedule) {
 RowPath path_in_time(const DriverSchedule& schedule) {
   const double end = schedule.time_si(schedule.size() - 1);
   RowPath result;
+  result.path.curve = schedule.curve();
   result.path.knots = schedule.breaks();
   result.path.knots.insert(result.path.knots.begin(), 0);
   if (end > 0) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +19,9 @@ struct DriverPath {
   /// the drivers do not move.
   std::vector<double> knots;
   std::function<void(double at, std::vector<DriverMotion>& drivers)> motion;
+  /// With several drivers in time: the same, the parameter being the time [s]; else null, and a run goes
+  /// straight from place to place.
+  std::shared_ptr<const DriverCurve> curve{};
 
   /// The drivers' motion at a place of the path.
   [[nodiscard]] std::vector<DriverMotion> at(double place) const {
@@ -26,9 +30,12 @@ struct DriverPath {
     return drivers;
   }
 
-  /// The place between two places at which the drivers have covered a share of their straight path from one
-  /// to the other, as RunEvent::share.
+  /// The place between two places at which a run that moves from one to the other has covered a share of its
+  /// path, as RunEvent::share.
   [[nodiscard]] double place_of(double share, double from, double to) const;
+
+  /// Moves a run from one place to another.
+  void move(Run& run, double from, double to) const;
 };
 
 /// The straight path between two positions of the drivers, with velocities and accelerations interpolated
