@@ -80,7 +80,7 @@ std::string two_slides(const std::string& x, const std::string& y) {
 // where u^2 = (sqrt(10) - 3)/4.
 TEST(DriversInTime, LimitsOfAcceleratedDrivers) {
   const std::string text =
-      two_slides("start = 100\nvelocity = -200\nacceleration = 200", "acceleration = 200");
+      two_slides("start = 100\nvelocity = -200\nacceleration = 200", "velocity = 0\nacceleration = 200");
   const double u = std::sqrt((std::sqrt(10.0) - 3) / 4);
   const Motion fine = in_time(text, 361);
   const auto angle = fine.column("p.angle");
@@ -113,7 +113,7 @@ double zero_of(const F& f, double low, double high) {
 // The velocity of x jumps at t = 0.5, from -90 to -310 mm/s, before the links come into line.
 TEST(DriversInTime, LimitsBeyondAJumpOfALaw) {
   const std::string text =
-      two_slides("law = \"feed\"", "acceleration = 200") +
+      two_slides("law = \"feed\"", "velocity = 0\nacceleration = 200") +
       "[laws.feed]\nstart = 100\nsegments = [{ over = 0.5, law = \"uniform\", rise = -45 }, "
       "{ over = 0.5, law = \"uniform\", rise = -155 }]\n";
   const auto beyond_reach = [](double t) { return std::hypot(55 - 310 * (t - 0.5), 100 * t * t) - 50; };

@@ -189,7 +189,10 @@ private:
 
   // The row is next to a change point, possibly beyond it; run.at.state remains before it.
   Outcome rest_beside_crossing() {
-    note_crossings(run_, path_, at_.s, path_.length);
+    // At a break of a curve the path that goes on is another one: a change point there is told here.
+    const double rounding =
+        path_.share_to < 1 ? std::copysign(kSameChangePoint * at_.scale, path_.length) : 0;
+    note_crossings(run_, path_, at_.s, path_.length + rounding);
     return Outcome::kArrived;
   }
 
