@@ -9,6 +9,7 @@
 #include "higherpair/numeric/contains.hpp"
 #include "overlap.hpp"
 #include "shared_places.hpp"
+#include "span_ends.hpp"
 #include "span_joints.hpp"
 
 #include <cmath>
@@ -31,6 +32,15 @@ bool meets_corners(const Run& run, const JointPassage& passage) {
              .is_corner(run.at.state.contacts[passage.contact].place[other]);
 }
 
+// Goes on at another place at which the two bodies of group g touch, if there is one.
+bool go_elsewhere(OnPath& at, std::size_t g) {
+  if (at.s == at.taken_over_at || !take_over(at.run, at.path, at.s, g)) {
+    return false;
+  }
+  at.taken_over_at = at.s;
+  return true;
+}
+
 // Goes on from the joint at which run.at.state is.
 JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   const std::size_t g = *group_with_contact(at.run.plan(), static_cast<int>(passage.contact));
@@ -40,7 +50,8 @@ JointOutcome go_on_from_joint(OnPath& at, const JointPassage& passage) {
   }
   if (meets_corners(at.run, passage)) {
     // Two corners have no common normal of their own.
-    return {pass_vertex(at, {g, at.s}) ? JointOutcome::kDiverted : JointOutcome::kEnds, g};
+    const bool goes_on = pass_vertex(at, {g, at.s}) || go_elsewhere(at, g);
+    return {goes_on ? JointOutcome::kDiverted : JointOutcome::kEnds, g};
   }
   if (!lies_flat_behind(at.run, passage)) {
     go_over_joint(at.run, at.path, at.s, passage);
@@ -142,11 +153,8 @@ bool meet_elsewhere(OnPath& at, double h) {
 }
 
 bool hand_over(OnPath& at, std::size_t g) {
-  if (at.s == at.taken_over_at || !take_over(at.run, at.path, at.s, g)) {
-    return false;
-  }
-  at.taken_over_at = at.s;
-  return true;
+  const bool at_end = end_reached(at.run, g) || is_at_edge(at.run, g) || slipped_off(at.run, g);
+  return at_end && go_elsewhere(at, g);
 }
 
 bool pass_vertex(OnPath& at, const PathLimit& limit) {

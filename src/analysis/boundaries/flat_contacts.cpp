@@ -24,12 +24,12 @@ struct OtherEnd {
   JointPassage rests;        // the joint at which it is, as passed
 };
 
-// None where the flat part ends in an end of the curve or in a notch.
+// None where the own flat part ends first, in an end of the curve or in a notch.
 std::optional<OtherEnd> other_end(const Boundary& own, const Boundary& other, const JointPassage& passage,
                                   const BoundaryPlace& from) {
   const bool forward = passage.after.t == range_of(own, passage.after.span).low;
   const auto end_of_own = end_ahead(own, passage.after, forward);
-  if (!end_of_own || is_flat(own, end_of_own->behind)) {
+  if (!end_of_own) {
     return std::nullopt;
   }
   OtherEnd end{end_of_own->behind, {}, passage};
@@ -39,6 +39,8 @@ std::optional<OtherEnd> other_end(const Boundary& own, const Boundary& other, co
     end.other = first->behind;
     end.rests.side = 1 - passage.side;
     end.rests.before = from;
+  } else if (is_flat(own, end_of_own->behind)) {
+    return std::nullopt;
   } else {
     end.other = other.advance(from, forward ? -length : length, 0).place;
     end.rests.before = passage.after;

@@ -22,6 +22,18 @@ void append_passings(const Run& run, const CurveRef& own, const CurveRef& other,
   }
 }
 
+namespace {
+
+// The foot of a point on the straight span of a place; none beyond its ends.
+std::optional<BoundaryPlace> foot_on_span(const Boundary& boundary, const BoundaryPlace& at,
+                                          const Vector2d& p_B) {
+  const SpanPoint here = boundary.at(at);
+  const BoundaryPlace foot = boundary.advance(at, (p_B - here.p_B).dot(perp(here.n_B)), 0).place;
+  return foot.span == at.span ? std::optional(foot) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, const State& state,
                                     const BoundaryPlace& near) {
   const Boundary& own = boundary_of(run.mechanism(), passing.own);
@@ -30,12 +42,18 @@ std::optional<PassingAt> passing_at(const Run& run, const Passing& passing, cons
   const Pose<double>& X_WC = state.bodies[passing.other.body].X_WB;
   const SpanPoint end = own.at(passing.end);
   const Vector2d n_W = X_WO.R_WB * end.n_B;
-  const auto place = place_with_normal(other, near, X_WC.R_WB.inverse() * Vector2d(-n_W));
+  const Vector2d p_W = X_WO * end.p_B;
+  const bool flat = is_flat(other, near);
+  const auto place = flat ? foot_on_span(other, near, X_WC.inverse_times(p_W))
+                          : place_with_normal(other, near, X_WC.R_WB.inverse() * Vector2d(-n_W));
   if (!place) {
     return std::nullopt;
   }
-  const Vector2d apart = X_WC * other.at(*place).p_B - X_WO * end.p_B;
-  return PassingAt{passing.outwards * apart.dot(perp(n_W)), apart.dot(n_W), *place};
+  const SpanPoint facing = other.at(*place);
+  const Vector2d apart = X_WC * facing.p_B - p_W;
+  const double beyond =
+      flat ? own.size() * cross(n_W, X_WC.R_WB * Vector2d(-facing.n_B)) : apart.dot(perp(n_W));
+  return PassingAt{passing.outwards * beyond, apart.dot(n_W), *place};
 }
 
 namespace {

@@ -20,9 +20,11 @@ struct Passing {
 void append_passings(const Run& run, const CurveRef& own, const CurveRef& other, int span,
                      bool (*counts)(SpanJoint), std::vector<Passing>& passings);
 
-/// Where the other curve faces that end: at its place with the opposite normal.
+/// Where the other curve faces that end: at its place with the opposite normal; a straight one, whose normal
+/// does not change, at the foot of the perpendicular from the end.
 struct PassingAt {
-  double beyond = 0;  ///< distance beyond the end, along its tangent [m]
+  double beyond = 0;  ///< distance beyond the end, along its tangent; of a straight one how far its normal
+                      ///< has turned beyond that of the end, times the size of the end's curve [m]
   double beside = 0;  ///< distance from the end along its normal [m]
   BoundaryPlace other;
 };

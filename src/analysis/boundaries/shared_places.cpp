@@ -286,7 +286,7 @@ std::size_t touching_places(const Run& run, std::size_t contact) {
 
 bool take_over(Run& run, const Path& path, double s, std::size_t g) {
   const TouchingBody* touching = free_to_go_on(run, g);
-  if (touching == nullptr || !(end_reached(run, g) || is_at_edge(run, g) || slipped_off(run, g))) {
+  if (touching == nullptr) {
     return false;
   }
   const auto i = static_cast<std::size_t>(touching->contact);
