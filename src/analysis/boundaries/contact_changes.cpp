@@ -153,7 +153,8 @@ bool meet_elsewhere(OnPath& at, double h) {
 }
 
 bool hand_over(OnPath& at, std::size_t g) {
-  const bool at_end = end_reached(at.run, g) || is_at_edge(at.run, g) || slipped_off(at.run, g);
+  const bool at_end = end_reached(at.run, g) || is_at_edge(at.run, g) || slipped_off(at.run, g) ||
+                      is_at_ends_of_both(at.run, g);
   return at_end && go_elsewhere(at, g);
 }
 

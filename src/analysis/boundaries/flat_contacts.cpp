@@ -6,16 +6,23 @@
 #include "other_place.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace higherpair {
 namespace {
 
-// The end of the other body's flat span if it comes before that of the own one.
-std::optional<SpanEnd> end_of_other(const Boundary& other, const BoundaryPlace& place, bool forward,
-                                    double length) {
-  const auto end = end_ahead(other, place, forward);
-  return end && end->distance < length && !is_flat(other, end->behind) ? end : std::nullopt;
+// The end of a flat span ahead of a place.
+struct FlatEnd {
+  double distance = 0;
+  std::optional<BoundaryPlace> behind;  // none if the curve ends there or has a concave corner
+};
+
+FlatEnd flat_end(const Boundary& boundary, const BoundaryPlace& from, bool forward) {
+  const double distance = distance_along(boundary, from, end_of(boundary, from.span, forward).t);
+  const auto end = end_ahead(boundary, from, forward);
+  const bool passable = end && !is_flat(boundary, end->behind);
+  return {std::abs(distance), passable ? std::optional(end->behind) : std::nullopt};
 }
 
 // Where the contact is after the passage.
@@ -24,26 +31,28 @@ struct OtherEnd {
   JointPassage rests;        // the joint at which it is, as passed
 };
 
-// None where the own flat part ends first, in an end of the curve or in a notch.
+// None where the flat part that ends first does so in an end of the curve or in a notch.
 std::optional<OtherEnd> other_end(const Boundary& own, const Boundary& other, const JointPassage& passage,
                                   const BoundaryPlace& from) {
   const bool forward = passage.after.t == range_of(own, passage.after.span).low;
-  const auto end_of_own = end_ahead(own, passage.after, forward);
-  if (!end_of_own) {
+  const FlatEnd end_of_own = flat_end(own, passage.after, forward);
+  const FlatEnd end_of_other = flat_end(other, from, !forward);  // t of the two runs in opposite senses
+  const bool own_first = !(end_of_other.distance < end_of_own.distance);
+  const FlatEnd& first = own_first ? end_of_own : end_of_other;
+  if (!first.behind) {
     return std::nullopt;
   }
-  OtherEnd end{end_of_own->behind, {}, passage};
-  const double length = end_of_own->distance;  // t of the two curves runs in opposite senses
-  if (const auto first = end_of_other(other, from, !forward, length)) {
-    end.own = own.advance(passage.after, forward ? first->distance : -first->distance, 0).place;
-    end.other = first->behind;
+  const double along = forward ? first.distance : -first.distance;
+  OtherEnd end{{}, {}, passage};
+  if (own_first) {
+    end.own = *first.behind;
+    end.other = other.advance(from, -along, 0).place;
+    end.rests.before = passage.after;
+  } else {
+    end.own = own.advance(passage.after, along, 0).place;
+    end.other = *first.behind;
     end.rests.side = 1 - passage.side;
     end.rests.before = from;
-  } else if (is_flat(own, end_of_own->behind)) {
-    return std::nullopt;
-  } else {
-    end.other = other.advance(from, forward ? -length : length, 0).place;
-    end.rests.before = passage.after;
   }
   return end;
 }

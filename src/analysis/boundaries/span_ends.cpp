@@ -75,6 +75,16 @@ bool is_at_edge(const Run& run, std::size_t g) {
       run, g, [&](std::size_t i, std::size_t side) { return stop_at(run, i, side) == Stop::kEdge; });
 }
 
+bool is_at_ends_of_both(const Run& run, std::size_t g) {
+  const auto at_end = [&](std::size_t i, std::size_t side) {
+    const Boundary& boundary = boundary_at(run, i, side);
+    const BoundaryPlace& place = run.at.state.contacts[i].place[side];
+    return is_at_end(boundary, place, false, kAtSpanEnd) || is_at_end(boundary, place, true, kAtSpanEnd);
+  };
+  return first_of_sides(
+      run, g, [&](std::size_t i, std::size_t side) { return at_end(i, side) && at_end(i, 1 - side); });
+}
+
 bool is_on_edge(const Run& run, std::size_t contact, std::size_t side, const BoundaryPlace& place) {
   return is_edge(boundary_at(run, contact, side), place.span);
 }

@@ -33,6 +33,9 @@ struct ContactEnd {
 /// Whether the contact of group g is where a curve goes over into the edge at its end.
 [[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
 
+/// Whether a contact of group g is where spans of both its curves end, as where two corners meet.
+[[nodiscard]] bool is_at_ends_of_both(const Run& run, std::size_t g);
+
 /// Whether a place of a contact's curve on side 0 or 1 is on the edge at its end.
 [[nodiscard]] bool is_on_edge(const Run& run, std::size_t contact, std::size_t side,
                               const BoundaryPlace& place);
