@@ -322,5 +322,101 @@ TEST(GearContacts, HaveAShippedProfile) {
   expect_pairs(motion_of(shipped_model("gear_teeth")), pair, 1e-10);
 }
 
+// A gear of module 2 above a rack of trapezoidal teeth with its pitch line on y = 0; at the start a tooth of
+// the gear and a space of the rack are at the same place, with play on both sides.
+std::string rack_profile(double teeth, double addendum, double start, const std::string& approach) {
+  constexpr double kModule = 2, kPlay = 0.05, kFoot = -2.5, kBottom = -6;
+  const double pitch = kPi * kModule, radius = kModule * teeth / 2, slope = std::tan(20 * testing::kDegree);
+  const double half = pitch / 4 - kPlay / 4;  // of a tooth on the pitch line
+  std::vector<Vector2d> corners;
+  for (int k = -8; k <= 8; ++k) {
+    const double at = k * pitch;
+    for (const Vector2d& p :
+         {Vector2d(-half + kFoot * slope, kFoot), Vector2d(-half + addendum * slope, addendum),
+          Vector2d(half - addendum * slope, addendum), Vector2d(half - kFoot * slope, kFoot)}) {
+      corners.emplace_back(at + p.x(), p.y());
+    }
+  }
+  corners.emplace_back(8.5 * pitch, kFoot);
+  corners.emplace_back(8.5 * pitch, kBottom);
+  corners.emplace_back(-8.5 * pitch, kBottom);
+  corners.emplace_back(-8.5 * pitch, kFoot);
+  std::string spans;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    spans += fmt::format("  {{ type = \"segment\", from = [{}, {}], to = [{}, {}] }},\n", from.x(), from.y(),
+                         to.x(), to.y());
+  }
+  const double angle = start * testing::kDegree;
+  const double tooth = 360 / teeth;  // [deg]
+  const double nearest = start - tooth * std::round(start / tooth);
+  return fmt::format(R"([bodies.ground]
+points.O = [0, {0}]
+points.G = [0, 0]
+[bodies.gear]
+pose = {{ y = {0}, angle = {1} }}
+points.O = [0, 0]
+curves.teeth = {{ type = "gear", center = [0, 0], module = {2}, teeth = {3}, tooth = -90, backlash = {4} }}
+[bodies.rack]
+pose = {{ x = {5} }}
+points.G = [0, 0]
+[bodies.rack.curves.teeth]
+type = "chain"
+spans = [
+{6}]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "gear.O"]
+[joints.guide]
+type = "prismatic"
+between = ["ground.G", "rack.G"]
+direction = [1, 0]
+[contacts.mesh]
+between = ["gear.teeth", "rack.teeth"]
+approach = "{7}"
+[driver]
+joint = "pivot"
+start = {1}
+end = {8}
+samples = 3
+)",
+                     radius, angle / testing::kDegree, kModule, teeth, kPlay,
+                     radius * nearest * testing::kDegree + pitch / 2, spans, approach, start + 60);
+}
+
+// The textbook's contact ratio with a rack: from where the gear's tip circle meets the line of action to
+// where the rack's tip line does.
+TEST(GearContacts, WithARackHaveThePairsAndTheContactRatioOfTheTextbook) {
+  const double alpha = 20 * testing::kDegree, pitch = kPi * 2;
+  for (const double teeth : {18.0, 20.0, 30.0}) {
+    for (const double addendum : {1.9, 2.0}) {
+      const double r = teeth, tip = r + 2, base = r * std::cos(alpha);
+      const double path =
+          std::sqrt(tip * tip - base * base) - r * std::sin(alpha) + addendum / std::sin(alpha);
+      const double ratio = path / (pitch * std::cos(alpha));
+      for (const char* approach : {"-", "+"}) {
+        for (const double start : {-40.0, -33.0, -27.0}) {
+          SCOPED_TRACE(fmt::format("{} teeth, addendum {}, {} from {}", teeth, addendum, approach, start));
+          const std::string profile = rack_profile(teeth, addendum, start, approach);
+          if (teeth * std::sin(alpha) * std::sin(alpha) < addendum) {
+            continue;  // the rack's tips would cut into the gear's feet
+          }
+          const Motion motion = motion_of(model_of(profile));
+          EXPECT_TRUE(motion.good());
+          EXPECT_THAT(events_of(motion, EventType::kLimitPosition), IsEmpty());
+          const auto engage = events_of(motion, EventType::kEngage),
+                     release = events_of(motion, EventType::kRelease);
+          ASSERT_GT(engage.size(), 1U);
+          ASSERT_GT(release.size(), 1U);
+          for (std::size_t i = 1; i < engage.size(); ++i) {
+            EXPECT_NEAR(engage[i].driver - engage[i - 1].driver, 360 / teeth, 1e-9);
+          }
+          EXPECT_NEAR(contact_ratio_of(profile), ratio, 1e-10);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
