@@ -829,4 +829,42 @@ TEST(EventsByRows, ACoupledContactThatEndsIsNamed) {
   expect_to_end_with(of_boundaries("hollow_curve_ends_on_a_flat"), EventType::kEnd, "k1", "the curve of b3");
 }
 
+// A side of the follower comes to lie on one of the cam's, which ends in a notch; before that the follower's
+// own side ends.
+TEST(EventsByRows, AFlatPartMayEndBeforeTheNotchOfTheOther) {
+  const std::string cam = polygon({{-14.07, 22.68}, {-21.81, 3.32}, {-27.5, -2.31}, {22.71, 13.67}});
+  const std::string follower = polygon({{6.7, 12.0}, {-9.0, -0.94}, {-1.32, -8.82}});
+  const std::string text = fmt::format(R"(
+    [bodies.ground]
+    points.O = [0, 0]
+    [bodies.cam]
+    points.O = [0, 0]
+    curves.c = {}
+    [bodies.follower]
+    pose.x = 70
+    points.P = [0, 0]
+    curves.f = {}
+    [joints]
+    pivot = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+    guide = {{ type = "prismatic", between = ["ground.O", "follower.P"], direction = 0 }}
+    [contacts.k]
+    between = ["cam.c", "follower.f"]
+    approach = "-"
+    [driver]
+    joint = "pivot"
+    start = 174
+    end = 175
+  )",
+                                       cam, follower);
+  // Both sides have the same direction.
+  const double at = kTurn * (std::atan2(12 + 0.94, 6.7 + 9) - std::atan2(5.63, 5.69)) + 180;
+  for (const Settings& way : {Settings{}, Settings{"driver.start=175", "driver.end=174"}}) {
+    for (const std::int64_t rows : {2, 11, 101}) {
+      const RunTable motion = run_with(profile_of(text, way), rows);
+      expect_all_ok(motion);
+      expect_same(events_of(motion), {{"second_contact", at}}, fmt::format("{} rows", rows));
+    }
+  }
+}
+
 }  // namespace higherpair

@@ -388,19 +388,16 @@ samples = 3
 // where the rack's tip line does.
 TEST(GearContacts, WithARackHaveThePairsAndTheContactRatioOfTheTextbook) {
   const double alpha = 20 * testing::kDegree, pitch = kPi * 2;
-  for (const double teeth : {18.0, 20.0, 30.0}) {
+  for (const double teeth : {20.0, 30.0}) {
     for (const double addendum : {1.9, 2.0}) {
       const double r = teeth, tip = r + 2, base = r * std::cos(alpha);
       const double path =
           std::sqrt(tip * tip - base * base) - r * std::sin(alpha) + addendum / std::sin(alpha);
       const double ratio = path / (pitch * std::cos(alpha));
       for (const char* approach : {"-", "+"}) {
-        for (const double start : {-40.0, -33.0, -27.0}) {
+        for (const double start : {-40.0, -27.0}) {
           SCOPED_TRACE(fmt::format("{} teeth, addendum {}, {} from {}", teeth, addendum, approach, start));
           const std::string profile = rack_profile(teeth, addendum, start, approach);
-          if (teeth * std::sin(alpha) * std::sin(alpha) < addendum) {
-            continue;  // the rack's tips would cut into the gear's feet
-          }
           const Motion motion = motion_of(model_of(profile));
           EXPECT_TRUE(motion.good());
           EXPECT_THAT(events_of(motion, EventType::kLimitPosition), IsEmpty());
