@@ -89,6 +89,37 @@ bool come_back(Run& run, const std::vector<double>& inputs) {
   return follow(run, path, std::max(to_limit, kShortestFirstStep) * unit_of(run, path));
 }
 
+// Whether the drivers are at a time, on a curve, on that side of the limit from which they came: before the
+// straight line, or plane, through the limit at right angles to their motion there.
+bool are_on_near_side(const Run& run, double time) {
+  std::vector<DriverMotion> limit, here;
+  set_unit_motions(run, run.at.lost.at, limit);
+  set_unit_motions(run, {time}, here);
+  double beyond = 0;
+  for (std::size_t i = 0; i < limit.size(); ++i) {
+    const double scale = driver_scale(run, i);
+    beyond += (here[i].position - limit[i].position) / scale * limit[i].velocity / scale;
+  }
+  return beyond <= 0;
+}
+
+// Goes straight from where the motion was lost to the drivers of a time on the curve; places the branch in
+// run.work.trial.
+bool come_straight_to(Run& run, double time) {
+  Run back = run;
+  back.at.targets = {time};
+  leave_curve(back);
+  back.at.inputs = back.at.lost.from;
+  back.work.row_before = back.at.lost.from;
+  hold_again(back);
+  back.at.beside.reset();
+  if (!follow(back, part_of_path(back, back.at.inputs, back.at.targets)) || back.at.beside) {
+    return false;
+  }
+  run.work.trial = back.at.state;
+  return true;
+}
+
 // Whether a group is so near to its limit that its position is known to only half the digits. At a degenerate
 // limit (a pressure angle of 90 degrees where the follower is at rest) rounding makes and removes thousands
 // of such positions.
@@ -251,6 +282,8 @@ private:
   [[nodiscard]] double x_of(const std::vector<double>& inputs) const { return line_.x_of(inputs); }
 
   [[nodiscard]] double first_probe(double from) const;
+  [[nodiscard]] bool return_at(double k) const;
+  bool place(double x);
   Outlook outlook(double k);
   std::optional<double> placed_up_to(double k, const std::optional<Outlook>& before, const Outlook& here);
   Taken take_up_row();
@@ -270,6 +303,8 @@ private:
   double searched_to_;                              // no stretch of the branch begins before this x
   std::optional<double> begins_ahead_ = {};         // x beyond the row where one begins
   std::vector<RunEvent> events_at_beginning_ = {};  // the events where it begins
+  std::optional<double> returned_at_ =
+      {};  // x of the probe at which the drivers are back from beyond the limit
 };
 
 // Continues from a state of the stretch, at x = `from`. Adds the event of the limit at which the stretch
@@ -365,8 +400,18 @@ std::optional<Run> StretchSearch::followed_back_from(double x) {
   return back;
 }
 
+// Whether the drivers of a curve come back from beyond the limit between the probe before k and probe k.
+bool StretchSearch::return_at(double k) const {
+  return run_.at.curve && are_on_near_side(run_, probes_.at(k)) && !are_on_near_side(run_, probes_.at(k - 1));
+}
+
+// Places the branch at x in run.work.trial.
+bool StretchSearch::place(double x) {
+  return place_anew(run_, inputs_at(x)).complete || (returned_at_ == x && come_straight_to(run_, x));
+}
+
 Taken StretchSearch::take_up(double x, int poles) {
-  if (!place_anew(run_, inputs_at(x)).complete) {
+  if (!place(x)) {
     return Taken::kNot;
   }
   if (is_beside_limit(run_.work.trial)) {
@@ -376,7 +421,7 @@ Taken StretchSearch::take_up(double x, int poles) {
     if (come_to_beginning(x)) {
       return Taken::kArrived;
     }
-    (void)place_anew(run_, inputs_at(x));
+    (void)place(x);
   }
   const std::optional<Run> back = followed_back_from(x);
   if (!back) {
@@ -462,7 +507,11 @@ Taken StretchSearch::take_up_first(double from) {
       run_.at.lost.nearest = Nearest{run_.work.trial, run_.work.continuations};
       round_to_grid(run_, run_.at.lost.nearest->state);
     }
-    const std::optional<double> x = placed_up_to(k, before, here);
+    std::optional<double> x = placed_up_to(k, before, here);
+    if (!x && return_at(k)) {
+      returned_at_ = here.x;
+      x = here.x;
+    }
     const Taken taken = x ? take_up(*x) : Taken::kNot;
     if (taken == Taken::kArrived || taken == Taken::kLost) {
       return taken;
