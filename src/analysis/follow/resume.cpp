@@ -392,7 +392,9 @@ std::optional<Run> StretchSearch::followed_back_from(double x) {
     other = {x, run_.work.trial};
     return std::nullopt;
   }
-  Run back = followed_back(run_, inputs_at(x), inputs_at(searched_to_));
+  // Drivers that return may come to a stretch that the search has passed over.
+  const double from = returned_at_ == x ? x_of(line_.begin()) : searched_to_;
+  Run back = followed_back(run_, inputs_at(x), inputs_at(from));
   if (is_another_branch(back)) {
     other = {x, run_.work.trial};
     return std::nullopt;
