@@ -70,10 +70,10 @@ double DriverSchedule::passing_time(std::int64_t row, double position, double sh
   }
   const double before = time(row - 1);
   const double after = time(row);
-  const double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
   if (drivers_.size() != 1) {
-    return t;
+    return std::lerp(before, after, std::min(share, 1.0));  // one that is found late is before the row before
   }
+  const double t = std::lerp(before, after, std::clamp(share, 0.0, 1.0));
   const OneDriver& driver = drivers_.front();
   if (driver.law) {
     // Between two reversals it passes a position once.
