@@ -12,8 +12,7 @@ using namespace higherpair::testing;
 
 constexpr std::array kRows{2, 3, 4, 7, 13, 61, 361};
 
-Motion in_time(const std::string& text, int rows) {
-  const Profile profile = profile_of(text);
+Motion in_time(const Profile& profile, int rows) {
   RunSettings settings;
   settings.in_time = true;
   settings.samples = rows;
@@ -82,11 +81,11 @@ TEST(DriversInTime, LimitsOfAcceleratedDrivers) {
   const std::string text =
       two_slides("start = 100\nvelocity = -200\nacceleration = 200", "velocity = 0\nacceleration = 200");
   const double u = std::sqrt((std::sqrt(10.0) - 3) / 4);
-  const Motion fine = in_time(text, 361);
+  const Motion fine = in_time(profile_of(text), 361);
   const auto angle = fine.column("p.angle");
   for (const int rows : kRows) {
     SCOPED_TRACE(rows);
-    const Motion motion = in_time(text, rows);
+    const Motion motion = in_time(profile_of(text), rows);
     EXPECT_FALSE(motion.good());
     expect_times(motion, EventType::kLimitPosition, {0.5 - u, 0.5 + u});
     for (int k = 0; k < rows; ++k) {
@@ -122,7 +121,7 @@ TEST(DriversInTime, LimitsBeyondAJumpOfALaw) {
   const double lost = zero_of(beyond_reach, 0.5, closest), found = zero_of(beyond_reach, closest, 1);
   for (const int rows : kRows) {
     SCOPED_TRACE(rows);
-    const Motion motion = in_time(text, rows);
+    const Motion motion = in_time(profile_of(text), rows);
     expect_times(motion, EventType::kLimitPosition, {lost, found});
     expect_times(motion, EventType::kLawJump, {0.5});
   }
@@ -167,10 +166,46 @@ TEST(DriversInTime, AJumpOfALawAtAChangePoint) {
   )";
   for (const int rows : kRows) {
     SCOPED_TRACE(rows);
-    const Motion motion = in_time(text, rows);
+    const Motion motion = in_time(profile_of(text), rows);
     expect_times(motion, EventType::kDeadPoint, {1, 1 + 180.0 / 220});
     for (int k = 0; k < rows; ++k) {
       EXPECT_NEAR(motion.column("coupler.angle")[k], 0, 1e-6) << k;
+    }
+  }
+}
+
+// A mechanism with one driver, which is followed by the coordinate of that, has the same events when a block
+// on an accelerated slide is beside it and both are followed by the time.
+TEST(DriversInTime, ABlockThatSlidesByItselfChangesNoEvent) {
+  for (const char* name : {"cam_chain", "four_arc_cam", "geneva_six_slots", "groove_cam", "involute_pair",
+                           "lock_up", "oval_in_ring", "parallelogram", "start_stop_crank", "toggle_press"}) {
+    SCOPED_TRACE(name);
+    Profile alone = shipped(name);
+    DriverProgram& driver = alone.programs.front();
+    driver.duration = driver.duration.value_or(1.3);
+    driver.time_step = 0.1;
+    driver.velocity = driver.velocity == 1 ? 200 : driver.velocity;
+    Profile both = alone;
+    Mechanism& mechanism = both.mechanism;
+    const int block = add_body(mechanism, "block beside", {0, 0.003});
+    const PointRef rail = add_point(mechanism, kGround, "rail", {0, 0.003});
+    const PointRef on_block = add_point(mechanism, block, "P", Vector2d::Zero());
+    mechanism.drivers.front().name = "main";
+    (void)add_driver(mechanism, add_prismatic(mechanism, "guide of block", rail, on_block, Vector2d::UnitX()),
+                     "block");
+    DriverProgram accelerated;
+    accelerated.velocity = 3;
+    accelerated.acceleration = -2;
+    both.programs.push_back(accelerated);
+    for (const int rows : {2, 61}) {
+      const Motion one = in_time(alone, rows), two = in_time(both, rows);
+      EXPECT_EQ(one.good(), two.good());
+      ASSERT_EQ(one.events().size(), two.events().size());
+      for (std::size_t i = 0; i < one.events().size(); ++i) {
+        EXPECT_EQ(one.events()[i].type, two.events()[i].type);
+        EXPECT_EQ(one.events()[i].item, two.events()[i].item);
+        EXPECT_NEAR(*one.events()[i].time, *two.events()[i].time, 1e-9);
+      }
     }
   }
 }
