@@ -1,7 +1,11 @@
 // Several drivers in time move along the curve that their motions make together, whatever the rows are.
 #include "analysis/run_testing.hpp"
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -17,6 +21,9 @@ Motion in_time(const Profile& profile, int rows) {
   settings.in_time = true;
   settings.samples = rows;
   auto model = Model::from(profile.mechanism, profile.units, profile.programs);
+  if (!model) {
+    throw std::runtime_error(to_string(model.error()));
+  }
   return *model->run(settings);
 }
 
@@ -187,11 +194,11 @@ TEST(DriversInTime, ABlockThatSlidesByItselfChangesNoEvent) {
     driver.velocity = driver.velocity == 1 ? 200 : driver.velocity;
     Profile both = alone;
     Mechanism& mechanism = both.mechanism;
-    const int block = add_body(mechanism, "block beside", {0, 0.003});
+    const int block = add_body(mechanism, "block_beside", {0, 0.003});
     const PointRef rail = add_point(mechanism, kGround, "rail", {0, 0.003});
     const PointRef on_block = add_point(mechanism, block, "P", Vector2d::Zero());
     mechanism.drivers.front().name = "main";
-    (void)add_driver(mechanism, add_prismatic(mechanism, "guide of block", rail, on_block, Vector2d::UnitX()),
+    (void)add_driver(mechanism, add_prismatic(mechanism, "guide_of_block", rail, on_block, Vector2d::UnitX()),
                      "block");
     DriverProgram accelerated;
     accelerated.velocity = 3;
