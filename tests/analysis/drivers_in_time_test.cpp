@@ -195,7 +195,7 @@ TEST(DriversInTime, ABlockThatSlidesByItselfChangesNoEvent) {
     Profile both = alone;
     Mechanism& mechanism = both.mechanism;
     const int block = add_body(mechanism, "block_beside", {0, 0.003});
-    const PointRef rail = add_point(mechanism, kGround, "rail", {0, 0.003});
+    const PointRef rail = add_point(mechanism, kGround, "rail_of_block", {0, 0.003});
     const PointRef on_block = add_point(mechanism, block, "P", Vector2d::Zero());
     mechanism.drivers.front().name = "main";
     (void)add_driver(mechanism, add_prismatic(mechanism, "guide_of_block", rail, on_block, Vector2d::UnitX()),
