@@ -10,7 +10,8 @@ namespace higherpair {
 /// Relative to the curve's size: ends that are no farther apart count as meeting, unless the table gives a
 /// `tolerance`.
 inline constexpr double kDefaultGap = 1e-5;
-/// Ends of neighbouring spans of a flank that are no farther apart count as meeting [m].
+/// Relative to the mechanism's size: ends of neighbouring spans of a flank that are no farther apart count as
+/// meeting.
 inline constexpr double kFlankMeets = 1e-9;
 /// Share of a turn beyond which a law that does not close its flank was probably meant to.
 inline constexpr double kNearlyATurn = 0.75;
