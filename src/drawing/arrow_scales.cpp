@@ -75,7 +75,7 @@ void set_arrow_scales(const Sketch& sketch, Scene& scene) {
     velocities.push_back(fastest);
     accelerations.push_back(hardest);
   }
-  const double longest = kLongestArrow * scene.unit / kMillimetres;
+  const double longest = kLongestArrow * scene.unit / kMillimetresPerMetre;
   scene.velocity_scale = scale_for(std::move(velocities), longest);
   scene.acceleration_scale = scale_for(std::move(accelerations), longest);
 }

@@ -31,7 +31,7 @@ void add_slot(Sketch& sketch, int body, const NamedCurve& named) {
 // A chain that is not a plate is drawn as a strip, or a ring, of material behind it.
 void add_chain(Sketch& sketch, int body, const NamedCurve& named) {
   std::vector<double> path;
-  for (const Vector2d& p : outline_of(*named.boundary)) append(path, p);
+  for (const Vector2d& p : drawn_outline(*named.boundary)) append(path, p);
   if (is_ring(named)) append_break(path);
   if (!is_plate(named)) {
     const auto& samples = named.boundary->samples();

@@ -107,7 +107,7 @@ std::string colour_of(const Shape& shape, bool ghost) {
 }
 
 std::string length_text(double length_mm, const PictureUnit& unit) {
-  return printed_significant(length_mm / kMillimetres / unit.si, 4) + " " + unit.name;
+  return printed_significant(length_mm / kMillimetresPerMetre / unit.si, 4) + " " + unit.name;
 }
 
 class Picture {
@@ -324,9 +324,10 @@ std::string draw_svg(std::span<const Scene> scenes, const DrawSettings& given) {
   fitted.width = layout.picture.x();
   const std::string caption = settings.strip ? "" : scenes.back().caption;
   const DrawFoot foot(scenes.front(), fitted, layers, screen.scale, whole.x(), caption);
-  SvgWriter svg({whole.x(), whole.y() + foot.height(), settings.title, kStyle},
-                {{"data-scale", fmt::format("{:.12g}", screen.scale * kMillimetres * settings.length.si)},
-                 {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
+  SvgWriter svg(
+      {whole.x(), whole.y() + foot.height(), settings.title, kStyle},
+      {{"data-scale", fmt::format("{:.12g}", screen.scale * kMillimetresPerMetre * settings.length.si)},
+       {"data-origin", svg_number(screen.origin.x()) + " " + svg_number(screen.origin.y())}});
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const bool ghost = !settings.strip && i + 1 < scenes.size();
     if (!scenes[i].defined) {

@@ -55,7 +55,7 @@ void draw_arrow(SvgWriter& svg, std::span<const double> px, const std::string& s
 DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::vector<Role>& layers,
                    double scale, double width, const std::string& caption)
     : caption_(caption), width_(width) {
-  const double unit = settings.length.si * kMillimetres;
+  const double unit = settings.length.si * kMillimetresPerMetre;
   const double length = round_down(settings.width / scale / unit / 5);
   samples_.push_back({"scale", length * unit * scale, 0, quantity(length, settings.length)});
   const auto add_arrow = [&](Role role, double mm_per_si, const PictureUnit& of) {
@@ -64,8 +64,8 @@ DrawFoot::DrawFoot(const Scene& scene, const DrawSettings& settings, const std::
     const double value = round_down(std::min(kLongestFootArrow, 0.12 * settings.width) / px);
     samples_.push_back({std::string(name_of(role)), value * px, 0, quantity(value, of)});
   };
-  add_arrow(Role::kVelocity, scene.velocity_scale * kMillimetres, settings.velocity);
-  add_arrow(Role::kAcceleration, scene.acceleration_scale * kMillimetres, settings.acceleration);
+  add_arrow(Role::kVelocity, scene.velocity_scale * kMillimetresPerMetre, settings.velocity);
+  add_arrow(Role::kAcceleration, scene.acceleration_scale * kMillimetresPerMetre, settings.acceleration);
   add_arrow(Role::kForce, scene.force_scale, settings.force);
   const double turn = scene.torque_scale * settings.torque.si;
   if (contains(layers, Role::kForce) && turn > 0) {

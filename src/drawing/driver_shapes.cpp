@@ -49,7 +49,7 @@ void SceneMaker::add_driver(const MotionRow& row, const Driver& driver) {
   const BodyMotion& body = row.bodies[moved.body];
   const double velocity = joint_motion(*mechanism_, joint, row.bodies).velocity;
   const double sense = (velocity < 0) != first_moves ? -1 : 1;
-  const Vector2d p = kMillimetres * (body.X_WB * point_of(*mechanism_, moved));
+  const Vector2d p = kMillimetresPerMetre * (body.X_WB * point_of(*mechanism_, moved));
   const double u = scene_.unit;
   if (has_angle(joint.type)) {
     const double from = beginning_of_arc(direction_of_link(*mechanism_, body, moved), sense);

@@ -45,7 +45,7 @@ void SceneMaker::add_forces(const MotionRow& row, const Reactions& reactions) {
                              const Vector2d& force) {
     Shape& arrow = next(Role::kForce, name, Kind::kArrow);
     arrow.text = mechanism_->bodies[first].name + " on " + mechanism_->bodies[second].name;
-    const Vector2d from = kMillimetres * p_W, to = from + scene_.force_scale * force;
+    const Vector2d from = kMillimetresPerMetre * p_W, to = from + scene_.force_scale * force;
     if (force.norm() > 0) arrow.numbers.assign({from.x(), from.y(), to.x(), to.y()});
   };
   const auto place = [&](const Joint& joint) -> Vector2d {
@@ -78,7 +78,7 @@ void SceneMaker::add_effort(const MotionRow& row, const Driver& driver, double e
   const Joint& joint = mechanism_->joints[driver.joint];
   const std::string name = driver_name(driver);
   const Vector2d p =
-      kMillimetres * (row.bodies[joint.second.body].X_WB * point_of(*mechanism_, joint.second));
+      kMillimetresPerMetre * (row.bodies[joint.second.body].X_WB * point_of(*mechanism_, joint.second));
   if (has_angle(joint.type)) {
     const double turn = std::clamp(scene_.torque_scale * effort, -kMostTurn, kMostTurn);
     const bool is_drawn = std::abs(turn) > kDrawn;

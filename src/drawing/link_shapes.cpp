@@ -83,7 +83,7 @@ double radius_of(const NamedCurve& ring, const Vector2d& middle, const Vector2d&
     return 1 / std::hypot(d.dot(ring.curve.axis_B) / a, d.dot(perp(ring.curve.axis_B)) / b);
   }
   double radius = 0;  // that of the last crossing
-  const std::vector<Vector2d> outline = outline_of(*ring.boundary);
+  const std::vector<Vector2d> outline = drawn_outline(*ring.boundary);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector2d a = outline[i] - middle, b = outline[(i + 1) % outline.size()] - middle;
     const double before = cross(d, a), after = cross(d, b);
@@ -139,7 +139,7 @@ std::vector<Vector2d> ends_of_rails(const Sketch& sketch, int index) {
 bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>& anchors) {
   return std::any_of(body.curves.begin(), body.curves.end(), [&](const NamedCurve& named) {
     if (is_plate(named)) {
-      const std::vector<Vector2d> polygon = outline_of(*named.boundary);
+      const std::vector<Vector2d> polygon = drawn_outline(*named.boundary);
       return std::all_of(anchors.begin(), anchors.end(),
                          [&](const Vector2d& p) { return is_within(p, polygon); });
     }
@@ -155,7 +155,7 @@ bool is_disc(const Sketch& sketch, const Body& body, const std::vector<Vector2d>
 
 }  // namespace
 
-std::vector<Vector2d> outline_of(const Boundary& boundary) {
+std::vector<Vector2d> drawn_outline(const Boundary& boundary) {
   std::vector<Vector2d> points;
   const auto& samples = boundary.samples();
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -183,7 +183,7 @@ bool is_plate(const NamedCurve& named) {
   if (!is_closed_chain(named)) {
     return false;
   }
-  const std::vector<Vector2d> polygon = outline_of(*named.boundary);
+  const std::vector<Vector2d> polygon = drawn_outline(*named.boundary);
   double twice_area = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     twice_area += cross(polygon[i], polygon[(i + 1) % polygon.size()]);

@@ -11,7 +11,7 @@ inline constexpr double kFace = 2.5;  ///< thickness of faces and rings
 inline constexpr double kWedge = 5;   ///< length of a knife edge
 
 /// Points along a boundary.
-[[nodiscard]] std::vector<Vector2d> outline_of(const Boundary& boundary);
+[[nodiscard]] std::vector<Vector2d> drawn_outline(const Boundary& boundary);
 
 /// Whether a curve is a closed chain with its material inside.
 [[nodiscard]] bool is_plate(const NamedCurve& named);

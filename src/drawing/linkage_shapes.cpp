@@ -32,10 +32,10 @@ End end_of(const Mechanism& mechanism, const CurveRef& ref, const Vector2d& p_W,
   End end;
   end.flat = is_line(curve_of(mechanism, ref)) || std::isinf(rho);
   end.guide = perp(n_W);
-  if (!end.flat) end.center = kMillimetres * (p_W - rho * n_W);
+  if (!end.flat) end.center = kMillimetresPerMetre * (p_W - rho * n_W);
   if (const auto freedom = grounded_freedom(mechanism, ref.body)) {
     end.slides = !freedom->turns;
-    if (freedom->turns) end.pivot = kMillimetres * freedom->p_WO;
+    if (freedom->turns) end.pivot = kMillimetresPerMetre * freedom->p_WO;
     if (end.slides && !end.flat) end.guide = freedom->direction_W;
   }
   return end;

@@ -46,7 +46,7 @@ Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool clos
 const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
   scene_.defined = has_place(row);
   for (std::size_t i = 0; scene_.defined && i < row.bodies.size(); ++i) {
-    const Vector2d p = kMillimetres * row.bodies[i].X_WB.p_WB;
+    const Vector2d p = kMillimetresPerMetre * row.bodies[i].X_WB.p_WB;
     scene_.places[i] = {p.x(), p.y(), row.bodies[i].theta};
   }
   next_ = 0;
@@ -81,13 +81,14 @@ const Scene& SceneMaker::at(const MotionRow& row, const Reactions* reactions) {
 void SceneMaker::add_contact(const MotionRow& row, std::size_t index) {
   const Contact& contact = mechanism_->contacts[index];
   const CommonNormal& at = row.contacts[index].at;
-  const Vector2d p = kMillimetres * at.p_W();
+  const Vector2d p = kMillimetresPerMetre * at.p_W();
   const double length = kNormal * scene_.unit;
   const auto add_curvature = [&](const CurveRef& ref, const Vector2d& p_W, const Vector2d& n_W, double rho) {
-    const bool round = is_curved(curve_of(*mechanism_, ref)) && kMillimetres * std::abs(rho) <= largest_;
-    const Vector2d center = kMillimetres * (p_W - rho * n_W);
+    const bool round =
+        is_curved(curve_of(*mechanism_, ref)) && kMillimetresPerMetre * std::abs(rho) <= largest_;
+    const Vector2d center = kMillimetresPerMetre * (p_W - rho * n_W);
     Shape& circle = next(Role::kCurvature, contact.name, Kind::kCircle);
-    if (round) set_circle(circle, center, kMillimetres * std::abs(rho));
+    if (round) set_circle(circle, center, kMillimetresPerMetre * std::abs(rho));
     Shape& middle = next(Role::kCurvature, contact.name, Kind::kCircle, true);
     if (round) set_circle(middle, center, kDot * scene_.unit);
   };
@@ -114,7 +115,7 @@ void SceneMaker::add_springs(const MotionRow& row) {
 void SceneMaker::add_spiral_spring(const MotionRow& row, const Spring& spring) {
   const Joint& joint = mechanism_->joints[*spring.joint];
   const BodyMotion& first = row.bodies[joint.first.body];
-  const Vector2d center = kMillimetres * (first.X_WB * point_of(*mechanism_, joint.first));
+  const Vector2d center = kMillimetresPerMetre * (first.X_WB * point_of(*mechanism_, joint.first));
   const double turned = row.bodies[joint.second.body].theta - first.theta;
   const double sweep = std::clamp(kSpiralSweep + turned, kLeastSpiralSweep, kMostSpiralSweep);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
@@ -128,8 +129,8 @@ void SceneMaker::add_spiral_spring(const MotionRow& row, const Spring& spring) {
 void SceneMaker::add_straight_spring(const MotionRow& row, const Spring& spring, const StraightSpring& ends) {
   const Pose<double>& X_WA = row.bodies[ends.first_body].X_WB;
   const Vector2d shift = X_WA.R_WB * ends.shift;
-  const Vector2d a = kMillimetres * (X_WA * ends.first + shift);
-  const Vector2d b = kMillimetres * (row.bodies[ends.second_body].X_WB * ends.second + shift);
+  const Vector2d a = kMillimetresPerMetre * (X_WA * ends.first + shift);
+  const Vector2d b = kMillimetresPerMetre * (row.bodies[ends.second_body].X_WB * ends.second + shift);
   Shape& shape = next(Role::kSpring, spring.name, Kind::kPath);
   const double length = (b - a).norm();
   if (!(length > 0)) {
@@ -162,8 +163,8 @@ void SceneMaker::add_belt(const MotionRow& row, const Joint& joint) {
   for (const double side : {1.0, -1.0}) {
     const Vector2d n = sine * along + side * std::sqrt(std::max(0.0, 1 - sine * sine)) * perp(along);
     if (side < 0) append_break(shape.numbers);
-    append(shape.numbers, kMillimetres * (a + r1 * n));
-    append(shape.numbers, kMillimetres * (b + sense * r2 * n));
+    append(shape.numbers, kMillimetresPerMetre * (a + r1 * n));
+    append(shape.numbers, kMillimetresPerMetre * (b + sense * r2 * n));
   }
 }
 
@@ -179,7 +180,7 @@ void SceneMaker::add_center(const MotionRow& row, int index) {
   Shape& label = next(Role::kCenter, name + ".center", Kind::kText);
   label.text = "centre of " + name;
   if (!(row.all_rates || row.has_rates[index]) || body.omega == 0) return;
-  const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+  const Vector2d p = kMillimetresPerMetre * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
   const Vector2d middle = (scene_.view.low + scene_.view.high) / 2, half = scene_.view.size() / 2;
   const Vector2d out = p - middle;
   if (out.norm() <= largest_) set_circle(dot, p, kDot * u);
@@ -198,10 +199,10 @@ void SceneMaker::add_motion(const MotionRow& row, int index) {
   add_center(row, index);
   for (const NamedPoint& point : of.points) {
     const PointMotion motion = point_motion(body, point.p_B);
-    const Vector2d p = kMillimetres * motion.p_W;
+    const Vector2d p = kMillimetresPerMetre * motion.p_W;
     const auto add_arrow = [&](Role role, const Vector2d& length) {
       Shape& arrow = next(role, of.name + "." + point.name, Kind::kArrow);
-      if (rates && length.norm() > 0) set_line(arrow, p, p + kMillimetres * length);
+      if (rates && length.norm() > 0) set_line(arrow, p, p + kMillimetresPerMetre * length);
     };
     add_arrow(Role::kVelocity, scene_.velocity_scale * motion.v_W);
     add_arrow(Role::kAcceleration, scene_.acceleration_scale * motion.a_W);

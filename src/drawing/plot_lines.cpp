@@ -1,5 +1,6 @@
 #include "plot_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -6,7 +6,6 @@
 #include "tolerances.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>

@@ -250,14 +250,14 @@ SceneMaker::SceneMaker(const Mechanism& mechanism, const std::vector<MotionRow>&
   Extent full = full_extent(sketch);
   add_linkages(full, sketch);
   const double margin = kSceneMargin * sketch.unit;
-  scene_.unit = sketch.unit * kMillimetres;
-  scene_.view = {(full.min().array() - margin).matrix() * kMillimetres,
-                 (full.max().array() + margin).matrix() * kMillimetres};
+  scene_.unit = sketch.unit * kMillimetresPerMetre;
+  scene_.view = {(full.min().array() - margin).matrix() * kMillimetresPerMetre,
+                 (full.max().array() + margin).matrix() * kMillimetresPerMetre};
   largest_ = 1.5 * scene_.view.size().norm();
   scene_.fixed = std::move(sketch.shapes);
   for (Shape& shape : scene_.fixed) {
     for (double& number : shape.numbers) {
-      number *= kMillimetres;
+      number *= kMillimetresPerMetre;
     }
   }
   scene_.places.resize(mechanism.bodies.size());

@@ -1,6 +1,6 @@
 #include "touches.hpp"
 
-#include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>

@@ -21,7 +21,9 @@ Error input_error(Diagnostics mistakes) {
   return {ErrorKind::kInput, std::move(mistakes)};
 }
 
-constexpr std::int64_t kSlipsLookedFor = 1000;  // at which a rolling pair is checked before the run
+// At this many rows, up to twice as many, rolling pairs and the travel of drivers are checked before a run.
+constexpr std::int64_t kSampledRows = 1000;
+
 std::string text_of(const Slip& slip, const Profile& profile) {
   const Dimension dimension = driver_dimension(profile.mechanism);
   const Dimension per_unit = dimension::kLength / dimension;
@@ -36,7 +38,7 @@ std::string text_of(const Slip& slip, const Profile& profile) {
 // Driver positions over the whole run, in SI units.
 std::vector<double> some_positions(const DriverSchedule& schedule) {
   std::vector<double> positions;
-  const std::int64_t stride = std::max<std::int64_t>(1, schedule.size() / kSlipsLookedFor);
+  const std::int64_t stride = std::max<std::int64_t>(1, schedule.size() / kSampledRows);
   for (std::int64_t k = 0; k < schedule.size(); k += stride) {
     positions.push_back(schedule.state(k).si.position);
   }
@@ -55,10 +57,10 @@ std::string_view farthest_position(const Dimension& of_driver) {
 }
 
 Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& settings) {
-  const auto refuse = [&](const std::string& rule) { return wrong(model, "RunSettings::" + rule); };
-  if (std::string fault = first_unmet(
-          {within(3, kHighestDerivative, "RunSettings::derivatives", settings.derivatives.value_or(3)),
-           positive("RunSettings::tolerance", settings.tolerance)});
+  const auto refuse = [&](const std::string& rule) { return wrong(model, "setting " + rule); };
+  if (std::string fault =
+          first_unmet({within(3, kHighestDerivative, "setting derivatives", settings.derivatives.value_or(3)),
+                       positive("setting tolerance", settings.tolerance)});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }
@@ -80,7 +82,7 @@ Result<DriverSchedule> schedule_of(const Model::Data& model, const RunSettings& 
   for (const double position : settings.positions) {
     if (!can_be_position(position, of_driver, model.profile.units)) {
       return refuse(
-          fmt::format("positions: {} is not finite, or beyond {}", position, farthest_position(of_driver)));
+          fmt::format("positions {}: is not finite, or beyond {}", position, farthest_position(of_driver)));
     }
   }
   Profile other = model.profile;
@@ -95,13 +97,16 @@ double travel_of(const DriverSchedule& schedule, std::size_t driver) {
   const auto position = [&](std::int64_t row) { return schedule.state(row, driver).si.position; };
   const std::int64_t last = schedule.size() - 1;
   const std::int64_t stride =
-      schedule.is_listed() ? 1 : std::max<std::int64_t>(1, schedule.size() / kSlipsLookedFor);
+      schedule.is_listed() ? 1 : std::max<std::int64_t>(1, schedule.size() / kSampledRows);
   double travel = std::abs(position(last) - position(0));
   for (std::int64_t row = 0; row < last; row += stride) {
     travel = std::max(travel, std::abs(position(row) - position(0)));
   }
   return travel;
 }
+
+// Named in the messages below.
+static_assert(kMostDriverTurns == 1e7 && kLongestDriverSlide == 1e7);
 
 // The objection to a driver that moves this far in all [rad or m]; empty if there is none.
 std::string travel_objection(const Model::Data& model, std::size_t driver, double travel) {

@@ -27,7 +27,7 @@ inline constexpr const char* kFitRule = "must be finite, and at most 1e50 in SI 
 /// What a number that a program sets has to satisfy.
 struct Demand {
   bool met = false;
-  std::string number;  ///< its name, "MapSettings::samples"
+  std::string number;  ///< its path, or "setting samples"
   double value = 0;
   std::string rule;  ///< "must be >= 2"
 };
@@ -56,10 +56,12 @@ template <class Number>
   return {value > 0 && value < 1, std::move(number), value, "must be between 0 and 1"};
 }
 
-/// The first demand that is not met, as "MapSettings::samples = 1: must be >= 2"; empty if all are.
+/// The first demand that is not met, as "setting samples 1: must be >= 2" or "driver.time_step = 0: must be
+/// > 0"; empty if all are.
 [[nodiscard]] inline std::string first_unmet(std::initializer_list<Demand> demands) {
   for (const Demand& demand : demands) {
-    if (!demand.met) return fmt::format("{} = {}: {}", demand.number, demand.value, demand.rule);
+    const char* joined = demand.number.starts_with("setting ") ? " " : " = ";
+    if (!demand.met) return fmt::format("{}{}{}: {}", demand.number, joined, demand.value, demand.rule);
   }
   return "";
 }

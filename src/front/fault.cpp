@@ -124,6 +124,8 @@ private:
                std::isfinite(curve.slope),
            at, kFitRule);
     expect(std::abs(curve.axis_B.norm() - 1) <= kUnitDirection, at + ".axis_B", "must be a unit vector");
+    expect(curve.kind >= CurveKind::kCircle && curve.kind <= CurveKind::kChain, at + ".kind",
+           "is no kind of curve");
     expect(named.parts.empty() || curve.kind == CurveKind::kChain, at, "has parts and must be a chain");
     switch (curve.kind) {
       case CurveKind::kChain:
@@ -188,6 +190,8 @@ private:
       return;
     }
     expect(joint.first.body != joint.second.body, at, "joins a body with itself");
+    expect(joint.type >= JointType::kRevolute && joint.type <= JointType::kBelt, at + ".type",
+           "is no type of joint");
     expect(joint.type == JointType::kRevolute || couples_turning(joint.type) ||
                std::abs(joint.direction_A.norm() - 1) <= kUnitDirection,
            at + ".direction_A", "must be a unit vector");
@@ -198,7 +202,7 @@ private:
     if (couples_turning(joint.type) && exists(at + ".carrier", joint.carrier)) {
       const double ratio = std::abs(joint.turning_ratio);
       expect(ratio >= 1 / kLargestGearRatio && ratio <= kLargestGearRatio, at + ".turning_ratio",
-             "must be between 1e-9 and 1e9, or between -1e9 and -1e-9");
+             fmt::format("{}, with either sign", kGearRatioRule));
     }
     if (joint.teeth) {
       expect(joint.type == JointType::kGears && joint.turning_ratio != 1, at + ".teeth",

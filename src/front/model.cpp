@@ -5,6 +5,8 @@
 #include "model_data.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -186,10 +188,16 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
 
 std::vector<Parameter> Model::parameters() const {
   std::vector<Parameter> parameters;
-  if (data_->document) {
-    data_->document->for_each_number([&](const std::string& path, double value) {
-      parameters.push_back({path, value});
-    });
+  if (!data_->document) {
+    return parameters;
+  }
+  std::set<std::string, std::less<>> plain;
+  data_->document->for_each_number([&](const std::string& path, double value) {
+    parameters.push_back({path, value});
+    plain.insert(path);
+  });
+  for (const ProfileDocument::Quantity& quantity : data_->document->quantities()) {
+    if (!plain.contains(quantity.path)) parameters.push_back({quantity.path, quantity.value});
   }
   return parameters;
 }

@@ -63,6 +63,9 @@ std::string fault_of(const Units& units) {
                                               {"mass", units.mass, dimension::kMass},
                                               {"time", units.time, dimension::kTime},
                                               {"force", units.force, dimension::kForce}}) {
+    if (unit < Unit::kMetre || unit > Unit::kPoundForce) {
+      return fmt::format("Units::{} = {}: is no unit", name, static_cast<int>(unit));
+    }
     if (dimension_of(unit) != dimension) {
       return fmt::format("Units::{} = {}: is the unit of {}, expected that of {}", name, name_of(unit),
                          describe(dimension_of(unit)), describe(dimension));

@@ -182,9 +182,8 @@ const char* what_happens(ContactOpening::Kind kind) {
     case ContactOpening::Kind::kRoot:
       return "from here on the contact would have to pull";
     case ContactOpening::Kind::kPole:
-      return "the contact force grows beyond all bounds here and changes its sign: a dead point, beyond "
-             "which "
-             "the contact would have to pull";
+      return "the contact force grows beyond all bounds here and changes its sign: a change point, "
+             "beyond which the contact would have to pull";
     case ContactOpening::Kind::kPulled:
       break;
   }

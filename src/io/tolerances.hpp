@@ -10,7 +10,8 @@ namespace higherpair {
 /// Relative to the curve's size: ends that are no farther apart count as meeting, unless the table gives a
 /// `tolerance`.
 inline constexpr double kDefaultGap = 1e-5;
-/// Ends of neighbouring spans of a flank that are no farther apart count as meeting [m].
+/// Relative to the mechanism's size: ends of neighbouring spans of a flank that are no farther apart count as
+/// meeting.
 inline constexpr double kFlankMeets = 1e-9;
 /// Share of a turn beyond which a law that does not close its flank was probably meant to.
 inline constexpr double kNearlyATurn = 0.75;
@@ -48,6 +49,8 @@ inline constexpr double kOneCircle = 1e-12;
 
 /// Relative to the sum of the distances of two points from the origin: closer points count as one.
 inline constexpr double kSameGearPoint = 1e-12;
+/// Relative: base pitches of two wheels that differ by more do not mesh.
+inline constexpr double kSameBasePitch = 1e-3;
 /// Relative to the base radius: base circles and centres that differ by less are the same.
 inline constexpr double kSameBaseRadius = 1e-9;
 
@@ -84,6 +87,10 @@ inline constexpr double kEarthsNumber = 0.02;
 /// ... and its unit is a mistake unless the value that it gives is this close to the earth's.
 inline constexpr double kEarthsGravity = 0.05;
 
+/// Sizes of a mechanism beyond which its unit of length may be a mistake [m]: a drawing's millimetres read as
+/// metres, or metres read as millimetres, where also the number is below 1.
+inline constexpr double kLargeMechanism = 50;
+inline constexpr double kSmallMechanism = 3e-4;
 /// Error of a multiple of π/2, up to 6.28, that is written with two decimals.
 inline constexpr double kRoundedPi = 4e-3;
 /// A radius of gyration this many times larger or smaller than its body is probably a mistake of units.

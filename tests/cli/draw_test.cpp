@@ -98,6 +98,9 @@ TEST_F(Draw, RefusesWhatIsWrong) {
               HasSubstr("--layers: there is no layer joints; did you mean `joint`?"));
   EXPECT_THAT(message("four_bar.toml -o w.svg --layers forces"),
               HasSubstr("--layers: there is no layer forces; did you mean `force`?"));
+  EXPECT_THAT(message("four_bar.toml -o w.svg --layers bodies"),
+              HasSubstr("--layers: there is no layer bodies; did you mean `body`?"));
+  EXPECT_THAT(message("four_bar.toml -o w.svg --layers xyz"), HasSubstr("force, driver, label"));
   EXPECT_THAT(message("four_bar.toml -o w.svg --layers force"), HasSubstr("there are no forces to draw"));
   EXPECT_THAT(message("four_bar.toml -o w.svg --trace E"),
               HasSubstr("there is no point E; there are ground.O2"));

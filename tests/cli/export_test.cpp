@@ -96,7 +96,10 @@ TEST_F(ExportCommand, RefusesWhatIsWrong) {
   EXPECT_THAT(refused(flank + "-o w.dxf --cutter '3 kg'"), HasSubstr("--cutter: `3 kg`: kg is a mass"));
   EXPECT_THAT(refused(flank + "-o w.dxf --tolerance small"), HasSubstr("--tolerance: `small`: "));
   EXPECT_THAT(refused(flank + "-o w.dxf --reach 0"), HasSubstr("--reach: `0`: expected a length above 0"));
-  EXPECT_THAT(refused(flank + "-o w.dxf --units kg"), HasSubstr("--units: `kg`: expected a unit of length"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --units kg"),
+              ::testing::EndsWith("--units: `kg`: expected a unit of length: m, cm, mm, um, km, in, ft\n"));
+  EXPECT_THAT(refused(flank + "-o w.dxf --units millimetre"),
+              HasSubstr("expected a unit of length: m, cm, mm, um, km, in, ft; did you mean `mm`?"));
   EXPECT_THAT(refused(flank + "-o w.dxf --tolerance 1e-12"),
               HasSubstr("is finer than cam.flank can be drawn"));
   EXPECT_THAT(refused("cam.toml --curve cam.flnk -o w.dxf"),

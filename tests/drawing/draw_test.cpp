@@ -614,7 +614,7 @@ TEST(Drawing, MarksTheDrivenBodyInItsSense) {
       if (shape.role == Role::kDriver) marks.push_back(shape);
     }
     ASSERT_EQ(marks.size(), 2U);
-    const Vector2d pin = kMillimetres * model.mechanism().bodies[0].points[0].p_B;
+    const Vector2d pin = kMillimetresPerMetre * model.mechanism().bodies[0].points[0].p_B;
     const std::vector<double>& arc = marks[0].numbers;
     const Vector2d from = Vector2d(arc[0], arc[1]) - pin;
     const Vector2d to = Vector2d(arc[arc.size() - 2], arc[arc.size() - 1]) - pin;
@@ -658,7 +658,7 @@ TEST(Drawing, PointsToCentresOutsideOfTheFrame) {
     for (std::size_t b = 1; b < row.bodies.size(); ++b) {
       const BodyMotion& body = row.bodies[b];
       const std::string& name = model.mechanism().bodies[b].name;
-      const Vector2d p = kMillimetres * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
+      const Vector2d p = kMillimetresPerMetre * (body.X_WB.p_WB + perp(body.v_WB) / body.omega);
       const std::vector<double>& n = arrows.at(name).numbers;
       EXPECT_EQ(texts.at("centre of " + name).numbers.empty(), n.empty());
       if (n.empty()) {

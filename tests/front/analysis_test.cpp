@@ -234,17 +234,17 @@ TEST(Settings, ThatAreWrongAreErrorsOfTheInput) {
   };
   RunSettings settings;
   settings.derivatives = 7;
-  EXPECT_THAT(refusal(settings), HasSubstr("derivatives = 7: must be from 3 to 6"));
+  EXPECT_THAT(refusal(settings), HasSubstr("setting derivatives 7: must be from 3 to 6"));
   settings = {};
   settings.tolerance = 0;
-  EXPECT_THAT(refusal(settings), HasSubstr("tolerance = 0: must be > 0"));
+  EXPECT_THAT(refusal(settings), HasSubstr("setting tolerance 0: must be > 0"));
   settings = {};
   settings.samples = 0;
   EXPECT_THAT(refusal(settings), HasSubstr("must be an integer from 1"));
   settings = {};
   for (const double position : {double(INFINITY), 1e30, -3.7e12}) {
     settings.positions = {position};
-    EXPECT_THAT(refusal(settings), HasSubstr("positions: ")) << position;
+    EXPECT_THAT(refusal(settings), HasSubstr("setting positions ")) << position;
     EXPECT_THAT(refusal(settings), HasSubstr("is not finite, or beyond 1e9 turns")) << position;
   }
   settings.positions.clear();

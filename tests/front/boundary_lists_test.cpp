@@ -185,12 +185,12 @@ TEST(BoundaryLists, NeedAToleranceAboveZero) {
   for (const double tolerance : {-1.0, 0.0, double(NAN)}) {
     const auto branches = branches_of(tangent_cam(), {false, tolerance});
     ASSERT_FALSE(branches) << tolerance;
-    EXPECT_THAT(to_string(branches.error()), HasSubstr("BranchesSettings::tolerance"));
+    EXPECT_THAT(to_string(branches.error()), HasSubstr("setting tolerance"));
     MapSettings settings;
     settings.tolerance = tolerance;
     const auto map = map_of(tangent_cam(), settings);
     ASSERT_FALSE(map) << tolerance;
-    EXPECT_THAT(to_string(map.error()), HasSubstr("MapSettings::tolerance"));
+    EXPECT_THAT(to_string(map.error()), HasSubstr("setting tolerance"));
   }
 }
 

@@ -722,8 +722,7 @@ TEST(Check, FailsAsARunDoes) {
   CheckSettings settings;
   settings.tolerance = -1;
   const Model model = model_of(four_quarters(kRoller, 2));
-  EXPECT_THAT(to_string(check(model, settings).error()),
-              HasSubstr("CheckSettings::tolerance = -1: must be > 0"));
+  EXPECT_THAT(to_string(check(model, settings).error()), HasSubstr("setting tolerance -1: must be > 0"));
   const auto limited = [&](const std::function<void(CheckLimits&)>& change) {
     CheckLimits limits;
     change(limits);

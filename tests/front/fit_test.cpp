@@ -31,7 +31,7 @@ using testing::shipped_model;
 
 MeasuredTable table_of(const std::string& text) {
   auto table = read_measured_text(text, "measured.csv");
-  if (!table) throw std::runtime_error(to_string(table.error().front()));
+  if (!table) throw std::runtime_error(to_string(table.error()));
   return *std::move(table);
 }
 
@@ -88,7 +88,7 @@ std::string message_of(const std::string& text, const std::string& measured,
   const auto model = Model::from_text(text, "test.toml");
   if (!model) return to_string(model.error());
   const auto table = read_measured_text(measured, "measured.csv");
-  if (!table) return to_string(table.error().front());
+  if (!table) return to_string(table.error());
   const auto report = fit(*model, *table, settings);
   return report ? "" : to_string(report.error());
 }

@@ -197,7 +197,7 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
   const std::string rule =
       ": a name begins with a letter from A to Z or a to z, or _, and goes on with these, digits and -";
   EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].name = "my body,[x]\n"; }),
-            "four-bar: bodies.my body,[x]?" + rule);
+            "four-bar: bodies.my body,[x]<U+000A>" + rule);
   EXPECT_EQ(refusal([](Mechanism& m) { m.bodies[1].points[0].name = "A.x"; }),
             "four-bar: bodies.crank.points.A.x" + rule);
   EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].name = "2"; }), "four-bar: joints.2" + rule);
@@ -209,6 +209,10 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
   ASSERT_FALSE(units);
   EXPECT_EQ(to_string(units.error()),
             "four-bar: Units::angle = m: is the unit of a length, expected that of an angle");
+  EXPECT_EQ(to_string(Model::from(four_bar(), {.angle = static_cast<Unit>(99)}).error()),
+            "four-bar: Units::angle = 99: is no unit");
+  EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].type = static_cast<JointType>(7); }),
+            "four-bar: joints." + four_bar().joints[2].name + ".type: is no type of joint");
 }
 
 // Two wheels of radii 10 and 30 mm on pins in ground.
@@ -243,7 +247,7 @@ TEST(Model, OfGearsThatNothingCarriesNamesTheCarrier) {
   EXPECT_EQ(refusal([](Mechanism& m) { m.joints[2].second = add_point(m, 2, "off", {0.010, 0}); }), rule);
   for (const double ratio : {0.0, 1e10, -1e-10, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(refusal([&](Mechanism& m) { m.joints[2].turning_ratio = ratio; }),
-              "pair: joints.mesh.turning_ratio: must be between 1e-9 and 1e9, or between -1e9 and -1e-9");
+              "pair: joints.mesh.turning_ratio: must be between 1e-9 and 1e9, with either sign");
   }
 }
 
@@ -376,6 +380,8 @@ TEST(Model, ThatIsBuiltWithANumberBeyondItsRangeNamesIt) {
               "cam: bodies.cam.points.O" + beyond);
   }
   EXPECT_EQ(of_curve([](Curve& c) { c.vertex_B.x() = kNan; }), "cam: bodies.cam.curves.disc" + beyond);
+  EXPECT_EQ(of_curve([](Curve& c) { c.kind = static_cast<CurveKind>(42); }),
+            "cam: bodies.cam.curves.disc.kind: is no kind of curve");
   EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = kInf; }), "cam: bodies.cam.curves.disc" + beyond);
   EXPECT_EQ(of_curve([](Curve& c) { c.semi_latus = -0.03; }),
             "cam: bodies.cam.curves.disc.semi_latus: must be > 0");
@@ -693,6 +699,17 @@ TEST(Model, NamesTheNumbersOfItsProfile) {
               ::testing::IsSupersetOf({"bodies.cam.curves.disc.center.0 = 10",
                                        "bodies.cam.curves.disc.radius = 30", "bodies.follower.pose.y = 30"}));
   EXPECT_TRUE(Model::from(four_bar()).value().parameters().empty());
+}
+
+TEST(Model, NamesNumbersWithAUnitInTheUnitsOfItsProfile) {
+  const Model inches = model_of(kCam, {"bodies.cam.curves.disc.radius=1.2 in"});
+  const auto parameters = inches.parameters();
+  EXPECT_EQ(parameters.size(), model_of(kCam).parameters().size());
+  EXPECT_EQ(parameters.back().path, "bodies.cam.curves.disc.radius");
+  EXPECT_NEAR(parameters.back().value, 30.48, 1e-13);
+  const Setting same(parameters.back().path, parameters.back().value);
+  EXPECT_EQ(curve_of(inches.with({same}).value().mechanism(), {1, 0}).semi_latus,
+            curve_of(inches.mechanism(), {1, 0}).semi_latus);
 }
 
 // A cam given by its support under a flat face with ends.

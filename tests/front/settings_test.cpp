@@ -31,15 +31,14 @@ TEST(Settings, OfAMapNeedTwoRowsAndATolerance) {
   for (const std::int64_t samples : {std::int64_t{1}, std::int64_t{0}, std::int64_t{-7}, kMostMapRows + 1}) {
     MapSettings settings;
     settings.samples = samples;
-    EXPECT_THAT(
-        refusal(map_of(model, settings)),
-        HasSubstr("MapSettings::samples = " + std::to_string(samples) + ": must be from 2 to 10000000"));
+    EXPECT_THAT(refusal(map_of(model, settings)),
+                HasSubstr("setting samples " + std::to_string(samples) + ": must be from 2 to 10000000"));
   }
   MapSettings settings;
   settings.samples = 2;
   EXPECT_EQ(refusal(map_of(model, settings)), "");
   settings.tolerance = kNan;
-  EXPECT_THAT(refusal(map_of(model, settings)), HasSubstr("MapSettings::tolerance = nan: must be > 0"));
+  EXPECT_THAT(refusal(map_of(model, settings)), HasSubstr("setting tolerance nan: must be > 0"));
 }
 
 TEST(Settings, OfMobilityNeedATolerance) {
@@ -60,12 +59,11 @@ TEST(Settings, OfAnExportNeedTwoPointsAndARadius) {
   settings.path = ExportSettings::Path::kCutter;
   for (const double radius : {0.0, -1e-3, kNan}) {
     settings.cutter = radius;
-    EXPECT_THAT(refusal(exported_curves(model, settings)), HasSubstr("ExportSettings::cutter = "));
+    EXPECT_THAT(refusal(exported_curves(model, settings)), HasSubstr("setting cutter "));
   }
   settings.cutter = 1e-3;
   settings.reach = kNan;
-  EXPECT_THAT(refusal(exported_curves(model, settings)),
-              HasSubstr("ExportSettings::reach = nan: must be > 0"));
+  EXPECT_THAT(refusal(exported_curves(model, settings)), HasSubstr("setting reach nan: must be > 0"));
 }
 
 TEST(Settings, OfADesignNeedASearch) {
@@ -75,12 +73,10 @@ TEST(Settings, OfADesignNeedASearch) {
     change(settings);
     return refusal(design(model, settings));
   };
-  EXPECT_THAT(refused([](auto& s) { s.starts = 0; }), HasSubstr("DesignSettings::starts = 0: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.evaluations = 0; }),
-              HasSubstr("DesignSettings::evaluations = 0: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.best = -1; }), HasSubstr("DesignSettings::best = -1: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.seconds = kNan; }),
-              HasSubstr("DesignSettings::seconds = nan: must be >= 0"));
+  EXPECT_THAT(refused([](auto& s) { s.starts = 0; }), HasSubstr("setting starts 0: must be >= 1"));
+  EXPECT_THAT(refused([](auto& s) { s.evaluations = 0; }), HasSubstr("setting evaluations 0: must be >= 1"));
+  EXPECT_THAT(refused([](auto& s) { s.best = -1; }), HasSubstr("setting best -1: must be >= 1"));
+  EXPECT_THAT(refused([](auto& s) { s.seconds = kNan; }), HasSubstr("setting seconds nan: must be >= 0"));
 }
 
 TEST(Settings, OfToleranceVariantsNeedOne) {
@@ -90,8 +86,7 @@ TEST(Settings, OfToleranceVariantsNeedOne) {
     ToleranceVariantSettings settings;
     settings.count = count;
     EXPECT_THAT(refusal(tolerance_variants(model, report, settings)),
-                HasSubstr("ToleranceVariantSettings::count = " + std::to_string(count) +
-                          ": must be from 1 to 100000000"));
+                HasSubstr("setting count " + std::to_string(count) + ": must be from 1 to 100000000"));
   }
 }
 

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -159,6 +160,31 @@ TEST(Pages, ShowAsciiInTheirBlocks) {
       EXPECT_TRUE(ascii || line == "…") << block.place << ": " << line;
     }
   }
+}
+
+// Without the file that it writes.
+std::string without_output(const std::string& command) {
+  return std::regex_replace(command, std::regex(" -o \\S+"), "");
+}
+
+TEST(Pages, ShowThePicturesOfTheCommandsAboveThem) {
+  std::map<std::string, std::string> made;  // picture: its command
+  for (const Block& block : fenced_blocks(read_file(root() / "docs/pictures/README.md"))) {
+    for (const Command& command : commands_of(block)) {
+      const std::vector<std::string> words = words_of(command.line);
+      const auto option = std::find(words.begin(), words.end(), "-o");
+      ASSERT_LT(option + 1, words.end());
+      made["pictures/" + fs::path(*(option + 1)).filename().string()] = without_output(command.line);
+    }
+  }
+  const std::string page = read_file(root() / "docs/drawing.md");
+  const std::regex shown("```sh\n(higherpair [^\n]+)\n```\n\n!\\[[^\n]*\\]\\(([^)]+)\\)");
+  int count = 0;
+  for (auto match = std::sregex_iterator(page.begin(), page.end(), shown); match != std::sregex_iterator();
+       ++match, ++count) {
+    EXPECT_EQ(without_output((*match)[1].str()), made[(*match)[2].str()]) << (*match)[2].str();
+  }
+  EXPECT_GE(count, 4);
 }
 
 TEST(Readme, ShowsTheTwoCommandsOnItsFirstScreen) {

@@ -12,6 +12,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -264,6 +265,27 @@ std::string output_of(const std::string& command) {
 const std::set<std::string>& own_names() {
   static const std::set<std::string> names = {"cam_pivot", "follower_pivot"};
   return names;
+}
+
+TEST(ReferenceOfTasks, NamesEveryKeyOfJson) {
+  const std::string program = (fs::path(HIGHERPAIR_PROGRAM_DIR) / "higherpair").string();
+  if (!fs::exists(program)) {
+    GTEST_SKIP() << "the program is not part of this build";
+  }
+  const std::string profiles = (root() / "profiles").string() + "/";
+  for (const auto& [page, arguments] :
+       {std::pair("sensitivity", "sensitivity {}toleranced_linkage.toml --variants 1000"),
+        {"design", "design {}design_eccentric.toml --starts 2 --evaluations 300 -o /dev/null"},
+        {"fit", "fit {0}sixbar_measured.toml {0}sixbar_measured.csv -o /dev/null"},
+        {"fit", "fit {}disc_points.csv --curve circle"},
+        {"check", "check {}checked_cam.toml"}}) {
+    const std::string command = fmt::format(fmt::runtime(arguments), profiles);
+    const auto json = nlohmann::json::parse(output_of(program + " " + command + " --json - 2>/dev/null"));
+    std::set<std::string> keys;
+    collect_keys(json, keys);
+    EXPECT_GE(keys.size(), 8U) << command;
+    EXPECT_THAT(words_on(fmt::format("docs/{}.md", page)), IsSupersetOf(keys)) << command;
+  }
 }
 
 TEST(ReferenceOfResults, NamesEveryKeyOfJson) {

@@ -61,7 +61,7 @@ bool is_source_of_rooms(const std::string& path) {
 
 TEST(Tolerances, AreInTheHeaderOfTheirRoom) {
   // Public ones, and those that are not tolerances.
-  const std::set<std::string> others = {"kConstraintTolerance", "kDefaultExportTolerance", "kUnlikely",
+  const std::set<std::string> others = {"kConstraintTolerance", "kDefaultExportTolerance", "kLeastFitChance",
                                         "kQuarterPiRest", "kPrecisePi"};
   for (const auto& file : project_files()) {
     const std::string path = file.generic_string();

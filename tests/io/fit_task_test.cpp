@@ -140,7 +140,7 @@ MeasuredTable measured(const std::string& text) {
 
 std::string refusal(const std::string& text) {
   const auto table = read_measured_text(text, "m.csv");
-  return table ? "" : to_string(table.error().front());
+  return table ? "" : to_string(table.error().diagnostics.front());
 }
 
 TEST(MeasuredTable, TakesUnitsMissingValuesAndAnySeparator) {
@@ -171,10 +171,10 @@ TEST(MeasuredTable, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(refusal("driver,x\n1,2,3\n"), HasSubstr("m.csv:2:1: expected 2 fields, found 3"));
   EXPECT_THAT(refusal("driver,x\n1,5,2,7\n"), HasSubstr("decimals are written with a point, not a comma"));
   EXPECT_THAT(refusal(std::string("d\0r\0", 4)), HasSubstr("UTF-16"));
-  EXPECT_THAT(to_string(read_measured_file("/nowhere/m.csv").error().front()), HasSubstr("cannot be opened"));
+  EXPECT_THAT(to_string(read_measured_file("/nowhere/m.csv").error()), HasSubstr("cannot be opened"));
   const MeasuredTable comma = measured("driver;x\n1;2,5\n");
   EXPECT_THAT(comma.columns[1].mistake->message,
-              HasSubstr("`2,5` is no number: decimals are written with a point"));
+              HasSubstr("`2,5` is no number: a decimal number is written with a point: 2.5"));
 }
 
 TEST(MeasuredTable, HasAtMostFiveThousandColumns) {
@@ -187,8 +187,9 @@ TEST(MeasuredTable, HasAtMostFiveThousandColumns) {
   EXPECT_EQ(
       refusal(head + ",x\n"),
       "m.csv:1:1: has 5001 columns, and at most 5000 are read: leave out those that are not to be fitted");
-  EXPECT_EQ(read_measured_text(head + ",x\n1\n", "m.csv").error().size(), 1U);
-  EXPECT_EQ(read_measured_text(std::string(4000, ','), "m.csv").error().size(), 5U);  // all without a name
+  EXPECT_EQ(read_measured_text(head + ",x\n1\n", "m.csv").error().diagnostics.size(), 1U);
+  EXPECT_EQ(read_measured_text(std::string(4000, ','), "m.csv").error().diagnostics.size(),
+            5U);  // all without a name
 }
 
 TEST(MeasuredTable, MayHaveNoHeaderWhereItsColumnsAreKnown) {
@@ -196,6 +197,9 @@ TEST(MeasuredTable, MayHaveNoHeaderWhereItsColumnsAreKnown) {
   EXPECT_EQ(table.columns[1].name, "y");
   EXPECT_EQ(table.columns[1].values[1], 4);
   EXPECT_THAT(table.lines, ElementsAre(1, 2));
+  const MeasuredTable blanks = read_measured_text("x;y\n1\u00a0;\u202f2\n", "p.csv").value();
+  EXPECT_THAT(blanks.columns[0].values, ElementsAre(1));
+  EXPECT_THAT(blanks.columns[1].values, ElementsAre(2));
   EXPECT_EQ(read_measured_text("y,x\n3,4\n", "p.csv", {"x", "y"}).value().columns[0].name, "y");
 }
 

@@ -174,7 +174,7 @@ TEST_F(LawFiles, AreRefusedWithTheirLine) {
   EXPECT_THAT(messages_for("# N\xfcrnberg\n0,0\n1,two\n"), ElementsAre(HasSubstr("line 1: the byte 0xFC")));
   EXPECT_THAT(
       messages_for("0;0\n1;2,5\n2;3\n3;1\n"),
-      ElementsAre(file + "line 2: `2,5` is no number: decimals are written with a point, not a comma"));
+      ElementsAre(file + "line 2: `2,5` is no number: a decimal number is written with a point: 2.5"));
   EXPECT_THAT(
       messages_for("0,0,1,5\n"),
       ElementsAre(file +

@@ -82,6 +82,11 @@ TEST(Notes, DegreesInAProfileInRadiansAndTheOtherWayRound) {
     EXPECT_THAT(notes(crank_profile("end = " + end + "\n")),
                 ElementsAre(HasSubstr("for angles here are in deg; write \"" + end + " rad\"")));
   }
+  EXPECT_THAT(
+      notes(crank_profile("positions = [0, 1.57, 3.14]\n")),
+      ElementsAre("test.toml:12:23: note: driver.positions.2 = 3.14: 0.00872 turns, for angles here are in "
+                  "deg; write \"3.14 rad\" if that is meant"));
+  EXPECT_THAT(notes(crank_profile("positions = [0, 1.57, 90]\n")), IsEmpty());
   EXPECT_THAT(notes(crank_profile("end = 6.3\n")), IsEmpty());
   EXPECT_THAT(
       notes(crank_profile("[bodies.crank.pose]\nangle = 90\n", "[units]\nangle = \"rad\"\n")),
@@ -102,6 +107,30 @@ TEST(Notes, AMechanismAsLargeAsAHouse) {
           "[units]\nlength = \"m\"\n")),
       ElementsAre(
           "test.toml:2:10: note: units.length: the mechanism is 127 m large: are its numbers in \"m\"?"));
+}
+
+TEST(Notes, AMechanismSmallerThanAGrainOfSand) {
+  const std::string metres = R"(
+[bodies.ground]
+points.O = [0, 0]
+points.B = [0.036, 0]
+[bodies.crank]
+points.O = [0, 0]
+points.A = [0.01, 0]
+[joints.pivot]
+type = "revolute"
+between = ["ground.O", "crank.O"]
+[joints.slot]
+type = "slot"
+direction = 0
+between = ["ground.B", "crank.A"]
+[driver]
+joint = "pivot"
+)";
+  EXPECT_THAT(
+      notes(metres),
+      ElementsAre(HasSubstr("units.length: the mechanism is 0.036 mm large: are its numbers in \"mm\"?")));
+  EXPECT_THAT(notes(metres + "[units]\nlength = \"m\"\n"), IsEmpty());
 }
 
 TEST(Notes, NothingJoinedToGroundAndBodiesThatNothingHolds) {
@@ -164,6 +193,16 @@ TEST(Notes, ADiscWithinADisc) {
       discs(""),
       ElementsAre("test.toml:17:11: note: contacts.touch: crank.disc lies within ground.hole in the "
                   "poses, which is the outline of a solid body; that of a hole has side = \"outside\""));
+}
+
+TEST(Notes, WheelsWhoseTeethDoNotMesh) {
+  std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/gear_teeth.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(
+      notes(testing::replaced(text, "module = 2, teeth = 40", "module = 3, teeth = 40")),
+      ElementsAre(HasSubstr(
+          "contacts.mesh: the teeth of pinion.teeth are 5.904 mm apart along the base circle, those of "
+          "wheel.teeth 8.856 mm: wheels that mesh have the same `module` and `pressure_angle`")));
 }
 
 TEST(Notes, ACurveThatNoContactNames) {

@@ -108,14 +108,18 @@ TEST(Override, OfAMisspeltKeyGetsTheNearest) {
 TEST(Override, APathThatLeadsNowhereIsExplained) {
   EXPECT_THAT(messages(kCamProfile, {"nothing"}),
               ElementsAre("override nothing: expected PATH=VALUE, such as driver.samples=721"));
+  EXPECT_THAT(
+      messages(kCamProfile, {"driver.samples=1,000"}),
+      ElementsAre(HasSubstr("expected an integer, found a string: a decimal number is written with a point: "
+                            "1.000; if thousands are meant, write 1000")));
   EXPECT_THAT(messages(kCamProfile, {"driver.joint.x=3"}),
               ElementsAre("override driver.joint.x=3: there is no `x` in \"cam_pivot\", which is a string"));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.3=3"}),
               ElementsAre(HasSubstr("`3` is no item of a list of 2 (the first one is 0)")));
-  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.2=3"}),
+  EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O1.2=20"}),
               ElementsAre(::testing::AllOf(
-                  HasSubstr("override bodies.ground.points.O1.2=3: bodies.ground.points.O1 = ["),
-                  HasSubstr("expected a list of 2 numbers, found 3"))));
+                  HasSubstr("override bodies.ground.points.O1.2=20: bodies.ground.points.O1 = ["),
+                  ::testing::EndsWith("expected a list of 2 numbers, found 3"))));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.points.O3.0=3"}),
               ElementsAre(HasSubstr("there is no `O3` in bodies.ground.points; did you mean `O1`")));
   EXPECT_THAT(messages(kCamProfile, {"bodies.ground.0=3"}),

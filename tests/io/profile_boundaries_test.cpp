@@ -431,9 +431,12 @@ TEST_F(ProfileBoundaries, FilesOfPointsSayTheirLine) {
           "directory"));
   EXPECT_THAT(file("0, 0\n1, 0\n2, x\n3\n"),
               ElementsAre(where + "line 3: `x` is no number", where + "line 4: expected 2 columns, found 1"));
-  EXPECT_THAT(file("0,5; 0\n"),
-              ElementsAre(where + "line 1: `0,5` is no number: decimals are written with a point, not "
-                                  "a comma"));
+  EXPECT_THAT(
+      file("0,5; 0\n"),
+      ElementsAre(where + "line 1: `0,5` is no number: a decimal number is written with a point: 0.5"));
+  EXPECT_THAT(file("1 000; 0\n"),
+              ElementsAre(where + "line 1: `1 000` is no number: write 1000: no separator of thousands"));
+  EXPECT_THAT(file("0\u00a0; 0\n1, 0\n"), ElementsAre(where + "line 2: expected 2 columns, found 1"));
   EXPECT_THAT(file("0,5,1,5\n"), ElementsAre(HasSubstr("decimals are written with a point")));
   EXPECT_THAT(file("n, a, b\n1, 2, 3\n"), ElementsAre(HasSubstr("line 1: expected two columns, x and y")));
   EXPECT_THAT(file("x[kg], y\n1, 2\n"),

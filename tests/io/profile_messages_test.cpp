@@ -1,6 +1,8 @@
 #include "higherpair/io/profile_reader.hpp"
 #include "io/profile_testing.hpp"
 
+#include <utility>
+
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -361,6 +363,12 @@ TEST(ProfileMessages, HeadingsAndQuotesThatAreTooMany) {
               "test.toml:14:11: contacts.k.rolling = \"true\": expected true or false, found a string: leave "
               "the quotes "
               "out");
+  EXPECT_THAT(about_curve("{ type = \"circle\", center = \"[10, 0]\", radius = 5 }").front(),
+              HasSubstr("expected a list of 2 numbers, found a string: leave the quotes out"));
+  EXPECT_THAT(about("[\"bodies.cam\"]\n").front(),
+              HasSubstr("bodies.cam: unknown key; a heading is written without quotes: [bodies.cam]"));
+  EXPECT_THAT(about("[bodies.x]\n\"points.A\" = [0, 0]\n").front(),
+              HasSubstr("unknown key; a key is written without quotes: points.A"));
 }
 
 TEST(ProfileMessages, DecimalCommasInListsAndTexts) {
@@ -373,11 +381,10 @@ TEST(ProfileMessages, DecimalCommasInListsAndTexts) {
       about("[bodies.x]\npoints.A = [30,5, 0]\n"),
       ElementsAre("test.toml:13:12: bodies.x.points.A = [30, 5, 0]: expected a list of 2 numbers, found 3: "
                   "decimals are written with a point, not a comma"));
-  EXPECT_THAT(
-      messages(crank_profile(), {"driver.end=30,5 deg"}),
-      ElementsAre(
-          "override driver.end=30,5 deg: driver.end = \"30,5 deg\": has a comma: decimals are written with a "
-          "point; expected an angle, such as \"25.4 deg\""));
+  EXPECT_THAT(messages(crank_profile(), {"driver.end=30,5 deg"}),
+              ElementsAre("override driver.end=30,5 deg: driver.end = \"30,5 deg\": a decimal number is "
+                          "written with a point: 30.5; "
+                          "expected an angle, such as \"25.4 deg\""));
 }
 
 TEST(ProfileMessages, UnitsAsTheyAreWrittenElsewhere) {
@@ -515,11 +522,22 @@ TEST(ProfileMessages, NamesAreWords) {
 
 TEST(ProfileMessages, StayOnOneLineWhateverTheNames) {
   EXPECT_THAT(about("\"a\\nb\" = 1\n"),
-              ElementsAre(::testing::StartsWith("test.toml:12:1: driver.a?b: unknown key;")));
-  EXPECT_THAT(
-      messages(crank_profile(), {"driver.joint=a\nb"}),
-      ElementsAre(
-          "override driver.joint=a?b: driver.joint = \"a?b\": there is no joint `a?b`; there is only pivot"));
+              ElementsAre(::testing::StartsWith("test.toml:12:1: driver.a<U+000A>b: unknown key;")));
+  EXPECT_THAT(messages(crank_profile(), {"driver.joint=a\nb"}),
+              ElementsAre("override driver.joint=a<U+000A>b: driver.joint = \"a<U+000A>b\": there is no "
+                          "joint `a<U+000A>b`; there is "
+                          "only pivot"));
+}
+
+TEST(ProfileMessages, ShowCharactersThatAreInvisibleOrLookLikeOthers) {
+  for (const auto& [name, shown] : {std::pair("pivot\u200b", "pivot<U+200B>"),
+                                    {"piv\u00adot", "piv<U+00AD>ot"},
+                                    {"pivot\u00a0", "pivot<U+00A0>"},
+                                    {"piv\u043et", "piv<U+043E>t"}}) {
+    EXPECT_THAT(messages(replaced(crank_profile(), "joint = \"pivot\"", fmt::format("joint = \"{}\"", name))),
+                ElementsAre(HasSubstr(fmt::format("there is no joint `{}`; did you mean `pivot`?", shown))));
+  }
+  EXPECT_THAT(about("[bodies.\"кулачок\"]\n"), ElementsAre(HasSubstr("bodies.кулачок: a name begins")));
 }
 
 TEST(ProfileMessages, CutLongValuesBetweenCharacters) {

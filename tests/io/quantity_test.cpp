@@ -66,6 +66,14 @@ TEST(Quantity, MayBeSpelledInSeveralWays) {
   EXPECT_EQ(si("4", dimension::kNumber), 4);
 }
 
+TEST(Quantity, MayHaveTheBlanksOfDocuments) {
+  for (const std::string blank : {"\u00a0", "\u202f", "\u2009", "\u2007"}) {
+    EXPECT_EQ(si("30" + blank + "mm", dimension::kLength), 0.030);
+    EXPECT_EQ(si(blank + "2 N" + blank + "m" + blank, dimension::kTorque), 2);
+    EXPECT_THAT(error("1" + blank + "000 mm", dimension::kLength), HasSubstr("write 1000: no separator"));
+  }
+}
+
 TEST(Quantity, FactorsAfterTheSlashAllDivide) {
   EXPECT_DOUBLE_EQ(si("3 m/s s", dimension::kAcceleration), 3);
 }
@@ -150,6 +158,15 @@ TEST(Quantity, MistakesOfSpellingAreNamed) {
   EXPECT_THAT(error("3 °", dimension::kAngle), HasSubstr("has the sign °: write deg"));
   EXPECT_THAT(error("mm", dimension::kLength), HasSubstr("does not begin with a number"));
   EXPECT_THAT(error("", dimension::kLength), HasSubstr("does not begin with a number"));
+  EXPECT_THAT(
+      error("1,000 mm", dimension::kLength),
+      HasSubstr("a decimal number is written with a point: 1.000; if thousands are meant, write 1000;"));
+  EXPECT_THAT(error("1.000,5 mm", dimension::kLength),
+              HasSubstr("write 1000.5: no separator of thousands, and a point for decimals;"));
+  EXPECT_THAT(error("1'000", dimension::kLength), HasSubstr("write 1000: no separator of thousands;"));
+  EXPECT_THAT(error("1/4 in", dimension::kLength),
+              HasSubstr("nothing is worked out here: write 0.25 in; expected a length"));
+  EXPECT_THAT(error("-1 1/4 in", dimension::kLength), HasSubstr("write -1.25 in"));
   EXPECT_THAT(error("1_000 mm", dimension::kLength), HasSubstr("where a unit is expected"));
 }
 

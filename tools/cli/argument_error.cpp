@@ -3,6 +3,7 @@
 #include "unknown_argument.hpp"
 
 #include <optional>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,12 @@ std::string wrong_count(const std::string& text) {
   return option + (text.find("missing") != std::string::npos ? " needs a value" : " is given more than once");
 }
 
+// The sentence, and what to write instead of a decimal comma in it: `30,5`.
+std::string with_decimal_point(const std::string& sentence) {
+  static const std::regex kComma(R"((?:^|.*[ '=])[+-]?\d[\d.e+-]*,\d+(?:[ ':].*|$))");
+  return std::regex_match(sentence, kComma) ? sentence + "; decimals are written with a point" : sentence;
+}
+
 std::string sentence(const CLI::App& command, const CLI::ParseError& error) {
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr &&
@@ -76,7 +83,8 @@ std::string argument_error(const CLI::App& app, const CLI::ParseError& error) {
     return unknown.empty() ? no_command(app) : unknown;
   }
   const CLI::App& command = *given.front();
-  return fmt::format("{}; see higherpair {} --help", sentence(command, error), command.get_name());
+  return fmt::format("{}; see higherpair {} --help", with_decimal_point(sentence(command, error)),
+                     command.get_name());
 }
 
 }  // namespace higherpair::cli

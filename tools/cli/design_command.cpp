@@ -181,7 +181,7 @@ CommandRun add_design(CLI::App& command) {
   command.add_option("--report", options->page, "a page with what was found, drawn before and after (HTML)");
   command
       .add_option("--best", options->settings.best,
-                  "so many different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
+                  "number of different designs, the best first: BETTER.toml, BETTER.2.toml, ... (default 1)")
       ->check(CLI::Range(1, 10));
   command
       .add_option("--seed", options->settings.seed,

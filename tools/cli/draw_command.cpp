@@ -105,7 +105,7 @@ CommandRun add_draw(CLI::App& command) {
                  ->check(finite_number());
   auto* every = command
                     .add_option("--every", options->settings.every,
-                                "draw every so much of the driver, all in one picture")
+                                "X: draw positions of the driver that are this far apart, all in one picture")
                     ->excludes(at);
   command.add_flag("--strip", options->strip, "with --every: side by side")->needs(every);
   command

@@ -81,8 +81,11 @@ Result<Units> output_units(const ExportOptions& options, Units units) {
   if (options.units) {
     const auto unit = find_unit(*options.units);
     if (!unit || dimension_of(*unit) != dimension::kLength) {
-      return wrong_option("--units", fmt::format("`{}`: expected a unit of length: m, cm, mm, um, km, in, ft",
-                                                 *options.units));
+      const std::string likely =
+          unit ? "" : did_you_mean(*options.units, {"m", "cm", "mm", "um", "km", "in", "ft"});
+      return wrong_option("--units",
+                          fmt::format("`{}`: expected a unit of length: m, cm, mm, um, km, in, ft{}{}",
+                                      *options.units, likely.empty() ? "" : "; ", likely));
     }
     units.length = *unit;
   }
@@ -184,7 +187,7 @@ CommandRun add_export(CLI::App& command) {
                      "largest distance of arcs and lines from the curve, as 0.01 or '5 um' (default: 1e-5 of "
                      "its size)");
   command
-      .add_option("--points", options->points, "of CSV: so many points at equal distances along the curve")
+      .add_option("--points", options->points, "of CSV: number of points, at equal distances along the curve")
       ->check(CLI::Range(2, 10'000'000));
   command.add_option("--reach", options->reach, "how far curves without ends are followed from their vertex");
   command.add_option("--units", options->units, "unit of length of the file (default: the profile's)");

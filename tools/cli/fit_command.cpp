@@ -91,7 +91,7 @@ bool write(const FitCommandOptions& options, const Report& report, const std::at
 int fit_points(const FitCommandOptions& options) {
   const auto points = read_measured_file(options.profile, {"x", "y"});
   if (!points) {
-    return report_error({ErrorKind::kInput, points.error()});
+    return report_error(points.error());
   }
   const auto report =
       fit_curve(*points, static_cast<FittedCurve>(index_of(fitted_curve_names(), *options.curve)),
@@ -127,7 +127,7 @@ int fit_command(const FitCommandOptions& options) {
   }
   const auto measured = read_measured_file(options.measured);
   if (!measured) {
-    return report_error({ErrorKind::kInput, measured.error()});
+    return report_error(measured.error());
   }
   listen_to_signals();
   const auto report = [&] {

@@ -64,7 +64,7 @@ std::string outliers_text(const FitReport& report) {
   }
   if (count == 0) return "";
   if (count > kMostOutliers) text += fmt::format("  … and {} more\n", count - kMostOutliers);
-  return fmt::format("\noutliers, more than {} deviations off:\n{}", kOutlier, text);
+  return fmt::format("\noutliers, more than {} deviations off:\n{}", kOutlierDeviations, text);
 }
 
 std::string_view end_text(FitEnd end) {

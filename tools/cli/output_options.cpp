@@ -163,7 +163,7 @@ void add_threads_option(CLI::App& command, int& threads) {
   command
       .add_option(
           "--threads", threads,
-          "so many at a time; otherwise as many as there are cores; they make no difference to the result")
+          "number of threads; otherwise as many as there are cores; they make no difference to the result")
       ->check(CLI::Range(1, 100'000));
 }
 

@@ -236,7 +236,7 @@ CommandRun add_sensitivity(CLI::App& command) {
       ->allow_extra_args(false);
   command
       .add_option("--variants", options->variants,
-                  "check the bands of [tolerances] by so many random variants, such as 100000")
+                  "number of random variants by which the bands of [tolerances] are checked, such as 100000")
       ->check(CLI::Range(kFewestVariants, kMostToleranceVariants));
   command.add_option("--seed", options->seed, "other random variants (default 1)")->check(not_negative());
   command

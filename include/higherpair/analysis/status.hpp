@@ -13,7 +13,7 @@ enum class RowStatus {
   kSingular,  ///< the closure conditions have lost rank to within rounding: positions are valid, some rates
               ///< are undefined
   kOverlap,   ///< two bodies in contact overlap elsewhere
-  kNotConverged,  ///< the closure residual exceeds the tolerance, and the rounding of what is far away
+  kNotConverged,  ///< the closure residual exceeds the tolerance by more than the rounding of distant bodies
   kContactOpen,   ///< a contact would have to pull; only in rows with forces
 };
 

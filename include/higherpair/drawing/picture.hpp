@@ -31,8 +31,8 @@ struct BodyLook {
 /// One for each of Mechanism::bodies; empty: all are drawn by default.
 using Looks = std::vector<BodyLook>;
 
-/// Lengths of scenes are in millimetres: this many per metre.
-inline constexpr double kMillimetres = 1000;
+/// Lengths of scenes are in millimetres.
+inline constexpr double kMillimetresPerMetre = 1000;
 
 /// What a shape shows. The names are those of `data-role` in SVG and of the layers in draw and report.
 enum class Role {  // in drawing order, later ones on top

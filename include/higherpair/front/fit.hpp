@@ -103,8 +103,8 @@ struct FitReport {
                                     ///< given for all columns
   double chance = kUndefined;       ///< probability of residuals this large or larger if the given deviations
                                     ///< are right
-  bool too_large = false;           ///< `chance` is below kUnlikely: the model, or the deviations, are wrong
-  int missing = 0;                  ///< values in rows that the fitted mechanism does not reach
+  bool too_large = false;  ///< `chance` is below kLeastFitChance: the model, or the deviations, are wrong
+  int missing = 0;         ///< values in rows that the fitted mechanism does not reach
   int starts = 0;
   int different = 0;   ///< distinct results of these
   int iterations = 0;  ///< of the fit from the best one
@@ -118,9 +118,9 @@ struct FitReport {
 };
 
 /// A residual larger than this multiple of the noise is an outlier.
-inline constexpr double kOutlier = 4.685;
+inline constexpr double kOutlierDeviations = 4.685;
 /// If `chance` is below this the residuals are too large for the given deviations.
-inline constexpr double kUnlikely = 1e-4;
+inline constexpr double kLeastFitChance = 1e-4;
 
 /// Finds the values of the variables of [design] with which the mechanism moves as measured: the least sum of
 /// squares of the residuals in units of each column's noise, or of another loss. Intervals are those of

@@ -31,7 +31,7 @@ struct Setting {
 /// A number of a profile that a Setting can change.
 struct Parameter {
   std::string path;
-  double value = 0;  ///< as written
+  double value = 0;  ///< in the profile's units; as written, if it has no unit of its own
 };
 
 /// A mechanism that can be analysed: its description, units and drivers, and the order in which it is solved.
@@ -68,7 +68,8 @@ public:
   /// it.
   [[nodiscard]] Result<Model> with_mechanism(Mechanism mechanism) const;
 
-  /// Every number of the profile, in the order of the file; none for a model built in C++.
+  /// Every number of the profile: in the order of the file those without a unit of their own, then those with
+  /// one ("20 mm"). None for a model built in C++.
   [[nodiscard]] std::vector<Parameter> parameters() const;
 
   [[nodiscard]] const Profile& profile() const;

@@ -212,11 +212,11 @@ struct VariantBand {
   double farthest = 0;        ///< largest difference between a variant and its prediction
   double share_within = 1;    ///< share of the variants within the required band; 1 if none is required
   std::int64_t variants = 0;  ///< number of variants that have the result
-  /// Whether the quantiles differ from the linear ones by more than kCurved of the band's half width: the
-  /// result is nonlinear within the tolerances, and the linear bands are off by as much.
+  /// Whether the quantiles differ from the linear ones by more than kCurvedShare of the band's half width:
+  /// the result is nonlinear within the tolerances, and the linear bands are off by as much.
   bool curved = false;
 };
-inline constexpr double kCurved = 0.05;
+inline constexpr double kCurvedShare = 0.05;
 
 struct ToleranceVariants {
   std::int64_t count = 0;

@@ -162,10 +162,9 @@ public:
     SpanPoint point;
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-  /// The same as a polyline with a tree for searches.
-  [[nodiscard]] const Outline& outline() const { return *outline_; }
 
 private:
+  friend const Outline& outline_of(const Boundary& boundary);
   void set_outline(std::vector<Polyline> solids);
   [[nodiscard]] std::vector<Polyline> solids() const;
 

@@ -35,11 +35,11 @@ struct MeasuredTable {
 /// for a missing header, no rows, a row with a different number of fields, a repeated name, and more than
 /// 5000 columns.
 /// \param names  of the columns, for a text without a header; empty: it must have one
-[[nodiscard]] tl::expected<MeasuredTable, Diagnostics> read_measured_text(
-    std::string_view text, const std::string& source, const std::vector<std::string>& names = {});
+[[nodiscard]] Result<MeasuredTable> read_measured_text(std::string_view text, const std::string& source,
+                                                       const std::vector<std::string>& names = {});
 /// The same for a file.
-[[nodiscard]] tl::expected<MeasuredTable, Diagnostics> read_measured_file(
-    const std::string& path, const std::vector<std::string>& names = {});
+[[nodiscard]] Result<MeasuredTable> read_measured_file(const std::string& path,
+                                                       const std::vector<std::string>& names = {});
 
 /// The factor from the unit of a header to the unit of a table's column; the error is the end of a sentence
 /// about the header ("kg is a mass, expected a length, such as mm"). \param unit  of a column in these units,

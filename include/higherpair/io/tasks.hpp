@@ -45,7 +45,7 @@ struct Measure {
                           ///< unit of tables
   Place place;            ///< of the column's name in the profile
   std::string path;       ///< key path of the same, "sweep.results.peak.column"
-  bool followed = false;  ///< one of the places of a column that is followed
+  bool followed = false;  ///< made for one value of a `follow` list of [design], not written as a measure
 };
 
 /// A column of a sweep's table: one number about the run of each variant.

@@ -5,7 +5,6 @@
 #include "higherpair/geometry/curve.hpp"
 #include "higherpair/geometry/pose.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,12 +32,6 @@ struct NamedCurve {
   /// Indices of the curves of the body that a contact takes as one, which is of kind kChain; else empty.
   std::vector<int> parts = {};
 };
-
-/// Whether curve `index` of a body is curve `other`, or has it as a part.
-[[nodiscard]] inline bool is_or_has(const std::vector<NamedCurve>& curves, int index, int other) {
-  const std::vector<int>& parts = curves[static_cast<std::size_t>(index)].parts;
-  return index == other || std::find(parts.begin(), parts.end(), other) != parts.end();
-}
 
 struct MassProperties {
   double mass = 0;                               ///< [kg]
@@ -199,14 +192,14 @@ struct Mechanism {
   std::vector<NamedLaw> laws;
 };
 
+/// Whether there is anything that could load the joints: masses, loads or springs.
+[[nodiscard]] bool has_forces(const Mechanism& mechanism);
+
 /// Functions that build a mechanism piece by piece, in metres and radians, with names as in a profile. Ground
 /// is body 0 and is added automatically. Nothing is checked here; Model::from does that. \pre a body to which
 /// a point or curve is added is there
 
 inline constexpr int kGround = 0;
-
-/// Whether there is anything that could load the joints: masses, loads or springs.
-[[nodiscard]] bool has_forces(const Mechanism& mechanism);
 
 /// Adds a body whose frame is roughly at p_W, turned by theta, at the start; returns its index.
 int add_body(Mechanism& mechanism, const std::string& name, const Vector2d& p_W = Vector2d::Zero(),

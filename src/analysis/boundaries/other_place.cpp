@@ -5,7 +5,6 @@
 #include "analysis/tolerances.hpp"
 #include "higherpair/mechanism/group_traits.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -11,7 +11,6 @@
 #include "other_place.hpp"
 #include "span_ends.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

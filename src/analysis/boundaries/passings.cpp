@@ -7,8 +7,6 @@
 #include "higherpair/numeric/roots.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
-#include <utility>
-
 namespace higherpair {
 
 void append_passings(const Run& run, const CurveRef& own, const CurveRef& other, int span,

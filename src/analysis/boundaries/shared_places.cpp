@@ -59,7 +59,7 @@ bool is_end_of_flat(const Bodies& bodies, const NearPlace& place) {
   const Vector2d halfway_W = (bodies.own->p_W() + place.at.p_W()) / 2;
   const auto is_on = [&](const Boundary& boundary, const Pose<double>& X_WB) {
     const Vector2d p_B = X_WB.inverse_times(halfway_W);
-    return (boundary.outline().polyline().nearest(p_B).at - p_B).norm() <= kSameMeeting * bodies.size();
+    return (outline_of(boundary).polyline().nearest(p_B).at - p_B).norm() <= kSameMeeting * bodies.size();
   };
   return is_on(bodies.boundary1, bodies.X_W1) && is_on(bodies.boundary2, bodies.X_W2);
 }

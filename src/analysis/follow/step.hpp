@@ -80,8 +80,8 @@ template <class F>
   return changed;
 }
 
-/// The same, but with contacts searched from their places in run.at.state, as try_step does, so that those
-/// that have left their spans can be recognised.
+/// As solve_at(), but with contacts searched from their places in run.at.state, as try_step does, so that
+/// those that have left their spans can be recognised.
 [[nodiscard]] bool solve_from_spans(Run& run, const Path& path, double s, double x);
 
 /// The same as `solve_at`, but from `from` at s instead of run.at.state.

@@ -7,8 +7,6 @@
 #include "higherpair/geometry/edges.hpp"
 #include "higherpair/numeric/contains.hpp"
 
-#include <algorithm>
-
 namespace higherpair {
 
 Eigen::VectorXd coordinates_of(const Planned& model, const Group& group, const State& state) {

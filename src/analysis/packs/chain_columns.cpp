@@ -4,8 +4,6 @@
 #include "higherpair/numeric/overload.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <variant>
 
 namespace higherpair {

@@ -8,7 +8,6 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "series_motion.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

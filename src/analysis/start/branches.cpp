@@ -8,7 +8,6 @@
 #include "higherpair/numeric/contains.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace higherpair {
 namespace {

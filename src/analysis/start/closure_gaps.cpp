@@ -22,8 +22,9 @@ double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies
 }
 
 // Places the groups in their order and returns the gap of each, up to the first that cannot be placed.
-std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers,
-                                           const State& from, State state) {
+std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers) {
+  const State& from = run.at.state;
+  State state = from;
   std::vector<std::optional<double>> gaps(run.plan().groups.size());
   const Planned model{run.mechanism(), run.plan()};
   for (std::size_t g = 0; g < gaps.size(); ++g) {
@@ -61,14 +62,14 @@ std::optional<double> closure_gap(const Group& group, const std::vector<BodyMoti
 }
 
 std::vector<std::optional<double>> closure_gaps(const Run& run, const std::vector<double>& drivers) {
-  return gaps_of(run, drivers, run.at.state, run.at.state);
+  return gaps_of(run, drivers);
 }
 
 std::vector<std::optional<double>> first_closure_gaps(RunModel model, const std::vector<double>& drivers,
                                                       int branch) {
   Run run = planned_run(std::move(model), drivers);
   (void)assemble_on(run, branch);
-  return gaps_of(run, drivers, run.at.state, run.at.state);
+  return gaps_of(run, drivers);
 }
 
 std::optional<double> transmission_sine(const Plan& plan, int joint, const std::vector<BodyMotion>& bodies) {

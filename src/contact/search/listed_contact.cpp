@@ -7,7 +7,6 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace higherpair {

@@ -65,7 +65,7 @@ void add_ends(const EndOver& over, double reach, std::vector<NearPlace>& places)
   const Boundary& own = *over.own;
   const auto add = [&](const BoundaryPlace& end) {
     const Vector2d p_C = over.X_WC->inverse_times(*over.X_WO * own.at(end).p_B);
-    const auto place = end_near(over, end, over.other->outline().polyline().nearest(p_C).place);
+    const auto place = end_near(over, end, outline_of(*over.other).polyline().nearest(p_C).place);
     if (place && std::abs(place->at.gap()) <= reach) {
       places.push_back(*place);
     }
@@ -154,7 +154,7 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
   const Pose<double> X_12 = X_W1.inverse_times(X_W2);
   const double same = kSameNearPlace * (boundary1.size() + boundary2.size());
   std::vector<NearPlace> places;
-  const FacingParts facing(boundary1.outline(), boundary2.outline(), X_12, reach);
+  const FacingParts facing(outline_of(boundary1), outline_of(boundary2), X_12, reach);
   facing.for_each([&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
     const auto found = common_normal_near(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (!found || std::abs(found->at.gap()) > reach) {

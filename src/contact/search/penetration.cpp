@@ -62,7 +62,7 @@ Depth depth_near(const Feature& nearest, const Boundary& boundary, const Vector2
 
 // Where parts of the body overlap, the depth in the part in which the point is deepest.
 Depth depth_in(const PlacedBoundary& body, const Vector2d& p_W) {
-  const Outline& outline = body.boundary.outline();
+  const Outline& outline = outline_of(body.boundary);
   const Vector2d p_B = body.X_WB.inverse_times(p_W);
   Depth deepest = depth_near(outline.polyline().nearest(p_B), body.boundary, p_B);
   for (const Polyline& solid : outline.solids()) {
@@ -86,8 +86,8 @@ Features points_beside(const std::vector<PolylineCrossing>& crossings, std::size
   Features points;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     const auto [part, t] = cuts[i];
-    const BoundaryPlace& begin = own.outline().polyline().from(part).place;
-    const double end = own.outline().polyline().to(part).place.t;
+    const BoundaryPlace& begin = outline_of(own).polyline().from(part).place;
+    const double end = outline_of(own).polyline().to(part).place.t;
     const auto add = [&](double from, double to) {
       const BoundaryPlace middle{begin.span, (from + to) / 2};
       if (from < middle.t && middle.t < to) {
@@ -114,7 +114,7 @@ struct PointDepth {
 // -∞: they are looked at all around the boundary, so that such a point is found early.
 std::vector<PointDepth> depths_of(const PlacedBoundary& own, const Features& beside_cuts,
                                   const PlacedBoundary& other, double enough) {
-  const Features& samples = own.boundary.outline().polyline().features();
+  const Features& samples = outline_of(own.boundary).polyline().features();
   Features points;
   points.reserve(samples.size() + beside_cuts.size());
   std::merge(samples.begin(), samples.end(), beside_cuts.begin(), beside_cuts.end(),
@@ -191,8 +191,8 @@ double find_penetration(const PlacedBoundary& one, const PlacedBoundary& two,
 // Points beside the cuts where the outlines of two bodies cross, all of them or at most so many.
 PointsOfBoth points_beside_cuts(const PlacedBoundary& one, const PlacedBoundary& two,
                                 std::optional<std::size_t> most = std::nullopt) {
-  const Polyline& first = one.boundary.outline().polyline();
-  const Polyline& second = two.boundary.outline().polyline();
+  const Polyline& first = outline_of(one.boundary).polyline();
+  const Polyline& second = outline_of(two.boundary).polyline();
   const Pose<double> X_12 = one.X_WB.inverse_times(two.X_WB);
   const auto crossings = polyline_crossings(first, second, X_12, most);
   return {points_beside(crossings, 0, one.boundary), points_beside(crossings, 1, two.boundary)};

@@ -8,9 +8,6 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 

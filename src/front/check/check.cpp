@@ -186,7 +186,7 @@ Result<CheckReport> check(const Model& model, const CheckSettings& settings) {
   const Profile& profile = model.profile();
   const CheckLimits none;
   const CheckLimits& limits = settings.limits ? *settings.limits : profile.limits ? *profile.limits : none;
-  std::string fault = first_unmet({positive("CheckSettings::tolerance", settings.tolerance)});
+  std::string fault = first_unmet({positive("setting tolerance", settings.tolerance)});
   if (fault.empty()) fault = fault_of(limits, profile.mechanism);
   if (!fault.empty()) {
     return wrong(model, std::move(fault));

@@ -28,10 +28,10 @@ DesignOptions options_of(const DesignTask& task, const DesignSettings& settings)
 }
 
 std::string fault_of(const DesignSettings& settings) {
-  return first_unmet({at_least(1, "DesignSettings::starts", settings.starts.value_or(1)),
-                      at_least(1, "DesignSettings::evaluations", settings.evaluations.value_or(1)),
-                      at_least(1, "DesignSettings::best", settings.best),
-                      at_least(0.0, "DesignSettings::seconds", settings.seconds)});
+  return first_unmet({at_least(1, "setting starts", settings.starts.value_or(1)),
+                      at_least(1, "setting evaluations", settings.evaluations.value_or(1)),
+                      at_least(1, "setting best", settings.best),
+                      at_least(0.0, "setting seconds", settings.seconds)});
 }
 
 std::string_view method_text(DesignMethod method, bool has_cost) {

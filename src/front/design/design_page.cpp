@@ -117,7 +117,8 @@ std::vector<Vector2d> targets_of(const Model& model, const DesignReport& report)
   for (std::size_t k = 0; k < objectives.size(); ++k) {
     if (!objectives[k].path()) continue;
     for (const Vector2d& through : objectives[k].path()->through) {
-      targets.push_back(kMillimetres * unplaced(through, report.objectives[k].placement, model.units()));
+      targets.push_back(kMillimetresPerMetre *
+                        unplaced(through, report.objectives[k].placement, model.units()));
     }
   }
   return targets;

@@ -29,9 +29,8 @@ struct SlopePlace {
 /// Derivatives by implicit differentiation of the rows of a run (analysis/sensitivity.hpp). An extreme
 /// depends on its own row alone. Not covered, and left to finite differences: numbers that do not depend
 /// smoothly on the variables; drivers that depend on them; contacts that may separate; jerk; figures of
-/// check(); means over many rows of columns other than those of bodies, points and
-/// revolute joints; extents of bodies with
-/// curves of several parts; candidates that cannot be assembled all the way.
+/// check(); means over many rows of columns other than those of bodies, points and revolute joints; extents
+/// of bodies with curves of several parts; candidates that cannot be assembled all the way.
 class RunSlopes {
 public:
   /// None where the task is not covered. \param setup  must outlive this

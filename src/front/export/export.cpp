@@ -5,6 +5,7 @@
 #include "higherpair/cam/cutter_path.hpp"
 #include "higherpair/geometry/support_chains.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/joined_words.hpp"
 
@@ -230,8 +231,8 @@ std::string with_suffix(std::string name, FlankPath path) {
 
 Result<std::vector<ExportedCurve>> exported_curves(const Model& model, const ExportSettings& settings) {
   const double cutter = settings.path == FlankPath::kCutter ? settings.cutter : 1;
-  if (std::string fault = first_unmet({positive("ExportSettings::cutter", cutter),
-                                       positive("ExportSettings::reach", settings.reach.value_or(1))});
+  if (std::string fault = first_unmet(
+          {positive("setting cutter", cutter), positive("setting reach", settings.reach.value_or(1))});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }

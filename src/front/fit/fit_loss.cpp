@@ -18,7 +18,8 @@ double weight_of(FitLoss loss, double u) {
     case FitLoss::kHuber:
       return size <= kHuberBend ? 1 : kHuberBend / size;
     case FitLoss::kTukey:
-      return size < kOutlier ? std::pow(1 - u * u / (kOutlier * kOutlier), 2) : 0;
+      return size < kOutlierDeviations ? std::pow(1 - u * u / (kOutlierDeviations * kOutlierDeviations), 2)
+                                       : 0;
     case FitLoss::kSquares:
       break;
   }
@@ -31,8 +32,8 @@ double slope_of(FitLoss loss, double u) {
     case FitLoss::kHuber:
       return size <= kHuberBend ? 1 : 0;
     case FitLoss::kTukey: {
-      const double share = u * u / (kOutlier * kOutlier);
-      return size < kOutlier ? (1 - share) * (1 - 5 * share) : 0;
+      const double share = u * u / (kOutlierDeviations * kOutlierDeviations);
+      return size < kOutlierDeviations ? (1 - share) * (1 - 5 * share) : 0;
     }
     case FitLoss::kSquares:
       break;

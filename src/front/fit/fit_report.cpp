@@ -35,7 +35,7 @@ public:
     report_.freedoms = statistics_.freedoms;
     report_.noise_ratio = statistics_.noise_ratio;
     report_.chance = statistics_.chance;
-    report_.too_large = statistics_.chance < kUnlikely;
+    report_.too_large = statistics_.chance < kLeastFitChance;
     report_.missing = solution_.missing;
     report_.starts = solution_.starts;
     report_.different = solution_.different;
@@ -86,8 +86,8 @@ private:
       residual.fitted = residual.measured - solution_.residuals(eigen_index(i));
       residual.weight = solution_.weights(eigen_index(i));
       const double noise = noise_of(column);
-      residual.outlier =
-          !solution_.constant[column] && std::abs(solution_.residuals(eigen_index(i))) > kOutlier * noise;
+      residual.outlier = !solution_.constant[column] &&
+                         std::abs(solution_.residuals(eigen_index(i))) > kOutlierDeviations * noise;
       report_.residuals.push_back(residual);
     }
   }
@@ -163,7 +163,7 @@ private:
             fmt::format("{}: {} of {} values are more than {} deviations off: outliers, which loss = "
                         "\"huber\" or \"tukey\" "
                         "would give less weight",
-                        column.name, column.outliers, column.values, kOutlier));
+                        column.name, column.outliers, column.values, kOutlierDeviations));
       }
     }
     if (statistics_.freedoms < 1) {

@@ -242,8 +242,7 @@ bool can_certify() {
 
 Result<BranchesReport> branches_of(const Model& model, const BranchesSettings& settings) {
   const Model::Data& data = model.data();
-  if (std::string fault = first_unmet({positive("BranchesSettings::tolerance", settings.tolerance)});
-      !fault.empty()) {
+  if (std::string fault = first_unmet({positive("setting tolerance", settings.tolerance)}); !fault.empty()) {
     return wrong(model, std::move(fault));
   }
   const auto schedule = first_schedule(data);

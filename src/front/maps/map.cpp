@@ -248,8 +248,8 @@ std::string refusal_of(const MapReport& report) {
 Result<MapReport> map_of(const Model& model, const MapSettings& settings) {
   const Model::Data& data = model.data();
   if (std::string fault =
-          first_unmet({positive("MapSettings::tolerance", settings.tolerance),
-                       within(2, kMostMapRows, "MapSettings::samples", settings.samples.value_or(2))});
+          first_unmet({positive("setting tolerance", settings.tolerance),
+                       within(2, kMostMapRows, "setting samples", settings.samples.value_or(2))});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }

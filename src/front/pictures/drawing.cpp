@@ -101,7 +101,7 @@ std::string caption_of(const Model& model, const MotionRow& row, const Box& view
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const Joint& joint = driven_joint(mechanism, i);
-    const double size = has_angle(joint.type) ? 1 : view.size().norm() / kMillimetres;
+    const double size = has_angle(joint.type) ? 1 : view.size().norm() / kMillimetresPerMetre;
     const double position = joint_motion(mechanism, joint, row.bodies).position;
     const double shown = std::abs(position) < kCaptionNoise * size ? 0 : position;
     texts.push_back(fmt::format("{} = {}", driver_name(mechanism.drivers[i]),

@@ -6,7 +6,6 @@
 #include "higherpair/io/coordinate.hpp"
 #include "reach.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>

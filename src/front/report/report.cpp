@@ -134,7 +134,7 @@ Result<Report> report_of(const Model& model, const ReportSettings& settings) {
                              report_page_missing()));
   }
   constexpr std::int64_t kFewest = 2;
-  if (std::string fault = first_unmet({at_least(kFewest, "ReportSettings::most_rows", settings.most_rows)});
+  if (std::string fault = first_unmet({at_least(kFewest, "setting most_rows", settings.most_rows)});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }

@@ -119,8 +119,8 @@ void write_scales(JsonWriter& json, const Scene& scene, double per_mm, const Dra
     json.key("length").number(per_mm * scale * unit.si, kPlaceDigits).close('}');
   };
   json.key("scales").open('{');
-  write(Role::kVelocity, kMillimetres * scene.velocity_scale, units.velocity);
-  write(Role::kAcceleration, kMillimetres * scene.acceleration_scale, units.acceleration);
+  write(Role::kVelocity, kMillimetresPerMetre * scene.velocity_scale, units.velocity);
+  write(Role::kAcceleration, kMillimetresPerMetre * scene.acceleration_scale, units.acceleration);
   write(Role::kForce, scene.force_scale, units.force);
   if (scene.torque_scale > 0) {
     json.key("torque").open('{').key("unit").string(units.torque.name);
@@ -136,7 +136,7 @@ void write_joints(JsonWriter& json, const Mechanism& mechanism, double per_mm) {
     const NamedPoint& named = body.points[joint.second.point];
     json.open('{').key("name").string(joint.name).key("at").string(body.name + "." + named.name);
     json.key("body").integer(joint.second.body).key("point");
-    write(json, std::array{named.p_B.x(), named.p_B.y()}, kMillimetres * per_mm);
+    write(json, std::array{named.p_B.x(), named.p_B.y()}, kMillimetresPerMetre * per_mm);
     json.close('}');
   }
   json.close(']');
@@ -158,7 +158,7 @@ void write_scene(JsonWriter& json, const Model& model, const ReportData& data) {
   const Scene& scene = maker.scene();
   const double per_mm = page_units(scene.view);
   const double size = per_mm * scene.view.size().norm();
-  const double length = from_si(dimension::kLength, model.units()).apply(1 / kMillimetres);
+  const double length = from_si(dimension::kLength, model.units()).apply(1 / kMillimetresPerMetre);
   json.key("lengthPerUnit").number(length / per_mm, kPlaceDigits + 2);
   write_joints(json, mechanism, per_mm);
   json.key("scene").open('{').key("view");

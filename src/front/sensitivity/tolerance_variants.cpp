@@ -102,7 +102,7 @@ struct Collected {
     band.linear_high = quantile_of(linear, 1 - kBandQuantile);
     const double half = std::max(band.high - band.low, band.linear_high - band.linear_low) / 2;
     band.curved = std::max(std::abs(band.low - band.linear_low), std::abs(band.high - band.linear_high)) >
-                  kCurved * half;
+                  kCurvedShare * half;
     return band;
   }
 };
@@ -111,8 +111,7 @@ struct Collected {
 
 Result<ToleranceVariants> tolerance_variants(const Model& model, const SensitivityReport& report,
                                              const ToleranceVariantSettings& settings) {
-  if (std::string fault =
-          first_unmet({within(1, kMostToleranceVariants, "ToleranceVariantSettings::count", settings.count)});
+  if (std::string fault = first_unmet({within(1, kMostToleranceVariants, "setting count", settings.count)});
       !fault.empty()) {
     return wrong(model, std::move(fault));
   }

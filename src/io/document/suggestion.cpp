@@ -11,7 +11,7 @@ namespace higherpair {
 namespace {
 
 constexpr std::size_t kMostSuggestions = 3;
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMostListed = 18;
 constexpr std::size_t kShortestMisspelt = 5;  // of synonyms; shorter words are near to too many others
 constexpr std::size_t kLongestCompared = 64;  // comparing takes time ~ length²
 
@@ -181,7 +181,7 @@ constexpr Synonyms kSynonyms[] = {
     {"harmonics", "fourier series"},
     // Loads and springs.
     {"torque", "moment"},
-    {"body", "local moving on"},
+    {"body", "bodies local moving on"},
     {"stiffness", "k c rate constant spring_constant spring_rate"},
     {"damping", "c d damper viscous damping_constant"},
     {"free_length", "preload pretension prestress l0 length rest_length natural_length unstretched_length"},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <regex>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -27,30 +28,33 @@ std::string without_strings(std::string_view text) {
   return bare;
 }
 
-// The keyboard character that a typographic one stands for; empty for any other.
-std::string_view plain_character(char32_t c) {
+// What to write instead of a character that word processors and web pages have; empty for any other.
+std::string keyboard_advice(char32_t c, std::string_view text) {
   constexpr std::u32string_view kQuotes = U"“”„‟«»‘’‚‛′″‴`´＂＇";
   constexpr std::u32string_view kDashes = U"−–—‐‑‒―";
-  if (kQuotes.find(c) != std::u32string_view::npos) return "\"";
-  if (kDashes.find(c) != std::u32string_view::npos) return "-";
-  if (c == 0xA0 || (c >= 0x2000 && c <= 0x200F) || c == 0x202F || c == 0x205F || c == 0x3000 || c == 0xFEFF) {
-    return " ";
+  if (kQuotes.find(c) != std::u32string_view::npos) {
+    return fmt::format("{} is a typographic quotation mark, not the one of the keyboard; write the plain \"",
+                       text);
   }
-  return "";
+  if (kDashes.find(c) != std::u32string_view::npos) {
+    return fmt::format("{} is a dash, not the minus sign of the keyboard; write the plain -", text);
+  }
+  if (c < 0x80 || !is_invisible(c)) {
+    return "";
+  }
+  const bool is_blank =
+      c == 0xA0 || (c >= 0x2000 && c <= 0x200A) || c == 0x202F || c == 0x205F || c == 0x3000;
+  const bool is_line_end = c == 0x85 || c == 0x2028 || c == 0x2029;
+  return fmt::format("the {} here (U+{:04X}) is {}",
+                     is_blank      ? "blank"
+                     : is_line_end ? "line end"
+                                   : "invisible character",
+                     static_cast<unsigned>(c),
+                     is_blank      ? "not an ordinary one: replace it by a space"
+                     : is_line_end ? "not an ordinary one: begin a new line instead"
+                                   : "out of place: remove it");
 }
 
-std::string describe_character(char32_t c, std::string_view text, std::string_view plain) {
-  if (plain == " ") {
-    return fmt::format("the blank here (U+{:04X}) is not an ordinary one: replace it by a space",
-                       static_cast<unsigned>(c));
-  }
-  return fmt::format("{} is {}; write the plain {}", text,
-                     plain == "-" ? "a dash, not the minus sign of the keyboard"
-                                  : "a typographic quotation mark, not the one of the keyboard",
-                     plain);
-}
-
-// Characters that word processors and web pages substitute for those of the keyboard.
 Finding typographic_character(const SyntaxScan& scan) {
   const std::size_t begin = scan.quote.value_or(scan.token);
   const std::string_view line = scan.line_from(std::min(begin, scan.text.size()));
@@ -59,9 +63,8 @@ Finding typographic_character(const SyntaxScan& scan) {
     const std::string_view rest = line.substr(i);
     const std::size_t length = std::max<std::size_t>(character_length(rest), 1);
     const char32_t c = length > 1 ? character_at(rest) : static_cast<unsigned char>(rest[0]);
-    const std::string_view plain = plain_character(c);
-    if (!plain.empty()) {
-      return Found{begin + i, describe_character(c, rest.substr(0, length), plain)};
+    if (std::string advice = keyboard_advice(c, rest.substr(0, length)); !advice.empty()) {
+      return Found{begin + i, std::move(advice)};
     }
     i += length;
   }
@@ -92,6 +95,14 @@ Finding line_end_mistake(const SyntaxScan& scan, std::string_view message) {
   return contains_text(message, "after '\\r'")
              ? Finding({scan.stop,
                         "a line ends with a carriage return alone: save the file with LF or CR LF line ends"})
+             : std::nullopt;
+}
+
+// Lines that a profile has around it on a web page or in a chat.
+Finding markdown_fence(const SyntaxScan& scan) {
+  const std::size_t at = std::min(scan.token, scan.text.size());
+  return scan.expecting == Expecting::kKey && scan.line_from(at).starts_with("```")
+             ? Finding({at, "leave the lines ``` out, they are Markdown"})
              : std::nullopt;
 }
 
@@ -160,6 +171,7 @@ Mistake explain_syntax(std::string_view text, const Mark& place, std::string_vie
     if (!found) found = std::move(next);
   };
   otherwise(line_end_mistake(scan, message));
+  otherwise(markdown_fence(scan));
   otherwise(typographic_character(scan));
   otherwise(string_mistake(scan, message));
   otherwise(heading_mistake(scan, message));

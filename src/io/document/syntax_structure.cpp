@@ -1,11 +1,13 @@
 #include "encoding.hpp"
 #include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "io/units/unit_advice.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <regex>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -37,9 +39,9 @@ const Statement* earlier(const SyntaxScan& scan, const Statement& last) {
   return around == end ? nullptr : &*around;
 }
 
-// The whole number, with its sign, at the end of a text; empty where the text ends otherwise.
-std::string_view last_whole_number(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789";
+// The number without exponent, with its sign, at the end of a text; empty where the text ends otherwise.
+std::string_view last_number(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789.";
   const std::size_t digits = text.find_last_not_of(kDigits) + 1;
   const bool has_sign = digits > 0 && (text[digits - 1] == '-' || text[digits - 1] == '+');
   const std::size_t begin = has_sign ? digits - 1 : digits;
@@ -48,20 +50,21 @@ std::string_view last_whole_number(std::string_view text) {
   return digits == text.size() || is_part ? std::string_view() : text.substr(begin);
 }
 
-// A decimal comma, 30,5, within a table in braces: its second half is found where a key is expected.
+// A decimal comma, 30,5 or 1.000,5, within a table in braces: its second half is found where a key is
+// expected.
 Finding decimal_comma_in_table(const SyntaxScan& scan, std::size_t at) {
   static const std::regex kDecimals(R"((\d+)\s*(?:[,}#A-Za-z°].*)?)");
   if (!scan.in_table() || scan.text[at - 1] != ',') {
     return std::nullopt;
   }
-  const std::string_view whole = last_whole_number(scan.text.substr(0, at - 1));
+  const std::string_view whole = last_number(scan.text.substr(0, at - 1));
   const std::string_view behind = scan.line_from(at);
   std::cmatch decimals;
   if (whole.empty() || !std::regex_match(behind.data(), behind.data() + behind.size(), decimals, kDecimals)) {
     return std::nullopt;
   }
-  return Found{at - 1 - whole.size(),
-               fmt::format("a decimal number is written with a point: {}.{}", whole, decimals[1].str())};
+  std::string advice = separator_advice(fmt::format("{},{}", whole, decimals[1].str()));
+  return advice.empty() ? std::nullopt : Finding({at - 1 - whole.size(), std::move(advice)});
 }
 
 // The last heading: the parser refuses some only at the statement that follows.

@@ -1,11 +1,13 @@
 #include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "io/units/unit_advice.hpp"
 #include "io/units/unit_table.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <regex>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -13,24 +15,6 @@ namespace higherpair::io_detail {
 namespace {
 
 constexpr const char* kNumber = R"([+-]?(?:\d[\d_]*\.?[\d_]*|\.\d+)(?:[eE][+-]?\d+)?)";
-
-// A decimal comma or grouped digits at the front of a line: 30,5 or 1,000.5.
-Finding decimal_comma(const SyntaxScan& scan, std::string_view line) {
-  static const std::regex kThousands(R"(([+-]?\d{1,3}(?:,\d{3})+(?:\.\d+)?)\s*(?:$|[#,}\]]).*)");
-  static const std::regex kComma(R"(([+-]?\d+),(\d+)\s*(?:$|#|[A-Za-z]).*)");
-  std::cmatch match;
-  const char* end = line.data() + line.size();
-  if (std::regex_match(line.data(), end, match, kComma)) {
-    return Found{scan.stop, fmt::format("a decimal number is written with a point: {}.{}", match[1].str(),
-                                        match[2].str())};
-  }
-  if (std::regex_match(line.data(), end, match, kThousands)) {
-    std::string digits = match[1].str();
-    digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());
-    return Found{scan.stop, fmt::format("digits are not grouped by commas: write {}", digits)};
-  }
-  return std::nullopt;
-}
 
 // The spelling required here for a unit written as a sign behind a number.
 std::string spelled_unit(std::string_view unit) {
@@ -188,7 +172,7 @@ Finding value_mistake(const SyntaxScan& scan, std::string_view message) {
     return Found{at, "one = joins a key and its value"};
   }
   if (scan.open.empty()) {
-    if (auto comma = decimal_comma(scan, line)) return Found{at, comma->message};
+    if (std::string advice = separator_advice(line); !advice.empty()) return Found{at, std::move(advice)};
   }
   if (auto number = odd_number(at, token, message)) return number;
   if (auto behind = behind_value(scan, message)) return behind;

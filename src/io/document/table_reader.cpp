@@ -139,11 +139,14 @@ void TableReader::report_unknown(const Entry& entry) const {
   const std::string own = did_you_mean(meant);
   const bool move_up = !path.empty() && (contains(kOnlyTopLevel, entry.key) ||
                                          (is_table && contains(kTopLevelTables, entry.key)));
+  const bool is_dotted = entry.key.find('.') != std::string::npos;
   const bool is_of_driver = path.empty() && own.empty() && contains(kDriverKeys, entry.key);
   const std::string remedy =
-      is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
-      : repeated   ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path, entry.key)
-      : move_up    ? std::string(kMoveUp)
+      is_dotted      ? fmt::format("{} is written without quotes: {}", is_table ? "a heading" : "a key",
+                              is_table ? "[" + entry.key + "]" : entry.key)
+      : is_of_driver ? fmt::format("did you mean `driver.{}`?", entry.key)
+      : repeated ? fmt::format("under the heading [{}] its keys have no `{}.` before them", path, entry.key)
+      : move_up  ? std::string(kMoveUp)
       : own.empty() ? fmt::format("there {} {}", known.size() == 1 ? "is only" : "are", joined_words(known))
                     : own;
   for (std::string& name : meant) name = path_to(name);

@@ -2,6 +2,7 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "io/units/unit_advice.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -15,9 +16,12 @@
 namespace higherpair::io_detail {
 namespace {
 
-// A list such as [30,5, 2] that was probably meant as [30.5, 2].
+// A list such as [30,5, 2] that was probably meant as [30.5, 2]; not one to which an override has added.
 bool may_be_decimal_commas(const Array& items, std::size_t count) {
-  const auto is_whole = [](const Value& item) { return std::holds_alternative<std::int64_t>(item.content); };
+  const auto is_whole = [&](const Value& item) {
+    return std::holds_alternative<std::int64_t>(item.content) &&
+           item.mark.source == items.front().mark.source;
+  };
   const auto is_zero = [](const Value& item) {
     const auto* number = std::get_if<std::int64_t>(&item.content);
     return number != nullptr && *number == 0;
@@ -27,13 +31,17 @@ bool may_be_decimal_commas(const Array& items, std::size_t count) {
          !std::all_of(items.begin(), items.end(), is_zero);
 }
 
-// Whether a text would be right without its quotes: one of `words`, or a number.
-bool is_quoted_needlessly(const Item& item, std::initializer_list<std::string_view> words) {
+// Whether a text would be right without its quotes: one of `words`, or a number, or a list.
+bool is_quoted_needlessly(const Item& item, std::string_view expected,
+                          std::initializer_list<std::string_view> words) {
   const auto* text = std::get_if<std::string>(&item.value->content);
   if (text == nullptr) {
     return false;
   }
   const Value bare = parse_override_value(*text, 0);
+  if (expected.starts_with("a list")) {
+    return std::holds_alternative<Array>(bare.content);
+  }
   const bool is_number =
       std::holds_alternative<std::int64_t>(bare.content) || std::holds_alternative<double>(bare.content);
   return words.size() == 0 ? is_number : contains(words, *text);
@@ -161,9 +169,13 @@ void report(Reading& reading, const Item& item, std::string_view rule, const std
 
 void report_kind(Reading& reading, const Item& item, std::string_view what,
                  std::initializer_list<std::string_view> words) {
+  const auto* text = std::get_if<std::string>(&item.value->content);
+  const std::string advice = text == nullptr                           ? ""
+                             : is_quoted_needlessly(item, what, words) ? "leave the quotes out"
+                                                                       : separator_advice(*text);
   report(reading, item,
-         fmt::format("expected {}, found {}{}", what, kind_of(*item.value),
-                     is_quoted_needlessly(item, words) ? ": leave the quotes out" : ""));
+         fmt::format("expected {}, found {}{}{}", what, kind_of(*item.value), advice.empty() ? "" : ": ",
+                     advice));
 }
 
 std::string what_number(const Dimension& dimension, const Units& units) {

@@ -53,8 +53,7 @@ std::string note(const Items& items, std::size_t index, const char* room, const 
     if (is_same(items[i], items[index])) {
       return fmt::format(
           "gives the same condition as {}.{}, so how they share their force is undefined, and it is left "
-          "empty: "
-          "leave one of them out",
+          "empty: leave one of them out",
           room, items[i].name);
     }
   }

@@ -68,6 +68,7 @@ struct Flanks {
   std::string name;
   double base_radius = 0;
   Bounds roll;
+  int count = 0;  // of involutes
   Vector2d pivot_W = Vector2d::Zero();
 };
 
@@ -90,6 +91,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
   const NamedCurve& named = described_curve(mechanism, ref);
   const std::vector<int> curves = named.parts.empty() ? std::vector<int>{ref.curve} : named.parts;
   std::optional<Involute> all;
+  int count = 0;
   for (const int index : curves) {
     const auto& boundary = body.curves[index].boundary;
     for (const SpanPtr& span : boundary ? boundary->spans() : std::vector<SpanPtr>()) {
@@ -102,6 +104,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
                   (all->center_B - own->center_B).norm() > near)) {
         return std::nullopt;
       }
+      ++count;
       const Bounds before = all ? all->roll : own->roll;
       all = *own;
       all->roll = {std::min(before.low, own->roll.low), std::max(before.high, own->roll.high)};
@@ -114,7 +117,7 @@ std::optional<Flanks> flanks_of(const Mechanism& mechanism, const CurveRef& ref)
     return std::nullopt;
   }
   return Flanks{named.parts.empty() ? body.name + "." + named.name : body.name, all->base_radius, all->roll,
-                *pivot};
+                count, *pivot};
 }
 
 // At a contact the two rolls span the common tangent of the base circles: r1 φ1 + r2 φ2 = √(a² - (r1 + r2)²).
@@ -141,6 +144,20 @@ std::string interference(const Flanks& root, const Flanks& tip, double tangent, 
       root.name);
 }
 
+// Wheels mesh only if their teeth are equally far apart along the base circles. \pre all teeth of both are
+// there
+std::string other_pitch(const Flanks& first, const Flanks& second, const Units& units) {
+  const auto pitch = [](const Flanks& flanks) { return 4 * kPi * flanks.base_radius / flanks.count; };
+  const double a = pitch(first), b = pitch(second);
+  return std::abs(a - b) <= kSameBasePitch * a
+             ? ""
+             : fmt::format(
+                   "the teeth of {} are {} apart along the base circle, those of {} {}: wheels that mesh "
+                   "have the same `module` and `pressure_angle`",
+                   first.name, with_unit(a, dimension::kLength, units, 4), second.name,
+                   with_unit(b, dimension::kLength, units, 4));
+}
+
 // Interference in a contact of involutes whose base circles turn about two pivots on ground: the tips of one
 // reach beyond the start of the other's flanks. Empty if there is none, and for all other contacts.
 std::string tooth_note(const Mechanism& mechanism, const Contact& contact, const Units& units) {
@@ -148,6 +165,13 @@ std::string tooth_note(const Mechanism& mechanism, const Contact& contact, const
   const auto second = first ? flanks_of(mechanism, contact.second) : std::nullopt;
   if (!second) {
     return "";
+  }
+  const auto is_whole = [&](const CurveRef& ref) {
+    const auto& boundary = described_curve(mechanism, ref).boundary;
+    return boundary && boundary->is_closed();
+  };
+  if (is_whole(contact.first) && is_whole(contact.second)) {
+    if (std::string pitch = other_pitch(*first, *second, units); !pitch.empty()) return pitch;
   }
   const double distance = (second->pivot_W - first->pivot_W).norm();
   const double sum = first->base_radius + second->base_radius;

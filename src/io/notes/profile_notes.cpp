@@ -4,6 +4,7 @@
 #include "contact_notes.hpp"
 #include "flank_notes.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
@@ -130,11 +131,12 @@ private:
     }
   }
 
-  // A drawing's numbers in millimetres, read as metres.
+  // A drawing's numbers in millimetres, read as metres; or numbers in metres, read as millimetres.
   void size() {
-    constexpr double kLarge = 50;  // [m]
     const double metres = size_of(mechanism_);
-    if (metres > kLarge && !mechanism_.joints.empty()) {
+    const bool is_fraction = from_si(dimension::kLength, profile_.units).apply(metres) < 1;
+    if (!mechanism_.joints.empty() &&
+        (metres > kLargeMechanism || (metres < kSmallMechanism && is_fraction))) {
       add("units.length", fmt::format("the mechanism is {} large: are its numbers in \"{}\"?", length(metres),
                                       name_of(profile_.units.length)));
     }
@@ -262,6 +264,11 @@ private:
     if (turns) {
       angle_unit(path + ".start");
       angle_unit(path + ".end");
+      if (!program.positions.empty()) {
+        const auto farthest = std::max_element(program.positions.begin(), program.positions.end(),
+                                               [](double a, double b) { return std::abs(a) < std::abs(b); });
+        angle_unit(fmt::format("{}.positions.{}", path, farthest - program.positions.begin()));
+      }
     }
     if (program.law) {
       // The law gives the motion in time: `end` and `samples` do not matter.

@@ -4,7 +4,6 @@
 #include "higherpair/io/coordinate.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include <fmt/core.h>
 

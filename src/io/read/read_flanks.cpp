@@ -2,6 +2,7 @@
 #include "higherpair/cam/sizing.hpp"
 #include "higherpair/geometry/contour.hpp"
 #include "higherpair/io/coordinate.hpp"
+#include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "io/tolerances.hpp"
@@ -104,7 +105,7 @@ private:
       report(reading_, late.law, step_at_the_end(motion).value_or(explain(spans.error(), origin)));
       return;
     }
-    auto boundary = Boundary::make(*std::move(spans), closes(motion), kFlankMeets);
+    auto boundary = Boundary::make(*std::move(spans), closes(motion), kFlankMeets * size_of(mechanism_));
     if (!boundary) {
       const auto jump = velocity_jump(motion);
       report(reading_, late.law, jump ? *jump : step_at_the_end(motion).value_or("the flank does not close"));
@@ -214,12 +215,13 @@ private:
   }
 
   // Whether a flank can be made that closes and does not cross itself.
-  static bool can_be_cut(const FlankOrigin& cam) {
+  [[nodiscard]] bool can_be_cut(const FlankOrigin& cam) const {
     auto spans = cam_flank(cam.motion, cam.curve, cam.outer);
     if (!spans) {
       return false;
     }
-    const auto boundary = Boundary::make(*std::move(spans), closes(cam.motion), kFlankMeets);
+    const auto boundary =
+        Boundary::make(*std::move(spans), closes(cam.motion), kFlankMeets * size_of(mechanism_));
     return boundary && !find_self_crossing(*boundary);
   }
 
@@ -228,11 +230,12 @@ private:
   // searched for at which the flank does not cross itself either
   [[nodiscard]] std::string remedies(const FlankOrigin& cam, std::optional<CamSize> size,
                                      double radius) const {
+    const auto cuts = [&](const FlankOrigin& other) { return can_be_cut(other); };
     const auto here = size_of(cam);
     std::vector<std::string> changes, tried;
     if (here && size) {
       const CamSize from = size->base_radius > here->base_radius ? *size : *here;
-      size = reading_.advises ? smallest_that_can_be_cut(cam, from, can_be_cut) : from;
+      size = reading_.advises ? smallest_that_can_be_cut(cam, from, cuts) : from;
       if (!size) {
         tried.push_back("no base circle up to " +
                         length_text(reading_, largest_tried(cam, from).base_radius));
@@ -243,7 +246,7 @@ private:
     const double own = cam.curve.semi_latus;
     if (radius > 0 && is_roller(cam)) {
       const double from = std::min(radius, own);
-      const auto found = reading_.advises ? largest_that_can_be_cut(cam, from, can_be_cut) : from;
+      const auto found = reading_.advises ? largest_that_can_be_cut(cam, from, cuts) : from;
       if (!found) {
         tried.push_back("no roller down to " + length_text(reading_, smallest_radius_tried(from)));
       } else if (*found < own) {

@@ -125,7 +125,7 @@ void read_ratio(TableReader& table, Joint& joint) {
       item ? as_quantity(table.reading(), *item, {dimension::kNumber, Sign::kPositive}) : std::nullopt;
   const double ratio = quantity ? quantity->value : 1;
   if (!(ratio >= 1 / kLargestGearRatio && ratio <= kLargestGearRatio)) {
-    report(table.reading(), *item, "must be between 1e-9 and 1e9");
+    report(table.reading(), *item, kGearRatioRule);
   }
   const bool gears = joint.type == JointType::kGears;
   const bool same_sense = gears ? table.flag("internal", false) : !table.flag("crossed", false);

@@ -2,6 +2,7 @@
 
 #include "higherpair/io/names.hpp"
 #include "io/document/encoding.hpp"
+#include "io/units/unit_advice.hpp"
 #include "io/units/unit_table.hpp"
 #include "numeric/decimal.hpp"
 
@@ -53,8 +54,8 @@ std::optional<double> number_in(std::string_view field) {
 }
 
 std::string number_advice(std::string_view field, std::string_view column) {
-  if (field.find(',') != std::string_view::npos) {
-    return ": decimals are written with a point, not a comma";
+  if (const std::string advice = separator_advice(field); !advice.empty()) {
+    return ": " + advice;
   }
   std::string_view unit = field;
   if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);

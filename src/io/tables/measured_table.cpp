@@ -23,6 +23,10 @@ using io_detail::visible;
 constexpr std::size_t kMostTableMistakes = 5;
 constexpr std::size_t kMostColumns = 5000;
 
+tl::unexpected<Error> refused(Diagnostics mistakes) {
+  return tl::unexpected(Error{ErrorKind::kInput, std::move(mistakes)});
+}
+
 bool is_missing(std::string_view field) {
   std::string lower;
   for (const char c : field) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -51,12 +55,12 @@ public:
     }
   }
 
-  tl::expected<MeasuredTable, Diagnostics> finish() {
+  Result<MeasuredTable> finish() {
     if (mistakes_.empty() && table_.lines.empty()) {
       mistakes_.push_back(about(table_.source, "has no rows below a line that names the columns"));
     }
     if (!mistakes_.empty()) {
-      return tl::unexpected(std::move(mistakes_));
+      return refused(std::move(mistakes_));
     }
     return std::move(table_);
   }
@@ -140,22 +144,21 @@ private:
 
 }  // namespace
 
-tl::expected<MeasuredTable, Diagnostics> read_measured_text(std::string_view text, const std::string& source,
-                                                            const std::vector<std::string>& names) {
+Result<MeasuredTable> read_measured_text(std::string_view text, const std::string& source,
+                                         const std::vector<std::string>& names) {
   if (const auto mistake = io_detail::encoding_mistake(text)) {
-    return tl::unexpected(
-        Diagnostics{{{source, mistake->mark.line, mistake->mark.column}, mistake->message}});
+    return refused({{{source, mistake->mark.line, mistake->mark.column}, mistake->message}});
   }
   MeasuredReader reader(source, names);
-  io_detail::for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
+  const std::string plain = io_detail::with_plain_blanks(text);
+  io_detail::for_each_line(plain, [&](std::string_view line, int number) { reader.line(line, number); });
   return reader.finish();
 }
 
-tl::expected<MeasuredTable, Diagnostics> read_measured_file(const std::string& path,
-                                                            const std::vector<std::string>& names) {
+Result<MeasuredTable> read_measured_file(const std::string& path, const std::vector<std::string>& names) {
   const auto text = io_detail::read_text_file(path, "table");
   if (!text) {
-    return tl::unexpected(Diagnostics{about(path, text.error())});
+    return refused({about(path, text.error())});
   }
   return read_measured_text(*text, path, names);
 }

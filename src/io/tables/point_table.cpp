@@ -170,7 +170,8 @@ tl::expected<PointTable, std::vector<std::string>> read_points(std::string_view 
                                                                const PointColumns& columns,
                                                                const Units& units) {
   PointReader reader(columns, units);
-  for_each_line(text, [&](std::string_view line, int number) { reader.line(line, number); });
+  const std::string plain = with_plain_blanks(text);
+  for_each_line(plain, [&](std::string_view line, int number) { reader.line(line, number); });
   auto table = reader.finish();
   // Check the encoding only after a failure: comments may be in any encoding.
   const auto encoding = table ? std::nullopt : encoding_mistake(text);

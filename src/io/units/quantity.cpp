@@ -6,9 +6,10 @@
 #include "unit_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <regex>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -166,6 +167,20 @@ private:
   bool after_factor_ = false;
 };
 
+// The number that 1/4 in or 1 1/4 in is, with its unit; empty for all else. \param rest  what follows the
+// number
+std::string quotient_of(double number, std::string_view rest) {
+  static const std::regex kQuotient(R"((?:\s+(\d{1,6}))?\s*/\s*(\d{1,6})\s*(.*))");
+  std::cmatch match;
+  if (!std::regex_match(rest.data(), rest.data() + rest.size(), match, kQuotient) || match[2] == "0") {
+    return "";
+  }
+  const double divisor = std::stod(match[2].str());
+  const double value = match[1].matched ? number + std::copysign(std::stod(match[1].str()) / divisor, number)
+                                        : number / divisor;
+  return fmt::format("{}{}{}", value, match[3].length() > 0 ? " " : "", match[3].str());
+}
+
 struct NumberAndRest {
   double number;
   std::string_view rest;
@@ -191,8 +206,11 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
     return Refusal("must be a finite number");
   }
   const std::string_view rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
-  if (rest.size() > 1 && rest[0] == ',' && std::isdigit(static_cast<unsigned char>(rest[1])) != 0) {
-    return Refusal("has a comma: decimals are written with a point");
+  if (io_detail::trimmed(rest).find_first_of("0123456789,.'/") == 0) {
+    const std::string advice = io_detail::separator_advice(text);
+    if (!advice.empty()) return Refusal(advice);
+    const std::string quotient = quotient_of(number, rest);
+    if (!quotient.empty()) return Refusal("nothing is worked out here: write " + quotient);
   }
   return NumberAndRest{number, rest};
 }
@@ -257,7 +275,8 @@ tl::expected<io_detail::UnitScalings, std::string> io_detail::scalings_of(std::s
 
 tl::expected<Quantity, std::string> parse_quantity(std::string_view text, const Dimension& expected,
                                                    const Units& units) {
-  const auto number = take_number(io_detail::trimmed(text));
+  const std::string plain = io_detail::with_plain_blanks(text);
+  const auto number = take_number(io_detail::trimmed(plain));
   if (!number) {
     return Refusal(fmt::format("{}; {}", number.error(), example(expected, units)));
   }

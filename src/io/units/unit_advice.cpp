@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -110,6 +111,30 @@ std::string unit_advice(std::string_view text, std::string_view unknown, const D
   const std::vector<std::string> names =
       trimmed(text) == unknown ? units_of(expected) : std::vector<std::string>();
   return names.size() < 2 ? "" : fmt::format(" (there are {})", joined_words(names));
+}
+
+std::string separator_advice(std::string_view text) {
+  static const std::regex kComma(R"(([+-]?\d+),(\d+)\s*(?:[#A-Za-z°µμ}\]].*)?)");
+  static const std::regex kGrouped(
+      R"(([+-]?[1-9]\d{0,2})([,.' ])(\d{3}(?:\2\d{3})*)(?:([.,])(\d+))?\s*(?:[#A-Za-z°µμ}\]].*)?)");
+  const char *const begin = text.data(), *const end = begin + text.size();
+  std::cmatch comma, grouped;
+  const bool has_comma = std::regex_match(begin, end, comma, kComma);
+  const bool is_grouped = std::regex_match(begin, end, grouped, kGrouped) && grouped[2] != grouped[4];
+  if (has_comma) {
+    return fmt::format(
+        "a decimal number is written with a point: {0}.{1}{2}", comma[1].str(), comma[2].str(),
+        is_grouped ? fmt::format("; if thousands are meant, write {}{}", comma[1].str(), comma[2].str())
+                   : "");
+  }
+  const bool is_right = is_grouped && grouped[2] == "." && grouped[3].length() == 3 && !grouped[4].matched;
+  if (!is_grouped || is_right) {
+    return "";
+  }
+  std::string digits = grouped[1].str() + grouped[3].str();
+  digits.erase(std::remove(digits.begin(), digits.end(), *grouped[2].first), digits.end());
+  return fmt::format("write {}{}{}: no separator of thousands{}", digits, grouped[4].matched ? "." : "",
+                     grouped[5].str(), grouped[4] == "," ? ", and a point for decimals" : "");
 }
 
 }  // namespace higherpair::io_detail

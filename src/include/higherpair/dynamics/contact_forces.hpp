@@ -52,7 +52,7 @@ struct DriverPath {
 struct ContactOpening {
   enum class Kind {
     kRoot,    ///< the contact force passes through 0
-    kPole,    ///< it changes sign by growing without bound: a dead point, not a lift-off
+    kPole,    ///< it changes sign by growing without bound: a change point, not a lift-off
     kPulled,  ///< it pulls from the start, or right after a gap or a jump of the motion
   };
   std::size_t contact = 0;

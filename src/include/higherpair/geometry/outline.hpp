@@ -39,4 +39,9 @@ private:
   std::vector<NormalCone> of_parts_, of_nodes_;
 };
 
+/// Boundary::samples() as a polyline with a tree for searches.
+[[nodiscard]] inline const Outline& outline_of(const Boundary& boundary) {
+  return *boundary.outline_;
+}
+
 }  // namespace higherpair

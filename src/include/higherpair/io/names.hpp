@@ -34,12 +34,15 @@ inline constexpr std::string_view kNameRule =
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-/// `text` with every control character replaced by `?`, so that it fits into a one-line message.
-[[nodiscard]] inline std::string visible(std::string_view text) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return result;
-}
+/// Whether a character shows nothing or a blank only: control characters, unusual blanks, marks without
+/// width.
+[[nodiscard]] bool is_invisible(char32_t c);
+
+/// `text` on one line in which all characters can be told apart: invisible ones, and letters that look like
+/// Latin ones beside them, are written <U+00A0>.
+[[nodiscard]] std::string visible(std::string_view text);
+
+/// `text` with the blanks that documents have between a number and its unit replaced by spaces.
+[[nodiscard]] std::string with_plain_blanks(std::string_view text);
 
 }  // namespace higherpair::io_detail

@@ -2,6 +2,9 @@
 
 #include "higherpair/mechanism/description.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace higherpair {
 
 /// Prepares contacts that are found by boundaries: those in which one of the curves has several spans or
@@ -19,5 +22,11 @@ void undo_boundaries(Mechanism& mechanism);
 
 /// Whether use_boundaries() would prepare this contact.
 [[nodiscard]] bool needs_boundaries(const Mechanism& mechanism, const Contact& contact);
+
+/// Whether curve `index` of a body is curve `other`, or has it as a part.
+[[nodiscard]] inline bool is_or_has(const std::vector<NamedCurve>& curves, int index, int other) {
+  const std::vector<int>& parts = curves[static_cast<std::size_t>(index)].parts;
+  return index == other || std::find(parts.begin(), parts.end(), other) != parts.end();
+}
 
 }  // namespace higherpair
