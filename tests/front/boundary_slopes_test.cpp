@@ -545,6 +545,16 @@ TEST(OfARippledCam, AreExactOnAFlatFace) {
                            SlopeKind::kExact);
 }
 
+// The largest acceleration is at a point of the spline, where the curvature has a corner. Already with a
+// point a hundredth off it is elsewhere.
+TEST(OfARippledCam, AreThoseOfTheExtremeThatAnotherOneSoonExceeds) {
+  expect_slopes_of_results(model_of(rippled_cam(60, 0.01)),
+                           {"bodies.cam.curves.flank.points.19.1", "bodies.cam.curves.flank.points.22.1",
+                            "bodies.cam.curves.flank.points.24.0", "bodies.cam.curves.flank.points.25.1",
+                            "bodies.cam.curves.flank.points.50.0"},
+                           SlopeKind::kDifferences);
+}
+
 // All points of a spline moved by the same are the spline moved: as if the cam's pivot moved the other way.
 // At its points, where it has only a continuous curvature, too.
 TEST(OfSplines, ByAllPointsAreThoseByItsPosition) {
