@@ -189,7 +189,8 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
     text += (text.empty() ? "" : " or ") +
             rounded_inwards(scaling.apply(range.low) + key.shift, scaling.apply(range.high) + key.shift);
   }
-  return fmt::format("; it is possible with {} {} {}", key.path, text, unit_text(dimension, profile.units));
+  return fmt::format("; it is possible, for example, with {} {} {}", key.path, text,
+                     unit_text(dimension, profile.units));
 }
 
 }  // namespace higherpair
