@@ -362,6 +362,40 @@ TEST(StartNotes, MeasureTheDistanceInTheAssembledMechanism) {
   EXPECT_THAT(texts(notes_at_start(*profile)), ElementsAre(HasSubstr("bodies.follower: ")));
 }
 
+// An arm on whose line a block slides, through its pivot. The block starts farther from the pivot than `to`
+// lets it be on the side on which the pose has it.
+TEST(StartNotes, NameABodyThatStartsTurnedRound) {
+  const std::string text = R"([bodies.ground]
+points.A = [0, 0]
+points.O = [60, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [20, 0]
+[bodies.block]
+pose = { x = -19, y = 2, angle = 178 }
+points.B = [0, 0]
+[bodies.arm]
+pose = { x = 60, y = 0, angle = 178 }
+points.O = [0, 0]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "block.B"] }
+o = { type = "revolute", between = ["ground.O", "arm.O"] }
+s = { type = "prismatic", between = ["arm.O", "block.B"], direction = [1, 0], from = -100, to = 50 }
+[driver]
+joint = "a"
+start = 180
+end   = 200
+)";
+  EXPECT_THAT(
+      texts(notes_at_start(testing::read(text))),
+      ElementsAre("test.toml: note: bodies.block: is turned by 178 deg from its pose at the start; is "
+                  "that the assembly that is meant? Else give a better pose",
+                  "test.toml: note: bodies.arm: is turned by 178 deg from its pose at the start; is "
+                  "that the assembly that is meant? Else give a better pose"));
+  EXPECT_THAT(notes_at_start(testing::read(testing::replaced(text, "to = 50", "to = 100"))), IsEmpty());
+}
+
 std::string advice_with_driver(const std::string& driver, double start) {
   std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
   std::string text((std::istreambuf_iterator<char>(file)), {});
