@@ -142,6 +142,15 @@ inline constexpr double kMapOverlap = 1e-9;
 
 /// Step of finite differences, as a fraction of the number's scale.
 inline constexpr double kDifferenceStep = 2e-4;
+/// Differences of two orders agree if their relative difference is below the first. Else shorter steps are
+/// tried, each this fraction of the one before, and so many in all: four of the result's twelve digits are
+/// left with the last one.
+inline constexpr double kDifferencesAgree = 1e-5;
+inline constexpr double kShorterDifference = 0.1;
+inline constexpr int kMostDifferenceSteps = 4;
+/// Relative to the result: the two agree if they differ by a smaller change of it over the step, which may be
+/// rounding.
+inline constexpr double kDifferenceRounding = 1e-11;
 /// A number of the profile whose step changes no number of the mechanism by more than this has no effect;
 /// relative to the largest of them.
 inline constexpr double kNoNumberChange = 1e-14;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/geometry/pose.hpp"
+
 // Tolerances of the input and output code: how far numbers that should be equal may differ through rounding
 // and a limited number of written digits, and above which size a possible mistake is worth a note.
 
@@ -100,6 +102,8 @@ inline constexpr double kFarCenterOfMass = 20;
 /// Relative to the mechanism's size: a point that starts farther from its position in the poses is worth a
 /// note.
 inline constexpr double kFarFromPose = 2.0 / 3;
+/// So is a body that starts turned from its pose by more than this: it points the other way [rad].
+inline constexpr double kTurnedFromPose = 3 * kPi / 4;
 /// Relative to the sum of the distances of a face and a curve from the origin: the curve is behind the face
 /// only if it is farther behind it than this.
 inline constexpr double kBehindFace = 1e-9;

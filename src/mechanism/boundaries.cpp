@@ -6,6 +6,7 @@
 #include "higherpair/mechanism/tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -124,8 +125,10 @@ void use_boundaries(Mechanism& mechanism) {
     if (!needs_boundaries(mechanism, contact)) {
       continue;
     }
-    if (!reach) {  // of the description alone: the boundaries made below are as long as this reach
-      reach = kReachOfOpenCurves * size_with_boundaries(mechanism);
+    // Of the description alone: the boundaries made below are as long as this reach. It is a power of two, as
+    // the size of a sampled boundary is no smooth function of the numbers it is made from.
+    if (!reach) {
+      reach = std::exp2(std::ceil(std::log2(kReachOfOpenCurves * size_with_boundaries(mechanism))));
     }
     const BoundaryRules rules{*reach, !contact.both_sides};
     make_own(mechanism, contact.first, rules);

@@ -386,8 +386,8 @@ TEST(BoundaryCams, AStraightRailCarriesWheelsWhereverItEnds) {
   }
 }
 
-// The face of a follower is a line, which is followed up to 10 times the size of the mechanism; how many
-// contacts there are besides does not matter.
+// The face of a follower is a line, which is followed up to the power of two from 10 times the size of the
+// mechanism on; how many contacts there are besides does not matter.
 TEST(BoundaryCams, EqualFollowersOnOneShoeLoseItTogether) {
   constexpr double r = 0.01, slope = 0.01;
   Mechanism m;
@@ -403,7 +403,7 @@ TEST(BoundaryCams, EqualFollowersOnOneShoeLoseItTogether) {
     m.contacts.back().keep = Keep::kGap;
   }
   add_driver(m, rail);
-  const double reach = 10 * size_of(m);
+  const double reach = std::exp2(std::ceil(std::log2(10 * size_of(m))));
   use_boundaries(m);
   auto run = start_run(m, {0});
   ASSERT_TRUE(run) << run.error().reason;

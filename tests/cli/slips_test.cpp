@@ -379,7 +379,8 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
 TEST_F(Slips, AStartThatCannotBeAssembledNamesThoseThatCan) {
   const Outcome outcome = run("analyze " + shipped_profile("lock_up.toml") + " --set driver.start=90");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("; it is possible with driver.start from -65.8 to 65.8 deg\n"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("; it is possible, for example, with driver.start from -65.8 to 65.8 deg\n"));
 }
 
 }  // namespace

@@ -475,6 +475,115 @@ INSTANTIATE_TEST_SUITE_P(
                             {"bodies.follower.pose.y=25"}}),
     [](const auto& one) { return std::string(one.param.text == nullptr ? "Law" : one.param.name); });
 
+// A closed spline whose points are off a circle by little: its curvature has many extremes.
+std::string rippled_cam(int count, double ripple) {
+  std::string points;
+  for (int k = 0; k < count; ++k) {
+    const double at = 2 * kPi * k / count, r = 30 + ripple * std::sin(k * k);
+    points += fmt::format("[{:.4f}, {:.4f}], ", 6 + r * std::cos(at), r * std::sin(at));
+  }
+  return fmt::format(R"(
+[bodies.ground]
+points.O = [0, 0]
+[bodies.cam]
+points.O = [0, 0]
+curves.flank = {{ type = "spline", points = [{}] }}
+[bodies.follower]
+pose = {{ y = 40 }}
+points.F = [0, 0]
+curves.face = {{ type = "line", point = [0, 0], normal = [0, -1] }}
+[joints]
+main  = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+guide = {{ type = "prismatic", between = ["ground.O", "follower.F"], direction = [0, 1] }}
+[contacts.touch]
+between = ["cam.flank", "follower.face"]
+[driver]
+joint    = "main"
+end      = 360
+samples  = 37
+velocity = 800
+)",
+                     points);
+}
+
+// The slopes of the follower's largest acceleration and of its stroke, and their central differences over so
+// small steps that the extremes stay where they are.
+void expect_slopes_of_results(const Model& model, const std::vector<std::string>& by,
+                              SlopeKind of_acceleration) {
+  SensitivitySettings settings;
+  for (const char* result : {"guide.acceleration:maxabs", "guide.position:range"}) {
+    settings.results.push_back(measure_from(model, result).value());
+  }
+  settings.by = by;
+  const auto report = sensitivity(model, settings);
+  ASSERT_TRUE(report) << to_string(report.error());
+  settings.by = {"bodies.cam.points.O.0"};
+  for (std::size_t i = 0; i < report->numbers.size(); ++i) {
+    const SensitivityNumber& number = report->numbers[i];
+    std::vector<SensitivityReport> beside;
+    const double h = 1e-5;
+    for (const double step : {-h, h}) {
+      const auto other = model.with({{number.paths[0], number.value + step}});
+      ASSERT_TRUE(other) << to_string(other.error());
+      beside.push_back(sensitivity(*other, settings).value());
+    }
+    for (std::size_t m = 0; m < report->results.size(); ++m) {
+      const Slope& slope = report->results[m].slopes[i];
+      const double expected = (beside[1].results[m].value - beside[0].results[m].value) / (2 * h);
+      EXPECT_EQ(static_cast<int>(slope.kind), static_cast<int>(m == 0 ? of_acceleration : SlopeKind::kExact))
+          << number.name << ", " << report->results[m].name;
+      EXPECT_NEAR(slope.up, expected, 1e-5 * std::abs(expected) + 1e-6 * report->results[m].value)
+          << number.name << ", " << report->results[m].name;
+      EXPECT_LE(slope.error, 1e-4 * std::abs(expected) + 1e-6 * report->results[m].value) << number.name;
+    }
+  }
+}
+
+// The face is followed as far as the size of the cam requires, which jumps where the cam has other samples.
+TEST(OfARippledCam, AreExactOnAFlatFace) {
+  expect_slopes_of_results(model_of(rippled_cam(36, 0.02)), {"bodies.cam.curves.flank.points.*"},
+                           SlopeKind::kExact);
+}
+
+// The largest acceleration is at a point of the spline, where the curvature has a corner. Already with a
+// point a hundredth off it is elsewhere.
+TEST(OfARippledCam, AreThoseOfTheExtremeThatAnotherOneSoonExceeds) {
+  expect_slopes_of_results(model_of(rippled_cam(60, 0.01)),
+                           {"bodies.cam.curves.flank.points.19.1", "bodies.cam.curves.flank.points.22.1",
+                            "bodies.cam.curves.flank.points.24.0", "bodies.cam.curves.flank.points.25.1",
+                            "bodies.cam.curves.flank.points.50.0"},
+                           SlopeKind::kDifferences);
+}
+
+// All points of a spline moved by the same are the spline moved: as if the cam's pivot moved the other way.
+// At its points, where it has only a continuous curvature, too.
+TEST(OfSplines, ByAllPointsAreThoseByItsPosition) {
+  const std::vector<std::string> columns = {"follower.angle", "follower.omega", "follower.alpha",
+                                            "touch.rho1"};
+  const std::vector<std::string> by = {"bodies.cam.curves.disc.points.*.0", "bodies.cam.points.O.0"};
+  const Slopes found = slopes_of(model_of(kPoints, {"driver.samples=361"}), columns, by);
+  ASSERT_EQ(found.numbers.size(), 11U);
+  const std::size_t count = found.columns.size();
+  const std::vector<double> largest = largest_of(found);
+  std::size_t pivot = 0;
+  while (found.numbers[pivot].name != "bodies.cam.points.O.0") ++pivot;
+  double worst = 0;
+  for (std::size_t k = 0; k < found.slopes.size(); ++k) {
+    for (std::size_t c = 0; c < count; ++c) {
+      if (largest[c] < kNothing) continue;
+      double sum = 0, size = largest[c] / 30;
+      for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+        const double slope = found.slopes[k][i * count + c];
+        sum += slope;
+        size = std::max(size, std::abs(slope));
+      }
+      worst = std::max(worst, std::abs(sum) / size);
+      EXPECT_NEAR(sum, 0, 1e-9 * size) << found.columns[c].name << " in row " << k;
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
 // The same numbers in other units give a larger or smaller copy.
 TEST(OfCopies, ThatAreScaledAreTheSameNumbers) {
   const std::vector<std::string> columns = {"follower.*", "touch.x", "touch.rho1", "touch.pressure"};

@@ -411,6 +411,40 @@ TEST(StartNotes, MeasureTheDistanceInTheAssembledMechanism) {
   EXPECT_THAT(texts(notes_at_start(*profile)), ElementsAre(HasSubstr("bodies.follower: ")));
 }
 
+// An arm on whose line a block slides, through its pivot. The block starts farther from the pivot than `to`
+// lets it be on the side on which the pose has it.
+TEST(StartNotes, NameABodyThatStartsTurnedRound) {
+  const std::string text = R"([bodies.ground]
+points.A = [0, 0]
+points.O = [60, 0]
+[bodies.crank]
+points.A = [0, 0]
+points.B = [20, 0]
+[bodies.block]
+pose = { x = -19, y = 2, angle = 178 }
+points.B = [0, 0]
+[bodies.arm]
+pose = { x = 60, y = 0, angle = 178 }
+points.O = [0, 0]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "block.B"] }
+o = { type = "revolute", between = ["ground.O", "arm.O"] }
+s = { type = "prismatic", between = ["arm.O", "block.B"], direction = [1, 0], from = -100, to = 50 }
+[driver]
+joint = "a"
+start = 180
+end   = 200
+)";
+  EXPECT_THAT(
+      texts(notes_at_start(testing::read(text))),
+      ElementsAre("test.toml: note: bodies.block: is turned by 178 deg from its pose at the start; is "
+                  "that the assembly that is meant? Else give a better pose",
+                  "test.toml: note: bodies.arm: is turned by 178 deg from its pose at the start; is "
+                  "that the assembly that is meant? Else give a better pose"));
+  EXPECT_THAT(notes_at_start(testing::read(testing::replaced(text, "to = 50", "to = 100"))), IsEmpty());
+}
+
 std::string advice_with_driver(const std::string& driver, double start) {
   std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
   std::string text((std::istreambuf_iterator<char>(file)), {});
@@ -422,15 +456,15 @@ std::string advice_with_driver(const std::string& driver, double start) {
 TEST(StartAdvice, NamesWhatMovesTheDriver) {
   const std::string driver = "[driver]\njoint = \"cam_pivot\"\n";
   EXPECT_EQ(advice_with_driver(driver + "positions = [90, 100]\n", kPi / 2),
-            "; it is possible with driver.positions from -65.8 to 65.8 deg");
+            "; it is possible, for example, with driver.positions from -65.8 to 65.8 deg");
   const std::string law = driver + "law = \"swing\"\n[laws.swing]\n";
   const std::string segments = "segments = [{ over = 2, law = \"uniform\", rise = 40 }]\n";
   EXPECT_EQ(advice_with_driver(law + segments + "start = 90\n", kPi / 2),
-            "; it is possible with laws.swing.start from -65.8 to 65.8 deg");
+            "; it is possible, for example, with laws.swing.start from -65.8 to 65.8 deg");
   EXPECT_EQ(advice_with_driver(law + segments + "start = 80\norigin = -0.5\n", kPi / 2),
-            "; it is possible with laws.swing.start from -75.8 to 55.8 deg");
+            "; it is possible, for example, with laws.swing.start from -75.8 to 55.8 deg");
   EXPECT_EQ(advice_with_driver(law + "points = [[0, 90], [1, 95], [2, 97], [3, 100]]\n", kPi / 2),
-            "; it is possible with laws.swing at time 0 from -65.8 to 65.8 deg");
+            "; it is possible, for example, with laws.swing at time 0 from -65.8 to 65.8 deg");
 }
 
 TEST(StartAdvice, NamesTheTableOfOneOfSeveralDrivers) {
@@ -446,13 +480,13 @@ TEST(StartAdvice, NamesTheRangeInWhichItCanBeAssembled) {
   ASSERT_TRUE(profile);
   // The limits are at ±65.83442067466342.
   EXPECT_EQ(start_advice(*profile, {kPi / 2}, 1e-9),
-            "; it is possible with driver.start from -65.8 to 65.8 deg");
+            "; it is possible, for example, with driver.start from -65.8 to 65.8 deg");
   EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "");
 }
 
-// The same pair, its cam turned four times as fast by gears and half a turn off at the start: it assembles
-// within 65.834/4 degrees of ±45 and ±135. Of equally near ranges those ahead come first.
-TEST(StartAdvice, NamesTheThreeNearestRangesInWhichItCanBeAssembled) {
+// The same pair, its cam turned faster by gears and half a turn off at the start: it assembles within
+// 65.834/ratio degrees of odd multiples of 180/ratio.
+std::string advice_with_gears(double ratio) {
   std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/lock_up.toml");
   std::string text((std::istreambuf_iterator<char>(file)), {});
   text += R"(
@@ -464,15 +498,27 @@ between = ["ground.O1", "wheel.O"]
 [joints.mesh]
 type    = "gears"
 between = ["wheel.O", "cam.O"]
-ratio   = 4
 )";
+  text += "ratio = " + std::to_string(ratio) + "\n";
   const std::vector<std::string> overrides = {"driver.joint=wheel_pivot", "bodies.cam.pose.angle=180"};
   const auto profile = read_profile_text(text, "test.toml", overrides);
-  ASSERT_TRUE(profile);
+  return start_advice(profile.value(), {0}, 1e-9);
+}
+
+// Of equally near ranges those ahead come first.
+TEST(StartAdvice, NamesTheThreeNearestRangesInWhichItCanBeAssembled) {
   EXPECT_EQ(
-      start_advice(*profile, {0}, 1e-9),
-      "; it is possible with driver.start from 28.55 to 61.45 or from 298.55 to 331.45 or from 118.55 to "
-      "151.45 deg");
+      advice_with_gears(4),
+      "; it is possible, for example, with driver.start from 28.55 to 61.45 or from -61.45 to -28.55 or "
+      "from 118.55 to 151.45 deg");
+}
+
+// They are narrower than the 72nd part of a turn.
+TEST(StartAdvice, NamesNarrowRangesNextToTheStart) {
+  EXPECT_EQ(
+      advice_with_gears(100),
+      "; it is possible, for example, with driver.start from 1.142 to 2.458 or from -2.458 to -1.142 or "
+      "from 4.742 to 6.058 deg");
 }
 
 // Coupler and rocker reach the crank's pin only where all links are in line.
@@ -480,7 +526,7 @@ TEST(StartAdvice, NamesTheOnePositionInWhichItCanBeAssembled) {
   const std::vector<std::string> short_coupler = {"bodies.coupler.points.B=[1, 0]"};
   const auto profile = read_profile_file(HIGHERPAIR_SOURCE_DIR "/profiles/four_bar.toml", short_coupler);
   ASSERT_TRUE(profile);
-  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "; it is possible with driver.start 180 deg");
+  EXPECT_EQ(start_advice(*profile, {0}, 1e-9), "; it is possible, for example, with driver.start 180 deg");
 }
 
 TEST(StartAdvice, SaysThatNoOtherStartWillDo) {

@@ -15,7 +15,8 @@ namespace higherpair {
 namespace {
 
 constexpr int kTries = 72;
-constexpr int kHalvings = 24;  // 2^-24/72 < 1e-9
+constexpr int kTriesBeside = 36;  // in each of the two steps next to the start
+constexpr int kHalvings = 24;     // 2^-24/72 < 1e-9
 constexpr std::size_t kMostRanges = 3;
 
 // A range with what is known of its ends: each lies between a position at which the mechanism can be
@@ -41,7 +42,7 @@ double least_distance(const RoughRange& rough, double from, double turn) {
 
 class Scan {
 public:
-  // \param closed  whether it ends where it begins
+  // \param closed  whether it ends where it begins, at the start; else the start is in its middle
   Scan(Run& run, double from, double span, bool closed)
       : run_(run), from_(from), span_(span), closed_(closed) {}
 
@@ -79,15 +80,16 @@ public:
 private:
   std::vector<RoughRange> rough_ranges() {
     std::vector<RoughRange> found;
+    const std::vector<double> tried = shares();
     const bool first = assembles(at(0));
     bool last = first;
     if (first) {
       found.push_back({{at(0), at(1)}, {at(0), at(1)}});
     }
-    for (int k = 1; k <= kTries && !is_stopped(run_); ++k) {
-      const double here = at(static_cast<double>(k) / kTries);
-      const double before = at(static_cast<double>(k - 1) / kTries);
-      const bool now = closed_ && k == kTries ? first : assembles(here);
+    for (std::size_t k = 1; k < tried.size() && !is_stopped(run_); ++k) {
+      const double here = at(tried[k]);
+      const double before = at(tried[k - 1]);
+      const bool now = closed_ && k + 1 == tried.size() ? first : assembles(here);
       if (now && !last) {
         found.push_back({{here, at(1)}, {before, at(1)}});
       } else if (!now && last) {
@@ -97,6 +99,20 @@ private:
       last = now;
     }
     return found;
+  }
+
+  // The positions to try, as fractions of the range: more of them next to the start.
+  [[nodiscard]] std::vector<double> shares() const {
+    std::vector<double> shares;
+    for (int k = 0; k < kTries; ++k) {
+      const bool beside = closed_ ? k == 0 || k + 1 == kTries : k == kTries / 2 || k + 1 == kTries / 2;
+      const int parts = beside ? kTriesBeside : 1;
+      for (int i = 0; i < parts; ++i) {
+        shares.push_back((k + static_cast<double>(i) / parts) / kTries);
+      }
+    }
+    shares.push_back(1);
+    return shares;
   }
 
   void settle(RoughRange& range) {
@@ -146,7 +162,8 @@ std::optional<std::vector<StartRange>> find_start_ranges(const Mechanism& mechan
     return std::nullopt;
   }
   for (StartRange& range : ranges) {
-    const double turns = turn > 0 ? turn * (std::ceil(range.high / turn) - 1) : 0;
+    const double ahead = (range.low + range.high) / 2 - from;
+    const double turns = turn > 0 ? turn * std::ceil(ahead / turn - 0.5 - kSameStartDistance) : 0;
     range = {range.low - turns, range.high - turns};
   }
   return ranges;

@@ -7,7 +7,6 @@
 #include "front/run_settings.hpp"
 #include "front/tolerances.hpp"
 #include "higherpair/io/tasks.hpp"
-#include "higherpair/numeric/contains.hpp"
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/stop.hpp"
 #include "number_slopes.hpp"
@@ -188,19 +187,23 @@ private:
     return open;
   }
 
-  void take_differences(std::size_t i, const std::vector<std::size_t>& open,
-                        const std::vector<double>& unchanged, SensitivityReport& report) const {
-    const double h = kDifferenceStep * models_[i]->scale();
-    std::array<std::vector<double>, 5> values;
-    for (int k = -2; k <= 2 && !stopped(); ++k) {
-      values[k + 2] = k == 0 ? unchanged : results_with(i, k * h);
-    }
-    for (std::size_t m = 0; m < results_.size() && !stopped(); ++m) {
-      if (!contains(open, m)) continue;
-      Slope& slope = report.results[m].slopes[i];
-      slope = slope_by_differences({values[0][m], values[1][m], values[2][m], values[3][m], values[4][m]}, h,
-                                   kKinkRounding * largest(m));
-      snap(slope, i, m);
+  void take_differences(std::size_t i, std::vector<std::size_t> open, const std::vector<double>& unchanged,
+                        SensitivityReport& report) const {
+    std::vector<DifferenceSlope> found(results_.size());
+    double h = kDifferenceStep * models_[i]->scale();
+    for (int k = 0; k < kMostDifferenceSteps && !open.empty(); ++k, h *= kShorterDifference) {
+      std::array<std::vector<double>, 5> values;
+      for (int step = -2; step <= 2; ++step) {
+        values[step + 2] = step == 0 ? unchanged : results_with(i, step * h);
+        if (stopped()) return;
+      }
+      for (const std::size_t m : open) {
+        found[m].add({values[0][m], values[1][m], values[2][m], values[3][m], values[4][m]}, h, largest(m));
+        Slope& slope = report.results[m].slopes[i];
+        slope = found[m].slope();
+        snap(slope, i, m);
+      }
+      std::erase_if(open, [&](std::size_t m) { return !found[m].needs_shorter_step(); });
     }
   }
 

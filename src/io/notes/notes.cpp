@@ -121,12 +121,19 @@ Diagnostics start_notes(const Profile& profile, const std::vector<BodyMotion>& b
     // Wrong poses make the size too large. But the pose of a body that slides, such as a follower, may well
     // be elsewhere on its guide.
     const double size = slides(mechanism, static_cast<int>(i)) ? std::max(assembled, posed) : assembled;
-    if (moved.by > kFarFromPose * size && !is_driven_body(mechanism, static_cast<int>(i))) {
-      notes.push_back(about(profile.source,
-                            fmt::format("bodies.{}: {} is {} from where the pose has it at the start, in a "
-                                        "mechanism of {}; is that the assembly that is meant? Else give a "
-                                        "better pose",
-                                        body.name, moved.name, length(moved.by), length(size))));
+    const double turned = std::abs(nearest_turn(bodies[i].theta - body.guess_theta, 0));
+    const std::string far =
+        moved.by > kFarFromPose * size
+            ? fmt::format("{} is {} from where the pose has it at the start, in a mechanism of {}",
+                          moved.name, length(moved.by), length(size))
+        : turned > kTurnedFromPose ? fmt::format("is turned by {} from its pose at the start",
+                                                 with_unit(turned, dimension::kAngle, profile.units, 4))
+                                   : "";
+    if (!far.empty() && !is_driven_body(mechanism, static_cast<int>(i))) {
+      notes.push_back(
+          about(profile.source,
+                fmt::format("bodies.{}: {}; is that the assembly that is meant? Else give a better pose",
+                            body.name, far)));
     }
   }
   return notes;
@@ -189,7 +196,8 @@ std::string start_advice(const Profile& profile, const std::vector<double>& driv
     text += (text.empty() ? "" : " or ") +
             rounded_inwards(scaling.apply(range.low) + key.shift, scaling.apply(range.high) + key.shift);
   }
-  return fmt::format("; it is possible with {} {} {}", key.path, text, unit_text(dimension, profile.units));
+  return fmt::format("; it is possible, for example, with {} {} {}", key.path, text,
+                     unit_text(dimension, profile.units));
 }
 
 }  // namespace higherpair

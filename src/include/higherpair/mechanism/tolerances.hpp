@@ -19,7 +19,7 @@ inline constexpr double kSameBodyPoint = 1e-12;
 /// With larger ratios a whole turn of one wheel is within the rounding of the other's angle.
 inline constexpr double kLargestGearRatio = 1e9;
 inline constexpr const char* kGearRatioRule = "must be between 1e-9 and 1e9";
-/// How far lines and open conics are followed, relative to the size of the mechanism.
+/// How far lines and open conics are followed at least, relative to the size of the mechanism.
 inline constexpr double kReachOfOpenCurves = 10;
 
 /// Rounding of an interpolated sine, relative to its lever: for dyads, touching bodies, coupled bodies.
