@@ -35,9 +35,9 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
 /// square of the distance, so that for long it could not be seen from them which place holds.
 [[nodiscard]] bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g);
 
-/// Where the contact of group g leaves its place in run.at.state, at s, as at the end of a curve: goes on with
-/// another place at which the two bodies touch, and adds an event. If there is none, returns false and changes
-/// nothing.
+/// Where the contact of group g leaves its place in run.at.state, at s, as at the end of a curve: goes on
+/// with another place at which the two bodies touch, and adds an event. If there is none, returns false and
+/// changes nothing.
 [[nodiscard]] bool take_over(Run& run, const Path& path, double s, std::size_t g);
 
 /// If the contact comes with a corner to a corner or a notch at s, just beyond run.at.state: moves
