@@ -303,8 +303,7 @@ private:
   double searched_to_;                              // no stretch of the branch begins before this x
   std::optional<double> begins_ahead_ = {};         // x beyond the row where one begins
   std::vector<RunEvent> events_at_beginning_ = {};  // the events where it begins
-  std::optional<double> returned_at_ =
-      {};  // x of the probe at which the drivers are back from beyond the limit
+  std::optional<double> returned_at_ = {};          // x where drivers are back from beyond the limit
 };
 
 // Continues from a state of the stretch, at x = `from`. Adds the event of the limit at which the stretch

@@ -57,6 +57,7 @@ void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
   });
 }
 
+/// The same without being told of the parts.
 void move_to_row(Run& run, const DriverSchedule& schedule, std::int64_t row,
                  const std::vector<DriverMotion>& at_row);
 
