@@ -65,14 +65,9 @@ RowPath path_through(const DriverSchedule& schedule) {
 
 // With a schedule in time the path parameter is the time [s].
 RowPath path_in_time(const DriverSchedule& schedule) {
-  const double end = schedule.time_si(schedule.size() - 1);
   RowPath result;
   result.path.curve = schedule.curve();
-  result.path.knots = schedule.breaks();
-  result.path.knots.insert(result.path.knots.begin(), 0);
-  if (end > 0) {
-    result.path.knots.push_back(end);
-  }
+  result.path.knots = schedule.knots();
   result.path.motion = [schedule](double t, std::vector<DriverMotion>& drivers) {
     drivers.resize(schedule.driver_count());
     for (std::size_t i = 0; i < drivers.size(); ++i) {

@@ -245,6 +245,15 @@ std::vector<double> DriverSchedule::breaks() const {
   return apart;
 }
 
+std::vector<double> DriverSchedule::knots() const {
+  std::vector<double> times = breaks();
+  times.insert(times.begin(), 0);
+  if (const double end = time_si(size_ - 1); end > 0) {
+    times.push_back(end);
+  }
+  return times;
+}
+
 std::shared_ptr<const DriverCurve> DriverSchedule::make_curve() const {
   DriverCurve curve;
   for (std::size_t i = 0; i < driver_count(); ++i) {
@@ -254,9 +263,7 @@ std::shared_ptr<const DriverCurve> DriverSchedule::make_curve() const {
   if (size_ == 1 || std::all_of(speeds.begin(), speeds.end(), [](double speed) { return speed == 0; })) {
     return nullptr;
   }
-  curve.breaks = breaks();
-  curve.breaks.insert(curve.breaks.begin(), 0);
-  curve.breaks.push_back(time_si(size_ - 1));
+  curve.breaks = knots();
   curve.motion = [schedule = *this](std::size_t driver, double time) {
     return schedule.at_time(time, driver);
   };

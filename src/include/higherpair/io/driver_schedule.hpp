@@ -128,6 +128,9 @@ public:
   /// another function.
   [[nodiscard]] std::vector<double> breaks() const;
 
+  /// The same with the first and the last time of the run.
+  [[nodiscard]] std::vector<double> knots() const;
+
 private:
   struct OneDriver {
     std::vector<double> positions;  ///< explicit ones; else start … end
