@@ -218,17 +218,6 @@ void set_shares(Run& run) {
   }
 }
 
-// Puts a run that is at a row on a curve in time; false where it is not quite there.
-bool enter_curve(Run& run, const std::shared_ptr<const DriverCurve>& curve, double time) {
-  if (run.at.curve || !run.at.on_branch || run.at.beside || run.at.inputs != run.at.targets) {
-    return false;
-  }
-  run.at.curve = curve;
-  run.at.inputs = {time};
-  run.at.targets = {time};
-  return true;
-}
-
 // Moves a run from work.row_before to at.targets. \param drivers  there
 void move_to_targets(Run& run, const std::vector<DriverMotion>& drivers) {
   run.events.clear();

@@ -126,15 +126,7 @@ double driver_scale(const Run& run, std::size_t driver) {
 }
 
 double input_scale(const Run& run, std::size_t input) {
-  if (!run.at.curve) {
-    return driver_scale(run, input);
-  }
-  double pace = 0;
-  const std::vector<double>& speeds = run.at.curve->greatest_speeds;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    pace = std::max(pace, speeds[i] / driver_scale(run, i));
-  }
-  return 1 / pace;
+  return run.at.curve ? run.at.time_unit : driver_scale(run, input);
 }
 
 std::size_t leading_input(const Run& run, const std::vector<double>& from, const std::vector<double>& to) {
@@ -182,6 +174,21 @@ void set_unit_motions(const Run& run, const std::vector<double>& inputs, std::ve
     motions[i] = run.at.curve ? run.at.curve->motion(i, inputs[0])
                               : DriverMotion{inputs[i], motions.size() == 1 ? 1.0 : 0.0, 0};
   }
+}
+
+bool enter_curve(Run& run, const std::shared_ptr<const DriverCurve>& curve, double time) {
+  if (run.at.curve || !run.at.on_branch || run.at.beside || run.at.inputs != run.at.targets) {
+    return false;
+  }
+  double pace = 0;
+  for (std::size_t i = 0; i < curve->greatest_speeds.size(); ++i) {
+    pace = std::max(pace, curve->greatest_speeds[i] / driver_scale(run, i));
+  }
+  run.at.curve = curve;
+  run.at.time_unit = 1 / pace;
+  run.at.inputs = {time};
+  run.at.targets = {time};
+  return true;
 }
 
 void leave_curve(Run& run) {

@@ -3,6 +3,7 @@
 #include "higherpair/analysis/run.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 // The inputs of a run, which its paths vary: the coordinates of the drivers; on a curve in time the time
@@ -25,8 +26,7 @@ void set_part(const Run& run, Path& part, const std::vector<double>& from, const
 /// One unit of a driver's coordinate: a radian, or the size of the mechanism.
 [[nodiscard]] double driver_scale(const Run& run, std::size_t driver);
 
-/// One unit of an input: that of the driver's coordinate; of the time, the least in which a driver moves by
-/// one unit.
+/// One unit of an input: that of the driver's coordinate; of the time, RunPosition::time_unit.
 [[nodiscard]] double input_scale(const Run& run, std::size_t input);
 
 /// The input that changes most between two positions, measured in its unit.
@@ -50,6 +50,10 @@ void set_part(const Run& run, Path& part, const std::vector<double>& from, const
 /// The drivers at these inputs: a single one moves at unit rate, on a curve they move as it says, otherwise
 /// several are at rest.
 void set_unit_motions(const Run& run, const std::vector<double>& inputs, std::vector<DriverMotion>& motions);
+
+/// Puts a run that is at a row on a curve in time; false where it is not quite there, or is on a curve
+/// already.
+[[nodiscard]] bool enter_curve(Run& run, const std::shared_ptr<const DriverCurve>& curve, double time);
 
 /// Takes a run that is at a row off its curve: its inputs are the drivers' coordinates again.
 void leave_curve(Run& run);

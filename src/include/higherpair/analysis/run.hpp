@@ -117,6 +117,7 @@ struct RunPosition {
   std::vector<double> inputs;
   std::vector<double> targets;               ///< the inputs of the last row, which may not have been reached
   std::shared_ptr<const DriverCurve> curve;  ///< that the drivers follow; null if they go straight
+  double time_unit = 1;  ///< on it: the least time in which a driver moves by one unit [s]
   /// The last row, if it is next to a change point or at a limit, and `state` short of it.
   std::optional<State> beside;
   bool on_branch = true;  ///< false: the motion was lost at a limit; `state` is the last position before it
