@@ -166,10 +166,11 @@ DriverPath straight_path(std::vector<DriverMotion> from, std::vector<DriverMotio
 }
 
 void DriverPath::move(Run& run, double from, double to) const {
+  motion(to, run.work.at_row);
   if (curve) {
-    move_along(run, curve, from, to, at(to));
+    move_along(run, curve, from, to, run.work.at_row);
   } else {
-    move_to(run, at(to));
+    move_to(run, run.work.at_row);
   }
 }
 

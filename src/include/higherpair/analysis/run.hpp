@@ -141,6 +141,7 @@ struct StepWorkspace {
   std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups, in `trial` beyond a limit
   Path path;                                                 ///< to the next row
   std::vector<double> row_before;                            ///< inputs at the last row
+  std::vector<DriverMotion> at_row;  ///< for callers of move_to() that compute the drivers at a row anew
 };
 
 /// A running analysis. A copy continues from its position independently, in any thread.
