@@ -149,7 +149,6 @@ std::optional<int> set_out(Run& run) {
   run.at.watches = watched_contacts(run.mechanism());
   run.work.trial = run.at.state;
   run.at.targets = drivers;
-  run.work.drivers = drivers;
   run.work.row_before = drivers;
   set_path(run, run.work.path, drivers, drivers);
   if (const auto contact = leave_singular_start(run)) {

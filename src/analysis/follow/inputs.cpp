@@ -77,17 +77,6 @@ void Path::inputs(double s, std::vector<double>& out) const {
   }
 }
 
-void Path::positions(double s, std::vector<double>& out) const {
-  if (!curve) {
-    inputs(s, out);
-    return;
-  }
-  out.resize(curve->greatest_speeds.size());
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = on_curve(s, i).position;
-  }
-}
-
 void Path::motions(double s, std::vector<DriverMotion>& out) const {
   if (curve) {
     out.resize(curve->greatest_speeds.size());

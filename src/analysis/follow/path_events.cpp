@@ -35,10 +35,12 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
 RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
   RunEvent event;
   event.type = type;
-  std::vector<double> drivers;
-  path.positions(std::clamp(s, std::min(path.length, 0.0), std::max(path.length, 0.0)), drivers);
-  event.driver = drivers.front();
-  event.further_drivers.assign(drivers.begin() + 1, drivers.end());
+  std::vector<DriverMotion> drivers;
+  path.motions(std::clamp(s, std::min(path.length, 0.0), std::max(path.length, 0.0)), drivers);
+  event.driver = drivers.front().position;
+  for (std::size_t i = 1; i < drivers.size(); ++i) {
+    event.further_drivers.push_back(drivers[i].position);
+  }
   event.share = share_at(path, s);
   event.cause = cause;
   return event;

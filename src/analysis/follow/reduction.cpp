@@ -55,10 +55,10 @@ void Reduction::place_limit(const Point& limit, double at) {
   place(limit);
   run_.work.trial.groups[g_].sine = 0;
   run_.work.trial.groups[g_].sine_rate = 0;
-  path_.positions(at, run_.work.drivers);
+  path_.motions(at, run_.work.motions);
   for (std::size_t later = g_ + 1; later < run_.plan().groups.size(); ++later) {
     run_.work.trial.groups[later].mode = run_.at.state.groups[later].mode;
-    (void)place_group(model_of(run_), later, run_.at.state, limit.ahead, run_.work.drivers, run_.work.trial);
+    (void)place_group(model_of(run_), later, run_.at.state, limit.ahead, run_.work.motions, run_.work.trial);
   }
 }
 

@@ -161,14 +161,13 @@ int mode_at(const Run& run, const State& from, std::size_t g, double s, double s
 // Places the groups before `end` and sets their rates in run.work.trial, `x` beyond `from`, which is at s on
 // the path; does not check that the motion leads there.
 bool solve_groups(Run& run, const State& from, const Path& path, std::size_t end, double s, double x) {
-  path.positions(s + x, run.work.drivers);
+  path.motions(s + x, run.work.motions);
   for (std::size_t g = 0; g < end; ++g) {
     run.work.trial.groups[g].mode = mode_at(run, from, g, s + x, path.length);
-    if (place_group(model_of(run), g, from, x, run.work.drivers, run.work.trial) != GroupStatus::kOk) {
+    if (place_group(model_of(run), g, from, x, run.work.motions, run.work.trial) != GroupStatus::kOk) {
       return false;
     }
   }
-  path.motions(s + x, run.work.motions);
   for (std::size_t g = 0; g < end; ++g) {
     set_group_rates(model_of(run), g, run.work.motions, run.work.trial);
   }
@@ -179,7 +178,7 @@ bool solve_groups(Run& run, const State& from, const Path& path, std::size_t end
 // run.at.state smoothly.
 GroupStatus step_group(Run& run, std::size_t g, int mode, double h) {
   run.work.trial.groups[g].mode = mode;
-  const GroupStatus status = place_group(model_of(run), g, run.at.state, h, run.work.drivers, run.work.trial);
+  const GroupStatus status = place_group(model_of(run), g, run.at.state, h, run.work.motions, run.work.trial);
   if (status != GroupStatus::kOk) {
     return status;
   }
@@ -194,7 +193,6 @@ bool crosses(Run& run, const Path& path, std::size_t g, double s, double h) {
     const StateAside aside(run.work.trial);
     return Reduction(run, path, g, s).crossing_within(h);
   }();
-  path.positions(s + h, run.work.drivers);
   path.motions(s + h, run.work.motions);
   if (at) {
     run.work.crossings.push_back({g, s + at->ahead});
@@ -248,7 +246,6 @@ double fastest_body(const Run& run, const State& state) {
 StepResult try_step(Run& run, const Path& path, double s, double h) {
   run.work.crossings.clear();
   mark_places(run);
-  path.positions(s + h, run.work.drivers);
   path.motions(s + h, run.work.motions);
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
     const GroupStatus status = step_on_branch(run, path, g, s, h);
@@ -314,9 +311,6 @@ bool solve_before(Run& run, const Path& path, std::size_t end, double s, double 
 Placeable place_anew(Run& run, const std::vector<double>& inputs) {
   State& to = run.work.trial;
   set_unit_motions(run, inputs, run.work.motions);
-  run.work.drivers.resize(run.work.motions.size());
-  std::transform(run.work.motions.begin(), run.work.motions.end(), run.work.drivers.begin(),
-                 [](const DriverMotion& driver) { return driver.position; });
   const State& nearest = run.at.lost.nearest ? run.at.lost.nearest->state : run.at.state;
   if (run.plan().couples) {
     to = nearest;
@@ -330,8 +324,8 @@ Placeable place_anew(Run& run, const std::vector<double>& inputs) {
     const bool coupled = traits_of(run.plan().groups[g]).coupled;
     const GroupStatus status =
         coupled
-            ? place_coupled_anew(model_of(run), g, nearest, run.work.drivers, to, run.work.continuations[g])
-            : place_group_anew(model_of(run), g, run.at.state, run.work.drivers, to);
+            ? place_coupled_anew(model_of(run), g, nearest, run.work.motions, to, run.work.continuations[g])
+            : place_group_anew(model_of(run), g, run.at.state, run.work.motions, to);
     if (status != GroupStatus::kOk) {
       const double reach = reach_of(model_of(run), g, to);
       return reach >= 0 ? Placeable{false, 2 * g + 1, room_to_end(model_of(run), g, to)}

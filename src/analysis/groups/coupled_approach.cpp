@@ -94,8 +94,8 @@ private:
 // both relative to the size.
 class Violation {
 public:
-  Violation(const Planned& model, const Group& group, const State& from, const std::vector<double>& drivers,
-            State& to)
+  Violation(const Planned& model, const Group& group, const State& from,
+            const std::vector<DriverMotion>& drivers, State& to)
       : model_(model),
         group_(group),
         from_(from),
@@ -159,7 +159,7 @@ private:
   const Planned& model_;
   const Group& group_;
   const State& from_;
-  const std::vector<double>& drivers_;
+  const std::vector<DriverMotion>& drivers_;
   State& to_;
   BodyCoordinates coordinates_;
 };
@@ -257,7 +257,7 @@ bool approach(const Violation& violation) {
 
 // J at a state; it does not depend on the drivers' positions.
 Eigen::MatrixXd jacobian_at(const Planned& model, const Group& group, const State& state) {
-  const std::vector<double> drivers(model.mechanism.drivers.size());
+  const std::vector<DriverMotion> drivers(model.mechanism.drivers.size());
   return jacobian_of(group, group_rows(model, group, drivers, state, state.contacts), model.plan.size);
 }
 
@@ -336,7 +336,7 @@ std::array<Eigen::VectorXd, 2> changes_across(const Planned& model, const Group&
 }  // namespace
 
 GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
-                               const std::vector<double>& drivers, State& to,
+                               const std::vector<DriverMotion>& drivers, State& to,
                                std::optional<LeastViolation>& continuation) {
   const Group& group = model.plan.groups[g];
   const int mode = to.groups[g].mode;

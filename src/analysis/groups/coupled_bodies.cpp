@@ -99,7 +99,7 @@ Solver solver_at(const Planned& model, std::size_t g, const State& state) {
     CommonNormal& at = contacts[index].at;
     at.p1_W = at.p2_W = at.p_W();
   }
-  const std::vector<double> drivers(model.mechanism.drivers.size());
+  const std::vector<DriverMotion> drivers(model.mechanism.drivers.size());
   return Solver(jacobian_of(group, group_rows(model, group, drivers, state, contacts), model.plan.size));
 }
 
@@ -150,7 +150,7 @@ void add_step(const Group& group, const Eigen::VectorXd& step, double size, Stat
 }  // namespace
 
 GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
-                          const std::vector<double>& drivers, State& to,
+                          const std::vector<DriverMotion>& drivers, State& to,
                           const std::optional<std::vector<int>>& held) {
   const Group& group = model.plan.groups[g];
   const double size = model.plan.size;

@@ -9,7 +9,7 @@ namespace higherpair {
 /// \param held  where rolling begins: bodies that keep their angle in `from`. The conditions may then be
 ///              dependent and leave some freedom; the nearest position is taken
 [[nodiscard]] GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
-                                        const std::vector<double>& drivers, State& to,
+                                        const std::vector<DriverMotion>& drivers, State& to,
                                         const std::optional<std::vector<int>>& held = {});
 
 /// Places the bodies however far the drivers have moved from `from`: at the solution in mode
@@ -21,7 +21,7 @@ namespace higherpair {
 /// Schaeffer, Singularities and Groups 1, I.3 (reduction); Griewank and Reddien, SIAM J. Numer. Anal. 21,
 /// 1984 (bordered matrices).
 [[nodiscard]] GroupStatus place_coupled_anew(const Planned& model, std::size_t g, const State& from,
-                                             const std::vector<double>& drivers, State& to,
+                                             const std::vector<DriverMotion>& drivers, State& to,
                                              std::optional<LeastViolation>& continuation);
 
 /// Sets the group's sine and mode: whether its conditions have lost their rank, and on which branch it is.

@@ -47,7 +47,7 @@ void hold_angles(const std::vector<int>& held, const State& in, const State& to,
 }
 
 std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
-                                      const std::vector<double>& drivers, const State& state,
+                                      const std::vector<DriverMotion>& drivers, const State& state,
                                       const std::vector<ContactMotion>& contacts) {
   const Mechanism& mechanism = model.mechanism;
   const double size = model.plan.size;
@@ -60,7 +60,7 @@ std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
   }
   for (const int index : group.drivers) {
     const auto i = static_cast<std::size_t>(index);
-    append_driver_row(mechanism, driven_joint(mechanism, i), drivers[i], state.bodies, size, rows);
+    append_driver_row(mechanism, driven_joint(mechanism, i), drivers[i].position, state.bodies, size, rows);
   }
   hold_angles(idle_bodies_of(model.plan, group), state, state, size, rows);
   return rows;

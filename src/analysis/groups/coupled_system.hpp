@@ -22,7 +22,8 @@ void take_group(const Group& group, const State& from, State& to);
 /// The rows of the group's joints, contacts, drivers and idle bodies; the latter keep their angles.
 /// \param contacts  on the common normals of their bodies
 [[nodiscard]] std::vector<ConstraintRow> group_rows(const Planned& model, const Group& group,
-                                                    const std::vector<double>& drivers, const State& state,
+                                                    const std::vector<DriverMotion>& drivers,
+                                                    const State& state,
                                                     const std::vector<ContactMotion>& contacts);
 
 /// Appends rows that hold bodies at the angles that they have in state `in`.

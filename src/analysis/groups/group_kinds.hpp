@@ -89,11 +89,11 @@ void place_geared(const Planned& model, const GearedBody& geared, State& to);
 void move_geared(const Planned& model, const GearedBody& geared, State& state);
 
 [[nodiscard]] GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
-                                        const std::vector<double>& drivers, State& to);
+                                        const std::vector<DriverMotion>& drivers, State& to);
 /// Places the pair at the contact of the track's branch that is nearest to the last one, however far the
 /// drivers have moved.
 [[nodiscard]] GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
-                                             const std::vector<double>& drivers, State& to);
+                                             const std::vector<DriverMotion>& drivers, State& to);
 void move_tracked(const Planned& model, const TrackedPair& tracked, std::size_t g,
                   const std::vector<DriverMotion>& drivers, State& state);
 [[nodiscard]] GroupStatus place_touching(const Planned& model, const TouchingBody& touching, std::size_t g,

@@ -10,10 +10,10 @@
 namespace higherpair {
 namespace {
 
-void place_driven(const DrivenBody& driven, const std::vector<double>& drivers, const State& from,
+void place_driven(const DrivenBody& driven, const std::vector<DriverMotion>& drivers, const State& from,
                   State& to) {
   const CarriedBody& carried = driven.carried;
-  const double q = carried.sign * drivers[driven.driver];
+  const double q = carried.sign * drivers[driven.driver].position;
   if (carried.carrier == 0) {
     place_at(carried.freedom, q, carried.body, from, to);
     return;
@@ -94,7 +94,7 @@ BoundaryPair frozen_boundaries(const Planned& model, const TouchingBody& touchin
 namespace {
 
 GroupStatus place_anywhere(const Planned& model, std::size_t g, const State& from, double h,
-                           const std::vector<double>& drivers, State& to) {
+                           const std::vector<DriverMotion>& drivers, State& to) {
   const Group& group = model.plan.groups[g];
   return std::visit(
       Overload{[&](const DrivenBody& driven) {
@@ -124,7 +124,7 @@ GroupStatus within_ends(const Planned& model, std::size_t g, const State& placed
 }  // namespace
 
 GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
-                        const std::vector<double>& drivers, State& to) {
+                        const std::vector<DriverMotion>& drivers, State& to) {
   return within_ends(model, g, to, place_anywhere(model, g, from, h, drivers, to));
 }
 
@@ -144,7 +144,7 @@ void set_group_rates(const Planned& model, std::size_t g, const std::vector<Driv
 }
 
 GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
-                             const std::vector<double>& drivers, State& to) {
+                             const std::vector<DriverMotion>& drivers, State& to) {
   const GroupStatus status = std::visit(
       Overload{
           [&](const TrackedPair& tracked) { return place_tracked_anew(tracked, g, from, drivers, to); },

@@ -22,13 +22,14 @@ enum class GroupStatus {
 };
 
 /// Places the bodies of group `g` in `to`, whose earlier groups are placed: near where `from` and its rates
-/// lead after `h` of the path, in mode to.groups[g].mode. \param drivers  positions of Mechanism::drivers
+/// lead after `h` of the path, in mode to.groups[g].mode. \param drivers  of Mechanism::drivers; only their
+/// positions count
 [[nodiscard]] GroupStatus place_group(const Planned& model, std::size_t g, const State& from, double h,
-                                      const std::vector<double>& drivers, State& to);
+                                      const std::vector<DriverMotion>& drivers, State& to);
 
 /// The same however far the drivers have moved from `from`: on the branch held last.
 [[nodiscard]] GroupStatus place_group_anew(const Planned& model, std::size_t g, const State& from,
-                                           const std::vector<double>& drivers, State& to);
+                                           const std::vector<DriverMotion>& drivers, State& to);
 
 /// Sets velocities and accelerations of the bodies of group `g`; those of earlier groups must be set. Where
 /// the group is singular they are set to 0 and groups[g].sine is within its noise.

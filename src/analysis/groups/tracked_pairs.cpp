@@ -21,14 +21,14 @@ void place_follower(const TrackedPair& tracked, const ContactPosition& at, doubl
   to.contacts[tracked.contact] = contact_motion(at, phi, tracked.driver_is_first);
 }
 
-double coordinate_of(const TrackedPair& tracked, const std::vector<double>& drivers) {
-  return tracked.driver_sign * drivers[tracked.driver];
+double coordinate_of(const TrackedPair& tracked, const std::vector<DriverMotion>& drivers) {
+  return tracked.driver_sign * drivers[tracked.driver].position;
 }
 
 }  // namespace
 
 GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State& from,
-                          const std::vector<double>& drivers, State& to) {
+                          const std::vector<DriverMotion>& drivers, State& to) {
   const double u = coordinate_of(tracked, drivers);
   to.tracks[g] = from.tracks[g];
   GroupState& group = to.groups[g];
@@ -58,7 +58,7 @@ GroupStatus place_tracked(const TrackedPair& tracked, std::size_t g, const State
 }
 
 GroupStatus place_tracked_anew(const TrackedPair& tracked, std::size_t g, const State& from,
-                               const std::vector<double>& drivers, State& to) {
+                               const std::vector<DriverMotion>& drivers, State& to) {
   const auto* lost = std::get_if<ContactTrack>(&from.tracks[g]);
   if (lost == nullptr) {
     return place_tracked(tracked, g, from, drivers, to);

@@ -21,26 +21,6 @@ double distance_from(const BodyLine& line, const std::vector<BodyMotion>& bodies
   return std::abs(cross(u_W, Vector2d(p_W - X_WB * line.p_B)));
 }
 
-// Places the groups in their order and returns the gap of each, up to the first that cannot be placed.
-std::vector<std::optional<double>> gaps_of(const Run& run, const std::vector<double>& drivers) {
-  const State& from = run.at.state;
-  State state = from;
-  std::vector<std::optional<double>> gaps(run.plan().groups.size());
-  const Planned model{run.mechanism(), run.plan()};
-  for (std::size_t g = 0; g < gaps.size(); ++g) {
-    // A contact that was never found cannot be followed.
-    if (std::holds_alternative<TrackedPair>(run.plan().groups[g].kind) &&
-        std::holds_alternative<std::monostate>(state.tracks[g])) {
-      break;
-    }
-    gaps[g] = closure_gap(run.plan().groups[g], state.bodies);
-    if ((gaps[g] && *gaps[g] > 0) || place_group_anew(model, g, from, drivers, state) != GroupStatus::kOk) {
-      break;
-    }
-  }
-  return gaps;
-}
-
 }  // namespace
 
 std::optional<double> closure_gap(const Group& group, const std::vector<BodyMotion>& bodies) {
@@ -62,14 +42,33 @@ std::optional<double> closure_gap(const Group& group, const std::vector<BodyMoti
 }
 
 std::vector<std::optional<double>> closure_gaps(const Run& run, const std::vector<double>& drivers) {
-  return gaps_of(run, drivers);
+  const State& from = run.at.state;
+  State state = from;
+  std::vector<DriverMotion> motions;
+  for (const double position : drivers) {
+    motions.push_back({position});
+  }
+  std::vector<std::optional<double>> gaps(run.plan().groups.size());
+  for (std::size_t g = 0; g < gaps.size(); ++g) {
+    // A contact that was never found cannot be followed.
+    if (std::holds_alternative<TrackedPair>(run.plan().groups[g].kind) &&
+        std::holds_alternative<std::monostate>(state.tracks[g])) {
+      break;
+    }
+    gaps[g] = closure_gap(run.plan().groups[g], state.bodies);
+    if ((gaps[g] && *gaps[g] > 0) ||
+        place_group_anew(model_of(run), g, from, motions, state) != GroupStatus::kOk) {
+      break;
+    }
+  }
+  return gaps;
 }
 
 std::vector<std::optional<double>> first_closure_gaps(RunModel model, const std::vector<double>& drivers,
                                                       int branch) {
   Run run = planned_run(std::move(model), drivers);
   (void)assemble_on(run, branch);
-  return gaps_of(run, drivers);
+  return closure_gaps(run, drivers);
 }
 
 std::optional<double> transmission_sine(const Plan& plan, int joint, const std::vector<BodyMotion>& bodies) {

@@ -21,9 +21,6 @@ DirectMotion::DirectMotion(const Mechanism& mechanism, Plan plan, int branch)
 }
 
 bool DirectMotion::move_to(const std::vector<DriverMotion>& drivers, bool with_rates) {
-  positions_.resize(drivers.size());
-  std::transform(drivers.begin(), drivers.end(), positions_.begin(),
-                 [](const DriverMotion& driver) { return driver.position; });
   std::fill(gaps_.begin(), gaps_.end(), std::nullopt);
   const Planned model{mechanism_, plan_};
   std::swap(from_, state_);
@@ -31,7 +28,7 @@ bool DirectMotion::move_to(const std::vector<DriverMotion>& drivers, bool with_r
     state_.groups[g].mode = from_.groups[g].mode;
     gaps_[g] = closure_gap(plan_.groups[g], state_.bodies);
     if ((gaps_[g] && *gaps_[g] > 0) ||
-        place_group_anew(model, g, from_, positions_, state_) != GroupStatus::kOk) {
+        place_group_anew(model, g, from_, drivers, state_) != GroupStatus::kOk) {
       return false;
     }
   }

@@ -1,6 +1,8 @@
 #include "first_position.hpp"
 
 #include "analysis/boundaries/gap_contacts.hpp"
+#include "analysis/follow/inputs.hpp"
+#include "analysis/follow/step.hpp"
 #include "analysis/groups/coupled_bodies.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "analysis/tolerances.hpp"
@@ -101,7 +103,9 @@ Bounds guide_of(const Planned& model, const TouchingBody& touching, std::size_t 
 }  // namespace
 
 FirstPosition::FirstPosition(const Run& run)
-    : run_(run), model_{run.mechanism(), run.plan()}, posed_(run.at.state), state_(run.at.state) {}
+    : run_(run), model_(model_of(run)), posed_(run.at.state), state_(run.at.state) {
+  set_unit_motions(run, run.at.inputs, drivers_);
+}
 
 bool FirstPosition::place(std::size_t g, int mode) {
   const Group& group = run_.plan().groups[g];
@@ -123,7 +127,7 @@ bool FirstPosition::place(std::size_t g, int mode) {
   const State& from = touching != nullptr ? touching_start_ : posed_;
   const GroupStatus status = starts_rolling(run_.mechanism(), group)
                                  ? start_rolling_bodies(g)
-                                 : place_group(model_, g, from, 0, run_.at.inputs, state_);
+                                 : place_group(model_, g, from, 0, drivers_, state_);
   if (status != GroupStatus::kOk) {
     fail(g, why_unplaced(run_, state_, g),
          distance_from_poses(run_.mechanism(), group, state_.bodies, posed_.bodies));
@@ -150,7 +154,7 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   for (const int contact : group.contacts) {
     slipping.contacts[contact].rolling = false;
   }
-  const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, run_.at.inputs, state_,
+  const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, drivers_, state_,
                                            phase_bodies_of(run_.plan(), group));
   begin_arcs(group);
   judge_coupled(model_, g, state_);
@@ -188,7 +192,7 @@ bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {
     state_.tracks[g] = start_track(tracked.pair, found.at, state_.groups[g].mode);
   }
   const State from = state_;
-  if (place_group(model_, g, from, 0, run_.at.inputs, state_) != GroupStatus::kOk) {
+  if (place_group(model_, g, from, 0, drivers_, state_) != GroupStatus::kOk) {
     fail(g, why_unplaced(run_, state_, g));
     return false;
   }

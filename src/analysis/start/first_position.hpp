@@ -6,6 +6,7 @@
 #include "higherpair/numeric/special_values.hpp"
 
 #include <string>
+#include <vector>
 
 namespace higherpair {
 
@@ -39,6 +40,7 @@ private:
 
   const Run& run_;
   Planned model_;
+  std::vector<DriverMotion> drivers_;
   State posed_;
   State state_;
   State touching_start_;

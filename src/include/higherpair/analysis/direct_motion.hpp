@@ -33,7 +33,6 @@ private:
   const Mechanism& mechanism_;
   Plan plan_;
   State state_, from_;
-  std::vector<double> positions_;
   std::vector<std::optional<double>> gaps_;
 };
 

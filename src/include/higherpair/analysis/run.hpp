@@ -49,8 +49,6 @@ struct Path {
   [[nodiscard]] bool is_single() const { return from.size() == 1; }
   /// Writes the inputs at s to `out`.
   void inputs(double s, std::vector<double>& out) const;
-  /// Writes the positions of the drivers at s to `out`.
-  void positions(double s, std::vector<double>& out) const;
   /// Writes the positions of the drivers at s and their rates per unit of s to `out`.
   void motions(double s, std::vector<DriverMotion>& out) const;
 
@@ -135,8 +133,7 @@ struct RunPosition {
 /// Scratch data for trial steps; nothing in it is kept from one row to the next.
 struct StepWorkspace {
   State trial;
-  std::vector<double> drivers;  ///< in `trial`
-  std::vector<DriverMotion> motions;
+  std::vector<DriverMotion> motions;                         ///< of the drivers, in `trial`
   std::vector<Crossing> crossings;                           ///< those of the present step
   std::vector<std::optional<LeastViolation>> continuations;  ///< of Plan::groups, in `trial` beyond a limit
   Path path;                                                 ///< to the next row
