@@ -85,8 +85,7 @@ std::optional<JointPassage> go_over_flat(Run& run, const Path& path, double s, c
   // end a search arrives.
   set_point_of(run, passage.contact, passage.side, end->own, over);
   set_point_of(run, passage.contact, opposite, end->other, over);
-  path.motions(s, run.work.motions);
-  set_rates(run, run.work.motions, over);
+  set_rates_on(run, path, s, over);
   report_passage(run, path, s, passage.contact, over);
   run.at.watches[passage.contact].interrupted = true;
   const std::array<BoundaryPlace, 2> before = run.at.state.contacts[passage.contact].place;

@@ -99,7 +99,7 @@ bool place_at_joint(Run& run, const Path& path, double s, const JointPassage& pa
     return false;
   }
   set_place_of(run, passage.contact, passage.side, passage.before, run.work.trial);
-  set_rates(run, run.work.motions, run.work.trial);
+  set_rates_on(run, path, s + passage.x, run.work.trial);
   return true;
 }
 
@@ -108,8 +108,7 @@ void go_over_joint(Run& run, const Path& path, double s, const JointPassage& pas
   const double added = joint ? added_by_drivers(run, path, s, *joint) : 0;
   const double before = joint ? acceleration_of(run, *joint) - added : 0;
   set_place_of(run, passage.contact, passage.side, passage.after, run.at.state);
-  path.motions(s, run.work.motions);
-  set_rates(run, run.work.motions, run.at.state);
+  set_rates_on(run, path, s, run.at.state);
   const auto type = type_of(run, passage);
   if (!type) {
     if (run.smooth_joints.size() < kMostSmoothJoints) run.smooth_joints.push_back(share_at(path, s));

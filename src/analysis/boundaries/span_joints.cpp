@@ -313,8 +313,7 @@ std::optional<JointPassage> joint_within(Run& run, const Path& path, double s, d
     return first;
   }
   stay_before(run, *first, at_joint);
-  path.motions(s + h, run.work.motions);
-  set_rates(run, run.work.motions, run.work.trial);
+  set_rates_on(run, path, s + h, run.work.trial);
   return joint_within(run, path, s, h);
 }
 

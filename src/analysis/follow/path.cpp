@@ -329,7 +329,7 @@ double next_break(const DriverCurve& curve, double from, double to) {
 
 // Follows a path on which the drivers' rates do not jump.
 bool follow_piece(Run& run, const Path& path, double first_step) {
-  set_rates_on(run, path);
+  begin_path(run, path);
   return Follower(run, path, first_step).follow();
 }
 

@@ -551,7 +551,7 @@ Taken StretchSearch::take_up_row() {
 // depends on the rows, and with it where their conditions could be led to.
 void look_from_limit(Run& run) {
   const Path path = part_of_path(run, run.at.lost.from, run.at.lost.at);
-  set_rates_on(run, path);
+  begin_path(run, path);
   const std::vector<Group>& groups = run.plan().groups;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (!traits_of(groups[g]).coupled) {

@@ -228,10 +228,14 @@ void set_rates(const Run& run, const std::vector<DriverMotion>& drivers, State& 
   }
 }
 
-void set_rates_on(Run& run, const Path& path) {
-  if (path.curve || !path.is_single()) {
-    path.motions(0, run.work.motions);
-    set_rates(run, run.work.motions, run.at.state);
+void set_rates_on(Run& run, const Path& path, double s, State& state) {
+  path.motions(s, run.work.motions);
+  set_rates(run, run.work.motions, state);
+}
+
+void begin_path(Run& run, const Path& path) {
+  if (path.curve || !path.is_single()) {  // else they are those for a unit rate already
+    set_rates_on(run, path, 0, run.at.state);
   }
 }
 

@@ -47,8 +47,11 @@ struct StepResult {
 /// continues its motion smoothly, straight through change points (run.work.crossings).
 [[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
 
+/// Sets the rates of a state that is at s of the path.
+void set_rates_on(Run& run, const Path& path, double s, State& state);
+
 /// Sets the rates of run.at.state, which may be those of another path, at the beginning of this one.
-void set_rates_on(Run& run, const Path& path);
+void begin_path(Run& run, const Path& path);
 
 /// The first group whose motion from run.at.state over `h` to run.work.trial, whose rates are set, is not
 /// smooth.
