@@ -109,8 +109,7 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
     return true;
   });
   if (crosses) {
-    run.at.beside = run.work.trial;
-    path.inputs(s, run.at.inputs);
+    rest_beside(run, path, s);
   }
   return crosses;
 }

@@ -19,14 +19,6 @@
 namespace higherpair {
 namespace {
 
-// Places a row at a limit, in run.work.trial and run.at.beside; run.at.state remains short of it.
-void stop_at_limit(Run& run, const Path& path, Reduction& reduction, const Reduction::Point& limit,
-                   double s) {
-  reduction.place_limit(limit, path.length);
-  run.at.beside = run.work.trial;
-  path.inputs(s, run.at.inputs);
-}
-
 // How much of the path is left to where something runs off to infinity, and the largest distance for which
 // that extrapolation is right to within rounding.
 struct Rest {
@@ -203,7 +195,8 @@ bool LimitAhead::look_for(std::size_t g, double s, double h) {
   const double at = s + found->ahead;
   if (std::abs(path_.length - at) <= kOnLimit * (scale_ + size_at(run_, path_, at))) {
     report_limit(run_, path_, limit_event(run_, g, path_, path_.length));
-    stop_at_limit(run_, path_, reduction, *found, s);
+    reduction.place_limit(*found, path_.length);
+    rest_beside(run_, path_, s);
     return true;
   }
   if (!limit_ || std::abs(at - s) < std::abs(limit_->s - s)) {
@@ -239,8 +232,7 @@ bool LimitAhead::rests_before(double s) {
       !solve_at(run_, path_, s, path_.length - s)) {
     return false;
   }
-  run_.at.beside = run_.work.trial;
-  path_.inputs(s, run_.at.inputs);
+  rest_beside(run_, path_, s);
   return true;
 }
 

@@ -290,6 +290,11 @@ bool settle(Run& run, const Path& path, double s, const State& from) {
   return true;
 }
 
+void rest_beside(Run& run, const Path& path, double s) {
+  run.at.beside = run.work.trial;
+  path.inputs(s, run.at.inputs);
+}
+
 // Next to a change point at which one of these groups crosses in the present step they are interpolated: a
 // group that depends on them may cross at the same place, and cannot bear the digits that they lose there.
 bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {

@@ -64,6 +64,10 @@ void begin_path(Run& run, const Path& path);
 /// modes of run.at.state and without comparing with a prediction.
 [[nodiscard]] bool solve_at(Run& run, const Path& path, double s, double x);
 
+/// Leaves a row at a singular position: run.at.beside becomes run.work.trial, which is there, and
+/// run.at.inputs those at s, where run.at.state is, short of it.
+void rest_beside(Run& run, const Path& path, double s);
+
 /// f(run.work.trial), a T or an optional T, as solve_at() solves it `x` beyond run.at.state; none where it
 /// cannot. The state is restored.
 template <class T, class F>
