@@ -250,8 +250,7 @@ std::optional<double> engage(Run& run, const Path& path, double s, const Engagem
     }
     run.at.state = std::move(closed);
     const auto contact = static_cast<std::size_t>(touching.contact);
-    run.at.watches[contact].overlaps = false;
-    run.at.watches[contact].interrupted = true;
+    run.at.watches[contact].interrupt();
     RunEvent& event = report_contact(run, EventType::kEngage, path, s + x, contact,
                                      "the two bodies begin to touch" + edge_text(run, touching));
     add_rate_jump(run, path, touching.follower, {0, follower_rate(run.at.state, touching.follower)}, event);

@@ -54,9 +54,7 @@ void report_overlap(Run& run, std::size_t contact, const Path& path, double s) {
 
 void report_second_contact(Run& run, std::size_t contact, const Path& path, double s,
                            const CarriedBody& follower, const RateJump& change) {
-  OverlapWatch& watch = run.at.watches[contact];
-  watch.overlaps = false;
-  watch.interrupted = true;
+  run.at.watches[contact].interrupt();
   RunEvent& event =
       report_contact(run, EventType::kSecondContact, path, s, contact,
                      "a second contact of the same two bodies appears and the motion goes on with it");

@@ -236,8 +236,7 @@ void report_change_of_place(Run& run, const Path& path, double s, std::size_t co
       run.events.erase(last);
     }
   }
-  run.at.watches[contact].overlaps = false;
-  run.at.watches[contact].interrupted = true;
+  run.at.watches[contact].interrupt();
 }
 
 bool yield_to_shared_place(Run& run, const Path& path, double s, std::size_t g) {

@@ -70,6 +70,12 @@ struct OverlapWatch {
   bool needed = false;       ///< whether the bodies could overlap elsewhere
   bool overlaps = false;     ///< they currently do
   bool interrupted = false;  ///< the motion has switched to a second contact or had a gap: arcs end there
+
+  /// The motion goes on with another contact of the two bodies.
+  void interrupt() {
+    overlaps = false;
+    interrupted = true;
+  }
 };
 
 /// A change point that the present step passes through.
