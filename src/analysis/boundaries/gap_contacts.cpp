@@ -97,6 +97,11 @@ enum class Closing {
   kFar,   // they meet, but the body would have to jump there
 };
 
+// How far a unit of the follower's coordinate moves its farthest point.
+double lever_of_follower(const BoundaryPair& pair) {
+  return pair.motion2.turns ? pair.boundary2->size() + pair.boundary2->middle_B().norm() : 1;
+}
+
 // Closes a contact that is open in `state`.
 Closing close_contact(const Run& run, const Engagement& at, State& state) {
   const TouchingBody& touching = touching_of(run, at.group);
@@ -115,9 +120,7 @@ Closing close_contact(const Run& run, const Engagement& at, State& state) {
     return Closing::kNone;
   }
   const BoundaryContact& found = result.contact;
-  const double lever =
-      follower.freedom.turns ? pair.boundary2->size() + pair.boundary2->middle_B().norm() : 1;
-  const double shift = std::abs(found.q - state.groups[at.group].open_at - turned) * lever;
+  const double shift = std::abs(found.q - state.groups[at.group].open_at - turned) * lever_of_follower(pair);
   if (!(shift <= kFarthestShift * run.plan().size)) {
     return Closing::kFar;
   }
@@ -306,9 +309,7 @@ bool starts_open(const BoundaryPair& pair, double u, double posed, std::optional
   if (contact.both_sides || !nearest) {
     return !nearest;  // between two walls a body always touches one
   }
-  const double lever =
-      pair.motion2.turns ? (pair.boundary2->size() + pair.boundary2->middle_B().norm()) / size : 1 / size;
-  const bool apart = std::abs(*nearest - posed) * lever > kStartsApart;
+  const bool apart = std::abs(*nearest - posed) * (lever_of_follower(pair) / size) > kStartsApart;
   return (apart || !guide.contains(*nearest)) &&
          !bodies_overlap(*pair.boundary1, pose_at(pair.motion1, u), *pair.boundary2,
                          pose_at(pair.motion2, posed), kOverlapOfBoundaries * size);

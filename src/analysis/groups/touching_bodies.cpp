@@ -55,11 +55,12 @@ void hold_on_boundaries(const Planned& model, const TouchingBody& touching, std:
   group.noise = kGapQIsZero * group.lever;
 }
 
-// \param phi  reference angle of the normal, to select its whole turns
+// \param phi  reference angle of the contact's normal, to select its whole turns
 void hold_on_conics(const TouchingBody& touching, std::size_t g, const ContactPair& pair,
                     const ContactPosition& at, double phi, State& to) {
+  const double outward = touching.follower_is_second ? phi : phi - kPi;  // of the body that is not placed
   to.contacts[touching.contact] =
-      contact_motion(at, nearest_turn(angle_of(at.n_W), phi), touching.follower_is_second);
+      contact_motion(at, nearest_turn(angle_of(at.n_W), outward), touching.follower_is_second);
   to.bodies[touching.follower.body] = motion_at(pair.motion2, at.q, 0, 0);
   set_sine(pair, at, to.groups[g]);
 }
@@ -136,8 +137,7 @@ GroupStatus place_touching(const Planned& model, const TouchingBody& touching, s
   if (result.status != ContactStatus::kOk) {
     return status_of(result.status);
   }
-  const double phi_before = before.phi + (touching.follower_is_second ? 0 : -kPi);
-  hold_on_conics(touching, g, placed.pair, result.at, phi_before + h * before.rates.phi_dot, to);
+  hold_on_conics(touching, g, placed.pair, result.at, before.phi + h * before.rates.phi_dot, to);
   return GroupStatus::kOk;
 }
 
@@ -178,8 +178,7 @@ GroupStatus place_conics_anew(const Planned& model, const TouchingBody& touching
   if (found.status != FindStatus::kFound) {
     return place_touching(model, touching, g, from, 0, to);
   }
-  const double phi = from.contacts[touching.contact].phi;
-  hold_on_conics(touching, g, placed.pair, found.at, phi + (touching.follower_is_second ? 0 : -kPi), to);
+  hold_on_conics(touching, g, placed.pair, found.at, from.contacts[touching.contact].phi, to);
   return GroupStatus::kOk;
 }
 
