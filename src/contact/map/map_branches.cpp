@@ -152,7 +152,7 @@ private:
 
   // Follows a contact to u; where that fails, points of the map are missing.
   [[nodiscard]] bool reaches(ContactTrack& track, double u) {
-    const bool reached = walk_to(track, u, false);
+    const bool reached = walk_to(track, u);
     network_.complete = network_.complete && reached;
     return reached;
   }

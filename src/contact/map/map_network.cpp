@@ -174,7 +174,7 @@ private:
     int nearest = -1;
     for (const double margin : kNearEnd) {
       const double left = std::min(margin * unit1_, std::abs(du) / 4);
-      const bool held = walk_to(track, u - std::copysign(left, du), false);
+      const bool held = walk_to(track, u - std::copysign(left, du));
       double best = kInf;
       double second = kInf;
       for (const int index : cut.events) {

@@ -50,7 +50,7 @@ MapPoint point_of(const ContactPair& pair, const MapRange& range, bool opposed, 
 std::optional<MapPoint> followed(const ContactPair& pair, const MapRange& range, const MapBranch& branch,
                                  const MapPoint& from, double u) {
   auto track = track_of(pair, branch, from);
-  if (!track || !walk_to(*track, u, false)) {
+  if (!track || !walk_to(*track, u)) {
     return std::nullopt;
   }
   return point_of(pair, range, branch.opposed, track->at);

@@ -280,12 +280,10 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
     q += dq;
     if (ended != 0 && ended == ended_before && std::abs(dq) <= kNoStepAtEnd * most) {
       result.status = ContactStatus::kNoContact;
-      result.ended = ended;
       return result;
     }
     ended_before = ended;
   }
-  result.ended = ended_before;
   result.status = ended_before != 0 ? ContactStatus::kNoContact : ContactStatus::kNotConverged;
   return result;
 }

@@ -29,8 +29,6 @@ struct BoundaryContact {
 struct BoundaryResult {
   ContactStatus status = ContactStatus::kNotConverged;
   BoundaryContact contact;  ///< with kOk, kOtherBranch
-  /// kNoContact because boundary 1 or 2 has an end or a notch where the contact would continue.
-  int ended = 0;
 };
 
 /// The equivalent link of a contact, from its radii; +∞ means flat.
