@@ -44,8 +44,8 @@ Polynomial parallel_parabolas(const TangencyProblem& problem, const Extended& s)
 }
 
 // The common point of parabolas with parallel axes: y = -s ℓ1 y2/(ℓ2 - s ℓ1).
-std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Extended& s,
-                                        const Extended& q) {
+std::optional<Tangency> parallel_tangency(const TangencyProblem& problem, const Extended& s,
+                                          const Extended& q) {
   const PlacedCurve<double>& first = problem.first_W;
   const Complex<Extended> axis = complex_of(first.axis_W);
   const Complex<Extended> v = complex_of(problem.second_at_0.vertex_W - first.vertex_W);
@@ -53,12 +53,11 @@ std::vector<Tangency> parallel_tangency(const TangencyProblem& problem, const Ex
   const Extended l1 = first.semi_latus;
   const Extended divisor = Extended(problem.second_at_0.semi_latus) - s * l1;
   if (!(abs(divisor) * kFarthestFinite > abs(l1 * y2))) {
-    return {};
+    return std::nullopt;
   }
   const Extended y = -s * l1 * y2 / divisor;
   const Complex<Extended> local{Extended(y * y / (2 * l1)), y};
-  const Tangency tangency{{q, Extended(0)}, complex_of(first.vertex_W) + axis * local, true};
-  return {tangency};
+  return Tangency{{q, Extended(0)}, complex_of(first.vertex_W) + axis * local, true};
 }
 
 // Whether the discriminant of two conics vanishes for every q.
@@ -132,10 +131,9 @@ std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& prob
     }
     const Extended s = first.axis_W.dot(second.axis_W) < 0 ? -1 : 1;
     for (const Complex<Extended>& root : roots_of(parallel_parabolas(problem, s), RootsAsked::kReal)) {
-      if (const auto at = real_coordinate(root, false)) {
-        for (const Tangency& tangency : parallel_tangency(problem, s, at->re)) {
-          add(problem, tangency, found);
-        }
+      const auto at = real_coordinate(root, false);
+      if (const auto tangency = at ? parallel_tangency(problem, s, at->re) : std::nullopt) {
+        add(problem, *tangency, found);
       }
     }
     return found;

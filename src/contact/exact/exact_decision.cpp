@@ -87,11 +87,9 @@ private:
     result.kernel = {minor(0, 1, 1, 2, 0, 2, 1, 1), minor(0, 2, 1, 0, 0, 0, 1, 2), result.adj22};
     const auto& S1 = exact_.first.S;
     result.opening = sum(sum(P{S1[0][0]} * S[1][1], 1, P{S1[1][1]} * S[0][0]), -2, P{S1[0][1]} * S[0][1]);
-    result.trace = {};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const P term = P{exact_.first.A[i][j]} * S[i][j];
-        result.trace = result.trace.empty() ? term : sum(result.trace, 1, term);
+        result.trace = sum(result.trace, 1, P{exact_.first.A[i][j]} * S[i][j]);
       }
     }
     return result;
@@ -118,8 +116,7 @@ private:
     if (exact_.branch1) {
       P value;
       for (std::size_t i = 0; i < 3; ++i) {
-        const P term = P{(*exact_.branch1)[i]} * p[i];
-        value = value.empty() ? term : sum(value, 1, term);
+        value = sum(value, 1, P{(*exact_.branch1)[i]} * p[i]);
       }
       if (sign(value, root) * w <= 0) {
         return false;

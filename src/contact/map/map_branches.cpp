@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -172,22 +173,15 @@ private:
     const auto split = std::partition_point(targets.begin(), targets.end(),
                                             [&](const SampleTarget& t) { return t.u < middle.at.u; });
     std::vector<std::pair<ContactTrack, SampleTarget>> found;
-    ContactTrack track = middle;
-    for (auto target = split; target != targets.begin();) {
-      --target;
-      if (is_stopped(range_) || !reaches(track, target->u)) {
-        break;
+    const auto follow = [&](auto target, auto end) {
+      ContactTrack track = middle;
+      for (; target != end && !is_stopped(range_) && reaches(track, target->u); ++target) {
+        found.emplace_back(track, *target);
       }
-      found.emplace_back(track, *target);
-    }
+    };
+    follow(std::make_reverse_iterator(split), targets.rend());
     std::reverse(found.begin(), found.end());
-    track = middle;
-    for (auto target = split; target != targets.end(); ++target) {
-      if (is_stopped(range_) || !reaches(track, target->u)) {
-        break;
-      }
-      found.emplace_back(track, *target);
-    }
+    follow(split, targets.end());
     for (const auto& [at, target] : found) {
       if (is_stopped(range_)) {
         return;
