@@ -7,8 +7,8 @@
 
 // The tolerances of the analysis. "The size" is that of the mechanism, "[rad, of the size]" means radians for
 // angles and fractions of the size for lengths. Unless stated otherwise, lengths are fractions of the size
-// and steps along a path are fractions of one unit of its drivers (unit_of in step.hpp). A driver's scale is
-// one radian or, where it slides, the size (driver_scale in step.hpp).
+// and steps along a path are fractions of one unit of its drivers (unit_of in inputs.hpp). A driver's scale
+// is one radian or, where it slides, the size (driver_scale in inputs.hpp).
 //
 // A sine is GroupState::sine: how far the conditions of a group of bodies are from losing their rank, 0 at
 // limit positions and change points. A change point is a position in which branches cross.

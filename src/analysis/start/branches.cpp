@@ -1,5 +1,6 @@
 #include "higherpair/analysis/branches.hpp"
 
+#include "analysis/follow/step.hpp"
 #include "analysis/groups/group_solver.hpp"
 #include "analysis/tolerances.hpp"
 #include "assembly.hpp"
@@ -23,7 +24,7 @@ ContactPlace place_of_tracked(const Run& run, const TrackedPair& tracked) {
 }
 
 ContactPlace place_of_touching(const Run& run, const TouchingBody& touching) {
-  const FrozenPair placed = frozen_pair({run.mechanism(), run.plan()}, touching, run.at.state);
+  const FrozenPair placed = frozen_pair(model_of(run), touching, run.at.state);
   ContactPlace place;
   place.contact = touching.contact;
   place.follower = touching.follower;

@@ -185,10 +185,10 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
   std::vector<Departure> found;
   const StateAside start(run.at.state);
   const State at_rest = without_rates(start.kept());
-  std::vector<double> there = run.at.inputs;
-  there[driver] += reach;
+  std::vector<double> ahead = run.at.inputs;
+  ahead[driver] += reach;
   Path path;
-  set_path(run, path, run.at.inputs, there);
+  set_path(run, path, run.at.inputs, ahead);
   const std::size_t chosen = std::min(groups.size(), kMostChosen);
   for (unsigned combination = 0; combination < (1U << chosen); ++combination) {
     run.at.state = at_rest;
@@ -197,24 +197,16 @@ std::vector<Departure> departures(Run& run, const std::vector<std::size_t>& grou
       const bool other = (combination >> i & 1U) != 0;
       taken = is_coupled(run, groups[i])
                   ? aim_coupled(run, groups[i], path, other)
-                  : take_mode(run, groups[i], start.kept().groups[groups[i]].mode * (other ? -1 : 1), there);
+                  : take_mode(run, groups[i], start.kept().groups[groups[i]].mode * (other ? -1 : 1), ahead);
     }
     if (!taken || !solve_at(run, path, 0, path.length)) {
       continue;
     }
-    Departure departure{run.work.trial,
-                        driver,
-                        reach,
-                        total_speed(run, run.work.trial),
-                        total_acceleration(run, run.work.trial),
-                        0};
-    bool regular = true;
-    for (const std::size_t g : groups) {
-      regular = regular && !is_singular(run.work.trial.groups[g]);
-    }
-    departure.distance = distance_of(run, groups, run.work.trial);
-    if (regular) {
-      found.push_back(std::move(departure));
+    const State& there = run.work.trial;
+    if (std::none_of(groups.begin(), groups.end(),
+                     [&](std::size_t g) { return is_singular(there.groups[g]); })) {
+      found.push_back({there, driver, reach, total_speed(run, there), total_acceleration(run, there),
+                       distance_of(run, groups, there)});
     }
   }
   return found;

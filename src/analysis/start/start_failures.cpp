@@ -1,6 +1,7 @@
 #include "start_failures.hpp"
 
 #include "analysis/follow/joint_ends.hpp"
+#include "analysis/follow/step.hpp"
 #include "analysis/groups/group_kinds.hpp"
 #include "higherpair/analysis/branch_run.hpp"
 #include "higherpair/mechanism/plan.hpp"
@@ -38,7 +39,7 @@ std::string why_unplaced(const Run& run, const State& state, std::size_t g) {
   const Group& group = run.plan().groups[g];
   // Links that cannot reach each other have not been placed where their joints would be.
   const bool reaches = closure_gap(group, state.bodies).value_or(0) <= 0;
-  const auto end = reaches ? joint_beyond_end({run.mechanism(), run.plan()}, g, state) : std::nullopt;
+  const auto end = reaches ? joint_beyond_end(model_of(run), g, state) : std::nullopt;
   if (end) {
     return fmt::format(
         "joint {} would be beyond the end of its line, `{}`, at the first driver position; change "
