@@ -27,8 +27,8 @@ std::optional<GroupKind> tracked_pair(const Mechanism& mechanism, const BodySet&
   TrackedPair tracked;
   tracked.contact = set.contacts.front();
   tracked.driver_is_first = contact.second.body == body;
-  const CurveRef& on_driver = tracked.driver_is_first ? contact.first : contact.second;
-  const CurveRef& on_follower = tracked.driver_is_first ? contact.second : contact.first;
+  const CurveRef& on_driver = end_off(contact, body);
+  const CurveRef& on_follower = end_on(contact, body);
   const auto driver = grounded_driver(before, on_driver.body);
   const Joint& joint = mechanism.joints[set.joints.front()];
   if (!driver || !is_grounded(joint)) {
@@ -71,7 +71,7 @@ std::optional<GroupKind> recognise_one(const Mechanism& mechanism, const BodySet
     return std::nullopt;
   }
   if (alone && joint.type == JointType::kRevolute) {
-    return IdleBody{known_end(mechanism, joint, body), body, point_of(mechanism, end_on(joint, body))};
+    return IdleBody{known_end(mechanism, joint, body), body, point_on(mechanism, joint, body)};
   }
   if (set.contacts.size() != 1) {
     return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<GroupKind> recognise_geared(const Mechanism& mechanism, const Body
     return std::nullopt;
   }
   const int body = set.bodies.front();
-  return GearedBody{known_end(mechanism, pin, body), body, point_of(mechanism, end_on(pin, body)), gears};
+  return GearedBody{known_end(mechanism, pin, body), body, point_on(mechanism, pin, body), gears};
 }
 
 std::optional<GroupKind> recognise_two(const Mechanism& mechanism, const BodySet& set) {

@@ -4,6 +4,7 @@
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/constraint_rows.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/pins.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "higherpair/mechanism/tolerances.hpp"
@@ -64,13 +65,12 @@ std::vector<Link> links_of(const Mechanism& mechanism, const Redundancy& set,
     bool pins_only = true;
     for (const int index : set.joints) {
       const Joint& joint = mechanism.joints[index];
-      if (joint.first.body != b && joint.second.body != b) {
+      if (!has_end_on(joint, b)) {
         continue;
       }
-      const bool first = joint.first.body == b;
       pins_only = pins_only && joint.type == JointType::kRevolute;
-      own.push_back({b, point_of(mechanism, first ? joint.first : joint.second)});
-      others.push_back(first ? joint.second.body : joint.first.body);
+      own.push_back({b, point_on(mechanism, joint, b)});
+      others.push_back(end_off(joint, b).body);
     }
     if (own.size() != 2 || !pins_only || others[0] == others[1]) {
       continue;

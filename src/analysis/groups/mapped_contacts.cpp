@@ -55,8 +55,8 @@ private:
   [[nodiscard]] const std::string& name_of(int body) const { return mechanism_.bodies[body].name; }
 
   void set_pair(const Contact& contact, int follower, MappedContact& mapped) const {
-    const CurveRef& on_known = mapped.known_is_first ? contact.first : contact.second;
-    const CurveRef& on_follower = mapped.known_is_first ? contact.second : contact.first;
+    const CurveRef& on_known = end_off(contact, follower);
+    const CurveRef& on_follower = end_on(contact, follower);
     const auto known_joint = ground_joint(mechanism_, on_known.body);
     const auto follower_joint = ground_joint(mechanism_, follower);
     if (!known_joint || !follower_joint) {
