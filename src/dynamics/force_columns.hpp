@@ -20,6 +20,8 @@ public:
   [[nodiscard]] double value(std::size_t contact, std::size_t column) const {
     return values_[contact * count() + column];
   }
+  /// All of them, in the order of ForcePiece::columns.
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
   [[nodiscard]] bool is_known(std::size_t contact) const { return known_[contact]; }
   /// Largest of all multipliers in a column, which their rounding is relative to.
   [[nodiscard]] double largest(std::size_t column) const { return largest_[column]; }

@@ -94,7 +94,7 @@ ForceFit ForceFitter::fit(const ForceStretch& stretch) {
   for (std::size_t j = 0; j < kNodes; ++j) {
     if (sample(parameter(fit.piece, node(j)), fit)) {
       for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
-        fit.piece.columns[i][j] = columns_.value(i / columns_.count(), i % columns_.count());
+        fit.piece.columns[i][j] = columns_.values()[i];
       }
     }
     if (fit.event || is_stopped(position_.run)) {
@@ -116,7 +116,7 @@ std::optional<ForcePiece> ForceFitter::here() {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < fit.piece.columns.size(); ++i) {
-    fit.piece.columns[i] = {columns_.value(i / columns_.count(), i % columns_.count())};
+    fit.piece.columns[i] = {columns_.values()[i]};
   }
   return std::move(fit.piece);
 }

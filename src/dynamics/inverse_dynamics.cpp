@@ -8,13 +8,6 @@
 #include <algorithm>
 
 namespace higherpair {
-namespace {
-
-void clear(std::vector<Wrench>& wrenches) {
-  std::fill(wrenches.begin(), wrenches.end(), Wrench(Wrench::Zero()));
-}
-
-}  // namespace
 
 bool Reactions::opens() const {
   return std::any_of(contacts.begin(), contacts.end(), [](const ContactReaction& c) { return c.pulls; });
@@ -31,7 +24,7 @@ const Reactions& InverseDynamics::solve(const Run& run) {
   const MotionRow& row = run.row;
   reactions_.defined = row.status != RowStatus::kNotAssemblable && row.all_rates;
   if (reactions_.defined) {
-    clear(wrenches_);
+    std::fill(wrenches_.begin(), wrenches_.end(), Wrench(Wrench::Zero()));
     add_applied(run.mechanism(), row.bodies, wrenches_);
     add_inertia(run.mechanism(), row.bodies, wrenches_);
     left_ = wrenches_;

@@ -99,7 +99,7 @@ ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double s
     return {spring->stiffness * spring->free, 1, 0};  // at a free length of 0
   }
   const auto joint = on_spring ? static_cast<std::size_t>(*spring->joint) : index;
-  return {ForceTerms().most, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
+  return {kInf, has_angle(mechanism.joints[joint].type) ? 1 / size : 1, 0};
 }
 
 // Finds the smallest preloads, of those in `used`, by an exchange method: solves a linear programme, adds the

@@ -14,10 +14,9 @@
 namespace higherpair {
 namespace {
 
-// Records the first row of each item before `append` adds its rows. The conditions are those of run.row; of
-// drivers only the coefficients are needed, not the values.
-template <class Items, class F>
-void for_each_index(const Items& items, std::vector<std::size_t>& first_rows,
+// Records the first row of each item before `append` adds its rows.
+template <class F>
+void for_each_index(const std::vector<int>& items, std::vector<std::size_t>& first_rows,
                     const std::vector<ConstraintRow>& rows, F append) {
   for (const int index : items) {
     first_rows[index] = rows.size();
@@ -45,6 +44,7 @@ Statics::Statics(const Run& run)
   set_layout(run);
 }
 
+// The conditions are those of run.row; of drivers only the coefficients are needed, not the values.
 void Statics::append_rows_of(const Run& run, std::size_t g) {
   const Mechanism& mechanism = run.mechanism();
   const Group& group = run.plan().groups[g];
