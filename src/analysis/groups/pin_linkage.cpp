@@ -188,7 +188,7 @@ Vector2d PinLinkage::fixed_slope(int link, const End& from, const End& to) const
 }
 
 void PinLinkage::differentiate(std::span<const double> slopes) {
-  slopes_ = slopes;
+  slopes_.assign(slopes.begin(), slopes.end());
   std::fill(pose_slopes_.begin(), pose_slopes_.end(), PoseSlope());
   for (std::size_t k = 0; k < placed_; ++k) {
     steps_[k].is_dyad ? differentiate(dyads_[steps_[k].index]) : differentiate(driven_[steps_[k].index]);

@@ -48,7 +48,7 @@ public:
 
   /// \name Derivatives with respect to a parameter, at the last place()
   /// @{
-  /// \param slopes  derivative of every number; must stay valid until the other functions have been called
+  /// \param slopes  derivative of every number
   void differentiate(std::span<const double> slopes);
   /// Derivative of place_of(point).
   [[nodiscard]] Vector2d place_slope(const PointRef& point) const { return slope_of(end_of(point)); }
@@ -116,7 +116,7 @@ private:
   std::vector<double> numbers_;
   std::vector<Pose<double>> posed_, poses_;
   std::size_t known_ = 0, placed_ = 0;  // numbers of known gaps and of placed steps
-  std::span<const double> slopes_;
+  std::vector<double> slopes_;
   std::vector<PoseSlope> pose_slopes_;
 };
 

@@ -7,7 +7,8 @@
 namespace higherpair {
 
 /// The bodies in the position of the last row, with one driver moving at unit rate and the others at rest.
-/// \param scratch  used where there are several drivers; the result is valid until it or the run changes
+/// \return the bodies of a state of `run` if it has one driver, else those of `scratch`, set to that motion:
+/// copy what is to outlast a change of either
 [[nodiscard]] const std::vector<BodyMotion>& unit_motion(const Run& run, std::size_t driver, State& scratch);
 
 }  // namespace higherpair

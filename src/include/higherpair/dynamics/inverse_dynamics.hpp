@@ -18,8 +18,9 @@ class InverseDynamics {
 public:
   explicit InverseDynamics(const Run& run);
 
-  /// The reactions in run.row; valid until the next call. `run` must be the one of the constructor,
-  /// or a copy. With one driver and no surplus of conditions nothing is allocated.
+  /// The reactions in run.row. With one driver and no surplus of conditions nothing is allocated.
+  /// \param run  the one of the constructor, or a copy
+  /// \return a member of this object, which the next call overwrites: copy what is to outlast that
   const Reactions& solve(const Run& run);
 
   /// The balance of the last row whose reactions are defined.
