@@ -156,11 +156,7 @@ CurveDimensions<double> dimensions_of(const Curve& curve) {
 }
 
 Dimensions<Partials<double, 1>> dimensions_of(const Mechanism& mechanism, const Mechanism& derivative) {
-  return make_dimensions<Partials<double, 1>>(mechanism, derivative, [](double x, double dx) {
-    Partials<double, 1> number(x);
-    number.c[1] = dx;
-    return number;
-  });
+  return make_dimensions<Partials<double, 1>>(mechanism, derivative, parametric);
 }
 
 std::optional<CommonNormal> facing_at(const Dimensions<double>::Contact& contact, const BodyAt<double>& first,

@@ -214,8 +214,7 @@ void move_coupled(const Planned& model, std::size_t g, const std::vector<DriverM
   }
   Coordinates<Series> at = constant<Series>(coordinates_of(model.mechanism, state.bodies, state.contacts));
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    at.drivers[i] =
-        series_of<2>(std::array{drivers[i].position, drivers[i].velocity, drivers[i].acceleration});
+    at.drivers[i] = series_of_driver<2>(drivers[i]);
   }
   const auto solve = [&](std::size_t order) {
     for (std::size_t i = 0; i < state.bodies.size(); ++i) {

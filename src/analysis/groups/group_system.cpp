@@ -84,7 +84,7 @@ bool group_system(const Planned& model, const Group& group, const std::vector<Dr
   }
   for (std::size_t i = 0; i < drivers.size(); ++i) {
     at.drivers[i] = drivers[i].position;
-    known.drivers[i] = series_of<1>(std::array{drivers[i].position, drivers[i].velocity});
+    known.drivers[i] = series_of_driver<1>(drivers[i]);
   }
   for (const int index : group.contacts) {
     const auto i = static_cast<std::size_t>(index);

@@ -155,17 +155,12 @@ Curve local_curve_derivative(const SpanPoint& at, const Curve& local, const Plac
   if (!is_conic(local)) {
     return by;
   }
-  const auto varied = [](double value, double slope) {
-    Parametric number(value);
-    number.c[1] = slope;
-    return number;
+  const auto vector = [](const Vector2d& value, const Vector2d& slope) {
+    return Vector2<Parametric>(parametric(value.x(), slope.x()), parametric(value.y(), slope.y()));
   };
-  const auto varied_vector = [&](const Vector2d& value, const Vector2d& slope) {
-    return Vector2<Parametric>(varied(value.x(), slope.x()), varied(value.y(), slope.y()));
-  };
-  const LocalConic<Parametric> conic = local_conic(
-      varied_vector(at.p_B, by_p.p_B), varied_vector(at.n_B, by_p.n_B), varied(at.kappa, by_p.kappa),
-      varied(at.slope, by_p.slope), local.kind == CurveKind::kCircle);
+  const LocalConic<Parametric> conic =
+      local_conic(vector(at.p_B, by_p.p_B), vector(at.n_B, by_p.n_B), parametric(at.kappa, by_p.kappa),
+                  parametric(at.slope, by_p.slope), local.kind == CurveKind::kCircle);
   by.vertex_B = {conic.vertex_B.x().c[1], conic.vertex_B.y().c[1]};
   by.axis_B = {conic.axis_B.x().c[1], conic.axis_B.y().c[1]};
   by.semi_latus = conic.semi_latus.c[1];

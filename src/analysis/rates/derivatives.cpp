@@ -52,8 +52,7 @@ std::optional<std::vector<BodyDerivatives>> derivatives_of(const Run& run,
   }
   Coordinates<Series> at = constant<Series>(row_coordinates(run));
   for (std::size_t i = 0; i < drivers.size(); ++i) {
-    at.drivers[i] = series_of<kHighestDerivative>(
-        std::array{drivers[i].position, drivers[i].velocity, drivers[i].acceleration});
+    at.drivers[i] = series_of_driver<kHighestDerivative>(drivers[i]);
     for (std::size_t k = 3; !higher.empty() && k <= kHighestDerivative; ++k) {
       at.drivers[i].c[k] = higher[i][k - 3] / kFactorials[k];
     }

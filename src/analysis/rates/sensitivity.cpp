@@ -21,12 +21,6 @@ using Parametric = Partials<double, 1>;
 using ParametricSeries = PowerSeries<Parametric, 2>;
 constexpr std::size_t kRateOrder = 2;  // of the series of a row, up to accelerations
 
-Parametric parametric(double value, double derivative) {
-  Parametric number(value);
-  number.c[1] = derivative;
-  return number;
-}
-
 double partial(const ParametricSeries& series, std::size_t k) {
   return series.c[k].c[1];
 }
@@ -260,7 +254,7 @@ bool meets_change_point(const Run& run, const std::vector<DriverMotion>& motions
   }
   auto at = constant<PowerSeries<double, 3>>(row_coordinates(run));
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    at.drivers[i].c = {motions[i].position, motions[i].velocity, motions[i].acceleration / 2};
+    at.drivers[i] = series_of_driver<3>(motions[i]);
   }
   SeriesOptions options;
   options.last = kRateOrder;

@@ -123,6 +123,12 @@ template <int N, std::size_t kCount>
   return series;
 }
 
+/// The series of a driver whose acceleration is constant.
+template <int N>
+[[nodiscard]] PowerSeries<double, N> series_of_driver(const DriverMotion& driver) {
+  return series_of<N>(std::array{driver.position, driver.velocity, driver.acceleration});
+}
+
 /// The series of a body from its motion, up to the N-th order of time.
 template <int N>
 [[nodiscard]] BodyAt<PowerSeries<double, N>> series_of_body(const BodyMotion& body,

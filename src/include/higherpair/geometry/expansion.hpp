@@ -144,6 +144,14 @@ using PowerSeries = Expansion<C, N, Terms::kPowers>;
 template <class C, int N>
 using Partials = Expansion<C, N, Terms::kPartials>;
 
+/// A number that depends on one parameter.
+/// \param slope  its derivative by the parameter
+[[nodiscard]] inline Partials<double, 1> parametric(double value, double slope) {
+  Partials<double, 1> number(value);
+  number.c[1] = slope;
+  return number;
+}
+
 /// The value alone, without its derivatives.
 [[nodiscard]] inline double value_of(double x) {
   return x;
