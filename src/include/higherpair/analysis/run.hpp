@@ -71,7 +71,7 @@ struct OverlapWatch {
   bool overlaps = false;     ///< they currently do
   bool interrupted = false;  ///< the motion has switched to a second contact or had a gap: arcs end there
 
-  /// The motion goes on with another contact of the two bodies.
+  /// The motion goes on with another contact of the two bodies, or with one after a gap.
   void interrupt() {
     overlaps = false;
     interrupted = true;
