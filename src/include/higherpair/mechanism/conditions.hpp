@@ -329,7 +329,8 @@ template <class T, class D>
   values.add(apart.dot(at.n_W));
   values.add(flat ? T(size * at.off) : T(cross(at.n_W, apart)));
   if (held) {
-    const T arcs = arc_difference(curve1, body1, curve2, body2, at) - *held;
+    // A point that is not on its curve has no arc.
+    const T arcs = at.exist ? T(arc_difference(curve1, body1, curve2, body2, at) - *held) : T(0);
     values.add(flat ? arcs : T(arcs + values.value[1]));
   }
   return values;
