@@ -1,8 +1,8 @@
 #include "branches_report.hpp"
 #include "commands.hpp"
+#include "option_checks.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "tell.hpp"
 

@@ -1,9 +1,9 @@
 #include "commands.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "option_checks.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
 #include "run_command.hpp"
 #include "tell.hpp"
 

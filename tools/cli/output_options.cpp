@@ -2,9 +2,9 @@
 
 #include "hdf5_file.hpp"
 #include "higherpair/higherpair.hpp"
+#include "option_checks.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
 #include "run_command.hpp"
 
 #include <filesystem>

@@ -2,7 +2,6 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "io/units/unit_advice.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>

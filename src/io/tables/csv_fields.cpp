@@ -2,7 +2,6 @@
 
 #include "higherpair/io/names.hpp"
 #include "io/document/encoding.hpp"
-#include "io/units/unit_advice.hpp"
 #include "io/units/unit_table.hpp"
 #include "numeric/decimal.hpp"
 
