@@ -2,10 +2,11 @@
 #include "design_report.hpp"
 #include "journal.hpp"
 #include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
 #include "search_bytes.hpp"
+#include "signals.hpp"
 #include "status_line.hpp"
 #include "tell.hpp"
 

@@ -1,9 +1,10 @@
 #include "commands.hpp"
 #include "fit_report.hpp"
 #include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "status_line.hpp"
 
 #include <algorithm>

@@ -4,10 +4,8 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture_module.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <string>

@@ -1,10 +1,12 @@
 #include "commands.hpp"
+#include "event_text.hpp"
 #include "number_text.hpp"
 #include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
 #include "sensitivity_report.hpp"
+#include "signals.hpp"
 #include "sweep/progress.hpp"
 #include "tell.hpp"
 
