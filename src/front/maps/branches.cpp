@@ -96,7 +96,7 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
   report.driver = schedule.state(0).profile.position;
   report.complete = branches.complete;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const bool turns = has_angle(driven_joint(mechanism, i).type);
+    const bool turns = driver_turns(mechanism, i);
     report.drivers += fmt::format("{}{} = {} {}", i == 0 ? "" : ", ", driver_name(mechanism.drivers[i]),
                                   schedule.state(0, i).profile.position, unit_of(profile, turns));
   }

@@ -1,6 +1,7 @@
 #include "number_slopes.hpp"
 
 #include "front/tolerances.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
@@ -96,7 +97,7 @@ NaturalScales natural_scales(const PathColumns& columns) {
   NaturalScales natural{columns.start().plan().size, columns.rate()};
   for (std::int64_t row = 0; row < schedule.size(); ++row) {
     for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-      const double unit = has_angle(driven_joint(columns.start().mechanism(), i).type) ? 1 : natural.size;
+      const double unit = driver_turns(columns.start().mechanism(), i) ? 1 : natural.size;
       natural.rate =
           std::max(natural.rate, std::sqrt(std::abs(schedule.state(row, i).si.acceleration) / unit));
     }
