@@ -83,6 +83,12 @@ bool joints_differ(const Mechanism& a, const Mechanism& b) {
   });
 }
 
+// Whether there are contacts that may part: no column can be differentiated exactly then.
+bool may_part(const Mechanism& mechanism) {
+  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                     [](const Contact& contact) { return contact.keep == Keep::kGap; });
+}
+
 bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double change) {
   double largest = 0, changed = 0;
   for_each_number(mechanism, [&](double number) { largest = std::max(largest, std::abs(number)); });
@@ -130,15 +136,6 @@ Result<std::vector<std::unique_ptr<NumberModels>>> models_by(const Model& model,
   return all;
 }
 
-std::string exactness_objection(const Mechanism& mechanism) {
-  for (const Contact& contact : mechanism.contacts) {
-    if (contact.keep == Keep::kGap) {
-      return "contacts." + contact.name + " may part";
-    }
-  }
-  return "";
-}
-
 bool has_exact_slope(const Column& column) {
   return !column.name.ends_with(".arc1") && !column.name.ends_with(".arc2");
 }
@@ -162,18 +159,17 @@ NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : c
   if (!find_drivers(models)) {
     return;
   }
+  if (may_part(mechanism)) {
+    return;
+  }
   const bool same = !derivative->boundaries && is_zero(derivative->numbers, mechanism, step_);
-  if (!exactness_objection(mechanism).empty()) {
-    state_ = State::kOther;
+  if (same && !drivers_change()) {
+    state_ = State::kNoInfluence;
     return;
   }
   const DriverSlopes first = drivers_at({0, columns.path().path.knots.front()});
   std::vector<double> positions;
   for (const DriverState& driver : first.drivers) positions.push_back(driver.si.position);
-  if (same && !drivers_change()) {
-    state_ = State::kNoInfluence;
-    return;
-  }
   by_ = Sensitivity::at_start(columns.start(), *derivative, positions);
   state_ = by_ ? State::kExact : State::kOther;
 }
