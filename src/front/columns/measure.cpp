@@ -154,7 +154,7 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
 // The mistakes of measures that a program made are of the model.
 Diagnostics placed(Diagnostics mistakes, const Model& model) {
   for (Diagnostic& mistake : mistakes) {
-    if (mistake.place.source.empty()) mistake.place.source = model.data().name;
+    if (mistake.place.source.empty()) mistake.place.source = model.profile().source;
   }
   return mistakes;
 }
