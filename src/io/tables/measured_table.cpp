@@ -28,9 +28,8 @@ tl::unexpected<Error> refused(Diagnostics mistakes) {
 }
 
 bool is_missing(std::string_view field) {
-  std::string lower;
-  for (const char c : field) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower.empty() || lower == "nan" || lower == "na" || lower == "null";
+  const auto is = [&](std::string_view word) { return io_detail::same_letters(field, word); };
+  return field.empty() || is("nan") || is("na") || is("null");
 }
 
 class MeasuredReader {
