@@ -59,6 +59,9 @@ struct UnitScalings {
 [[nodiscard]] std::string unit_advice(std::string_view text, std::string_view unknown,
                                       const Dimension& expected);
 
+/// What to say of lists and lines with twice as many numbers as expected.
+inline constexpr const char* kPointNotComma = ": decimals are written with a point, not a comma";
+
 /// The factor from multiples of `from` to multiples of `to`.
 [[nodiscard]] Scaling scaling(const UnitProduct& from, const UnitProduct& to);
 
