@@ -4,12 +4,11 @@
 
 #include "higherpair/cam/motion_law.hpp"         // IWYU pragma: export
 #include "higherpair/drawing/picture.hpp"        // IWYU pragma: export
-#include "higherpair/front/branches.hpp"         // IWYU pragma: export
 #include "higherpair/front/check.hpp"            // IWYU pragma: export
+#include "higherpair/front/contacts.hpp"         // IWYU pragma: export
 #include "higherpair/front/design.hpp"           // IWYU pragma: export
 #include "higherpair/front/export.hpp"           // IWYU pragma: export
 #include "higherpair/front/fit.hpp"              // IWYU pragma: export
-#include "higherpair/front/map.hpp"              // IWYU pragma: export
 #include "higherpair/front/measure.hpp"          // IWYU pragma: export
 #include "higherpair/front/mobility.hpp"         // IWYU pragma: export
 #include "higherpair/front/model.hpp"            // IWYU pragma: export
@@ -17,6 +16,5 @@
 #include "higherpair/front/pictures.hpp"         // IWYU pragma: export
 #include "higherpair/front/sensitivity.hpp"      // IWYU pragma: export
 #include "higherpair/front/sweep.hpp"            // IWYU pragma: export
-#include "higherpair/front/sweep_summary.hpp"    // IWYU pragma: export
 #include "higherpair/io/diagnostic.hpp"          // IWYU pragma: export
 #include "higherpair/mechanism/description.hpp"  // IWYU pragma: export

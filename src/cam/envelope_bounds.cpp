@@ -1,5 +1,5 @@
 #include "envelope.hpp"
-#include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "numeric/interval.hpp"
 #include "relative_motion.hpp"

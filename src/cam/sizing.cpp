@@ -96,20 +96,16 @@ std::optional<CamPlace> largest_center_pressure(const FlankOrigin& cam) {
   return CamPlace{worst.peak.value, worst.peak.at};
 }
 
-std::optional<PitchCurvature> pitch_curvature(const FlankOrigin& cam) {
+std::optional<CamPlace> largest_pitch_curvature(const FlankOrigin& cam) {
   const auto round = round_of(cam);
   if (!round) {
     return std::nullopt;
   }
   const MotionLaw& law = cam.motion.law;
-  const LawSearch search(law);
-  const auto extreme = [&](double sign) {
-    const Worst worst = worst_of(law, search, [&](const Lift& lift) {
-      return sign * pitch_curvature_at(cam, center_at(cam, *round, lift, cam.motion.follower_rest));
-    });
-    return CamPlace{sign * worst.peak.value, worst.peak.at};
-  };
-  return PitchCurvature{extreme(1), extreme(-1)};
+  const Worst worst = worst_of(law, LawSearch(law), [&](const Lift& lift) {
+    return pitch_curvature_at(cam, center_at(cam, *round, lift, cam.motion.follower_rest));
+  });
+  return CamPlace{worst.peak.value, worst.peak.at};
 }
 
 std::optional<CamSize> smallest_for_pressure(const FlankOrigin& cam, const PressureLimits& limits) {
@@ -148,11 +144,11 @@ std::optional<CamSize> smallest_for_radius(const FlankOrigin& cam, const RadiusL
 }
 
 std::optional<CamPlace> largest_follower(const FlankOrigin& cam, double convex) {
-  const auto curvature = pitch_curvature(cam);
-  if (!curvature || !(curvature->greatest.value > 0)) {
+  const auto curvature = largest_pitch_curvature(cam);
+  if (!curvature || !(curvature->value > 0)) {
     return std::nullopt;
   }
-  return CamPlace{1 / curvature->greatest.value - convex, curvature->greatest.at};
+  return CamPlace{1 / curvature->value - convex, curvature->at};
 }
 
 }  // namespace higherpair

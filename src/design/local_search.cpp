@@ -153,7 +153,7 @@ std::vector<double> multipliers_at(Search& search, const DesignPoint& point) {
     return multipliers;
   }
   const DesignJacobian jacobian = search.differentiate(u);
-  Eigen::VectorXd slope = (jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals).transpose();
+  const Eigen::VectorXd slope = objective_slope(values, jacobian).transpose();
   Eigen::VectorXd free = Eigen::VectorXd::Ones(u.size());
   for (Eigen::Index i = 0; i < u.size(); ++i) {
     if (u(i) < kActiveConstraint || u(i) > 1 - kActiveConstraint) free(i) = 0;

@@ -35,9 +35,7 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
   const Eigen::VectorXd u = bridge.point(n, x);
   const DesignValues values = bridge.search.evaluate(u);
   if (gradient != nullptr) {
-    const DesignJacobian& jacobian = bridge.search.differentiate(u);
-    Eigen::Map<Eigen::RowVectorXd>(gradient, n) =
-        jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals;
+    Eigen::Map<Eigen::RowVectorXd>(gradient, n) = objective_slope(values, bridge.search.differentiate(u));
   }
   const double penalty = bridge.penalties && values.constraints.size() > 0
                              ? kPenalty * values.constraints.cwiseMax(0.0).sum()

@@ -24,6 +24,10 @@ double objective_of(const DesignValues& values) {
   return values.cost + values.residuals.squaredNorm();
 }
 
+Eigen::RowVectorXd objective_slope(const DesignValues& values, const DesignJacobian& jacobian) {
+  return jacobian.cost + 2 * values.residuals.transpose() * jacobian.residuals;
+}
+
 double violation_of(const DesignValues& values) {
   return values.constraints.size() == 0 ? 0 : values.constraints.maxCoeff();
 }

@@ -64,14 +64,14 @@ private:
   std::vector<bool> fixed_;
   DesignValues values_, near_values_;
   DesignJacobian jacobian_;
-  Eigen::VectorXd values_at_,
-      jacobian_at_;  // the u of values_ and jacobian_, which are cached as methods ask for one u several
-                     // times; empty: none
+  // The u of values_ and jacobian_, which are cached as methods ask for one u several times; empty: none.
+  Eigen::VectorXd values_at_, jacobian_at_;
   DesignPoint best_;
   std::int64_t evaluations_ = 0;
 };
 
 [[nodiscard]] double objective_of(const DesignValues& values);
+[[nodiscard]] Eigen::RowVectorXd objective_slope(const DesignValues& values, const DesignJacobian& jacobian);
 [[nodiscard]] double violation_of(const DesignValues& values);
 
 /// The value of a variable from its unit variable, and back.

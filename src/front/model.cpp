@@ -52,10 +52,9 @@ bool same_structure(const Mechanism& a, const Mechanism& b) {
 
 }  // namespace
 
-std::shared_ptr<const Model::Data> planned(std::string name, std::optional<ProfileDocument> document,
-                                           Profile profile, const Model::Data* like) {
+std::shared_ptr<const Model::Data> planned(std::optional<ProfileDocument> document, Profile profile,
+                                           const Model::Data* like) {
   auto data = std::make_shared<Model::Data>();
-  data->name = std::move(name);
   data->document = std::move(document);
   data->profile = std::move(profile);
   set_travels(data->profile);
@@ -79,8 +78,7 @@ Result<std::shared_ptr<const Model::Data>> read(const ProfileDocument& document,
   if (!profile) {
     return wrong(std::move(profile.error()));
   }
-  std::string name = profile->source;
-  return planned(std::move(name), *std::move(changed), *std::move(profile), like);
+  return planned(*std::move(changed), *std::move(profile), like);
 }
 
 Result<std::shared_ptr<const Model::Data>> read(const tl::expected<ProfileDocument, Diagnostics>& document,
@@ -96,7 +94,7 @@ RunModel run_model(const Model::Data& model) {
 }
 
 Error error_about(const Model::Data& model, ErrorKind kind, std::string message) {
-  return {kind, {about(model.name, std::move(message))}};
+  return {kind, {about(model.profile.source, std::move(message))}};
 }
 
 tl::unexpected<Error> wrong(const Model& model, std::string what) {
@@ -104,7 +102,7 @@ tl::unexpected<Error> wrong(const Model& model, std::string what) {
 }
 
 tl::unexpected<Error> wrong(const Model::Data& model, std::string what) {
-  return wrong({about(model.name, std::move(what))});
+  return wrong({about(model.profile.source, std::move(what))});
 }
 
 tl::unexpected<Error> wrong(Place place, std::string what) {
@@ -149,8 +147,8 @@ Result<Model> Model::from(Mechanism mechanism, const Units& units, std::vector<D
   for (DriverProgram& program : programs) {
     program.place.source = name;
   }
-  return Model(planned(name, std::nullopt, profile_of(std::move(mechanism), units, std::move(programs), name),
-                       nullptr));
+  return Model(
+      planned(std::nullopt, profile_of(std::move(mechanism), units, std::move(programs), name), nullptr));
 }
 
 Result<Model> Model::with(std::span<const Setting> settings) const {
@@ -178,12 +176,12 @@ Result<Model> Model::with_mechanism(Mechanism mechanism) const {
     return wrong(*data_, std::move(fault));
   }
   Profile profile =
-      profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->name);
+      profile_of(std::move(mechanism), data_->profile.units, data_->profile.programs, data_->profile.source);
   use_boundaries(profile.mechanism);
   if (same_structure(data_->profile.mechanism, profile.mechanism)) {
     profile.limits = data_->profile.limits;
   }
-  return Model(planned(data_->name, std::nullopt, std::move(profile), data_.get()));
+  return Model(planned(std::nullopt, std::move(profile), data_.get()));
 }
 
 std::vector<Parameter> Model::parameters() const {

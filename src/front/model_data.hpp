@@ -19,7 +19,6 @@ namespace higherpair {
 
 /// The contents of a model; shared by its copies and by everything that runs on it.
 struct Model::Data : std::enable_shared_from_this<Model::Data> {
-  std::string name;  ///< of the file or text, for messages
   /// What the profile was read from; none for a model that was built in C++.
   std::optional<ProfileDocument> document;
   Profile profile;
@@ -29,8 +28,7 @@ struct Model::Data : std::enable_shared_from_this<Model::Data> {
 
 /// A profile with its plan: the plan of `like` with other dimensions if only numbers differ, else a new one.
 /// `like` may be null.
-[[nodiscard]] std::shared_ptr<const Model::Data> planned(std::string name,
-                                                         std::optional<ProfileDocument> document,
+[[nodiscard]] std::shared_ptr<const Model::Data> planned(std::optional<ProfileDocument> document,
                                                          Profile profile, const Model::Data* like);
 
 /// What all runs of a model share: its mechanism and plan. \pre the model has a plan

@@ -41,7 +41,7 @@ Result<Model> ModelVariants::with(std::span<const double> values) {
     return wrong(std::move(profile.error()));
   }
   const Model::Data& like = impl_->like.data();
-  return Model(planned(like.name, std::nullopt, *std::move(profile), &like));
+  return Model(planned(std::nullopt, *std::move(profile), &like));
 }
 
 }  // namespace higherpair

@@ -1,6 +1,6 @@
 #include "higherpair/geometry/involute_span.hpp"
 
-#include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
 #include "numeric/interval.hpp"
 

@@ -87,9 +87,9 @@ TEST(CamSizing, GivesThePublishedPrimeCircleOfACycloidalCam) {
   const FlankOrigin sized = roller_cam(law, size->rest, 0.5);
   EXPECT_NEAR(largest_center_pressure(sized)->value / kDeg, 30, 1e-12);
   EXPECT_NEAR(largest_center_pressure(sized)->at, size->at, 1e-9);
-  const PitchCurvature curvature = pitch_curvature(sized).value();
-  EXPECT_NEAR(1 / curvature.greatest.value, 1.394110, 5e-7);
-  EXPECT_NEAR(curvature.greatest.at / kDeg - 90, 66.423, 5e-4);
+  const CamPlace curvature = largest_pitch_curvature(sized).value();
+  EXPECT_NEAR(1 / curvature.value, 1.394110, 5e-7);
+  EXPECT_NEAR(curvature.at / kDeg - 90, 66.423, 5e-4);
 }
 
 TEST(CamSizing, GivesThePublishedOffsetOfAFreeGuide) {

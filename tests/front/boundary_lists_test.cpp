@@ -1,5 +1,5 @@
 #include "cam_profile.hpp"
-#include "higherpair/front/branches.hpp"
+#include "higherpair/front/contacts.hpp"
 
 #include <atomic>
 #include <cmath>

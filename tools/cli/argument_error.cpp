@@ -1,9 +1,9 @@
 #include "argument_error.hpp"
 
+#include "option_checks.hpp"
 #include "unknown_argument.hpp"
 
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +30,9 @@ std::string not_converted(const CLI::App& command, std::string_view text) {
   if (equals == std::string_view::npos) {
     return option + ": cannot be understood";
   }
-  return fmt::format("{} {}: must be {}", option, text.substr(equals + 3), kind_of_value(command, option));
+  const std::string_view value = text.substr(equals + 3);
+  return with_separator_advice(
+      fmt::format("{} {}: must be {}", option, value, kind_of_value(command, option)), value);
 }
 
 // Rewords "--samples: Value 2.5 not in range 2 to 100", which is also said of a number that is not whole.
@@ -42,25 +44,20 @@ std::optional<std::string> not_in_range(const CLI::App& command, const std::stri
   }
   const std::string option = text.substr(0, value);
   const std::size_t from = value + kValue.size();
+  const std::string given = text.substr(from, range - from);
   std::string limits = text.substr(range + kRange.size());
   constexpr std::string_view kDecimals = ".000000";
   for (std::size_t at = limits.find(kDecimals); at != std::string::npos; at = limits.find(kDecimals)) {
     limits.erase(at, kDecimals.size());
   }
-  return fmt::format("{} {}: must be {} from {}", option, text.substr(from, range - from),
-                     kind_of_value(command, option), limits);
+  return with_separator_advice(
+      fmt::format("{} {}: must be {} from {}", option, given, kind_of_value(command, option), limits), given);
 }
 
 // Rewords "--csv: 1 required TEXT missing" and "--csv: At Most 1 required but received 2".
 std::string wrong_count(const std::string& text) {
   const std::string option = text.substr(0, text.find(':'));
   return option + (text.find("missing") != std::string::npos ? " needs a value" : " is given more than once");
-}
-
-// The sentence, and what to write instead of a decimal comma in it: `30,5`.
-std::string with_decimal_point(const std::string& sentence) {
-  static const std::regex kComma(R"((?:^|.*[ '=])[+-]?\d[\d.e+-]*,\d+(?:[ ':].*|$))");
-  return std::regex_match(sentence, kComma) ? sentence + "; decimals are written with a point" : sentence;
 }
 
 std::string sentence(const CLI::App& command, const CLI::ParseError& error) {
@@ -83,8 +80,7 @@ std::string argument_error(const CLI::App& app, const CLI::ParseError& error) {
     return unknown.empty() ? no_command(app) : unknown;
   }
   const CLI::App& command = *given.front();
-  return fmt::format("{}; see higherpair {} --help", with_decimal_point(sentence(command, error)),
-                     command.get_name());
+  return fmt::format("{}; see higherpair {} --help", sentence(command, error), command.get_name());
 }
 
 }  // namespace higherpair::cli

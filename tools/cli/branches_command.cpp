@@ -1,9 +1,9 @@
 #include "branches_report.hpp"
 #include "commands.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
 #include "tell.hpp"
 
 #include <memory>

@@ -1,8 +1,10 @@
 #include "check_report.hpp"
 #include "commands.hpp"
+#include "event_text.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 
 #include <memory>
 

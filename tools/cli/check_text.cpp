@@ -42,7 +42,7 @@ std::string check_text(const CheckReport& report) {
   for (const CheckFigure& figure : report.figures) {
     if (figure.item != item) {
       text += fmt::format("{}{:<31} {:>11} {:<9} {:>9} {:>9}\n", text.empty() ? "" : "\n", figure.item,
-                          "value", "", fmt::format("at [{}]", report.driver_unit), "limit");
+                          "value", "", title("at", report.driver_unit), "limit");
       of.clear();
     }
     if (!figure.of.empty() && figure.of != of) {

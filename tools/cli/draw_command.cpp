@@ -1,10 +1,12 @@
 #include "commands.hpp"
+#include "event_text.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 
 #include <algorithm>

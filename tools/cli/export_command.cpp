@@ -1,9 +1,10 @@
 #include "commands.hpp"
 #include "higherpair/front/export.hpp"
 #include "higherpair/io/diagnostic.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,9 +1,10 @@
 #include "commands.hpp"
 #include "fit_report.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "status_line.hpp"
 
 #include <algorithm>
@@ -25,13 +26,6 @@ struct FitCommandOptions : ProfileOptions {  // `profile`: with `curve` the poin
   std::optional<std::string> loss;
   FitSettings settings;
 };
-
-// The objection to a text that is not a fraction between 0 and 1.
-std::string share_objection(const std::string& text) {
-  double value = 0;
-  const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && value < 1;
-  return good ? "" : "'" + text + "' is no share between 0 and 1, such as 0.95";
-}
 
 std::vector<NamedFile> outputs_of(const FitCommandOptions& options) {
   return given({{"--output", options.output}, {"--json", options.json}, {"--csv", options.csv}});
@@ -164,7 +158,7 @@ CommandRun add_fit(CLI::App& command) {
   command.add_option("--loss", options->loss, "how residuals count: by squares (default), huber or tukey")
       ->check(CLI::IsMember(fit_loss_names()));
   command.add_option("--confidence", options->settings.confidence, "of the intervals (default 0.95)")
-      ->check(CLI::Validator(share_objection, "SHARE"));
+      ->check(share());
   command
       .add_option("--columns", options->settings.columns,
                   "GLOB[,GLOB]: only these measured columns; repeatable")

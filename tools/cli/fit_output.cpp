@@ -18,14 +18,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOutliers = 10;  // largest number listed
 
-std::string brief(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
-}
-
 std::string number_text(const FitReport::Number& number, int width, bool with_before) {
   return fmt::format("{:<{}}  {:>14}  {:>16}  {:>12}  {}{}{}\n", number.name, width,
                      with_before ? shown(number.before) : "", shown(number.after),
-                     std::isfinite(number.half) ? "+-" + brief(number.half) : "-", number.unit,
+                     std::isfinite(number.half) ? "+-" + shown(number.half, 3) : "-", number.unit,
                      number.at_bound ? "  at its bound" : "", number.determined ? "" : "  not determined");
 }
 
@@ -45,8 +41,8 @@ std::string columns_text(const FitReport& report) {
                                  width, "values", "rms", "noise", "largest", "at", "R2", "outliers");
   for (const auto& column : report.columns) {
     text += fmt::format("{:<{}}  {:>6}  {:>10}  {:>10}  {:>10} {:>14}  {:>8}  {:>8}  {}\n", column.name,
-                        width, column.values, brief(column.rms), brief(column.noise), brief(column.largest),
-                        shown(column.largest_at),
+                        width, column.values, shown(column.rms, 3), shown(column.noise, 3),
+                        shown(column.largest, 3), shown(column.largest_at),
                         std::isfinite(column.explained) ? fmt::format("{:.6f}", column.explained) : "-",
                         column.outliers, column.unit);
   }
@@ -215,11 +211,11 @@ std::string fit_text(const CurveFitReport& report) {
                                  fmt::format("{:g} %", 100 * report.confidence));
   for (const auto& own : report.numbers) {
     text += fmt::format("{:<{}}  {:>16}  {:>12}  {}\n", own.name, width, shown(own.value),
-                        std::isfinite(own.half) ? "+-" + brief(own.half) : "-", own.unit);
+                        std::isfinite(own.half) ? "+-" + shown(own.half, 3) : "-", own.unit);
   }
   return text + fmt::format("\n{} points, rms distance {} {}, noise {} {}, largest {} {} (line {})\n",
-                            report.points.size(), brief(report.rms), report.unit, brief(report.noise),
-                            report.unit, brief(report.largest), report.unit, report.largest_line);
+                            report.points.size(), shown(report.rms, 3), report.unit, shown(report.noise, 3),
+                            report.unit, shown(report.largest, 3), report.unit, report.largest_line);
 }
 
 std::string fit_json(const CurveFitReport& report) {

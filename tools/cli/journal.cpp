@@ -1,8 +1,8 @@
 #include "journal.hpp"
 
 #include "checksum.hpp"
+#include "outcome.hpp"
 #include "record_bytes.hpp"
-#include "run_command.hpp"
 #include "tell.hpp"
 
 #include <cerrno>

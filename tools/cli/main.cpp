@@ -1,5 +1,5 @@
+#include "outcome.hpp"
 #include "program.hpp"
-#include "run_command.hpp"
 #include "tell.hpp"
 
 #include <cerrno>

@@ -1,11 +1,12 @@
 #include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "map_report.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 
 #include <algorithm>

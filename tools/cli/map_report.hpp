@@ -1,6 +1,6 @@
 #pragma once
 
-#include "higherpair/front/map.hpp"
+#include "higherpair/front/contacts.hpp"
 
 #include <string>
 

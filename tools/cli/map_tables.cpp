@@ -1,6 +1,6 @@
 #include "json_text.hpp"
 #include "map_report.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "unit_columns.hpp"
 
 #include <fmt/core.h>

@@ -30,9 +30,9 @@ std::string end_word(const MapEndReport& end, int turns) {
 }
 
 std::string branches_table(const ContactMapReport& contact) {
-  std::string text = fmt::format("\n{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}free\n", "branch",
-                                 "from [" + contact.driver_unit + "]", "", "to [" + contact.driver_unit + "]",
-                                 "", "opposed");
+  std::string text =
+      fmt::format("\n{:>8}{:>22}  {:<20}{:>22}  {:<20}{:<9}free\n", "branch",
+                  title("from", contact.driver_unit), "", title("to", contact.driver_unit), "", "opposed");
   for (std::size_t i = 0; i < contact.branches.size(); ++i) {
     const MapBranchReport& branch = contact.branches[i];
     const int index = static_cast<int>(i) + 1;
@@ -58,7 +58,7 @@ std::string events_table(const ContactMapReport& contact, const MapReport& repor
     return "\nno folds: nothing stops the driver on any branch\n";
   }
   std::string text =
-      fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", "at [" + contact.driver_unit + "]",
+      fmt::format("\n{:<12}{:>22}{:>26}{:>16}{:>16}  {:<9}branches\n", "", title("at", contact.driver_unit),
                   title(contact.position_joint, contact.position_unit), title("x", report.length_unit),
                   title("y", report.length_unit), "opposed");
   for (const MapEventReport& event : contact.events) {

@@ -1,9 +1,9 @@
 #include "commands.hpp"
 #include "higherpair/front/mobility.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
 #include "tell.hpp"
 
 #include <memory>

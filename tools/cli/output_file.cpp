@@ -1,6 +1,6 @@
 #include "output_file.hpp"
 
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 
 #include <algorithm>

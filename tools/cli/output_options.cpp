@@ -1,11 +1,10 @@
 #include "output_options.hpp"
 
 #include "hdf5_file.hpp"
-#include "higherpair/higherpair.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
 
 #include <filesystem>
 
@@ -13,6 +12,7 @@
 #include <fmt/core.h>
 
 namespace higherpair::cli {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -28,8 +28,6 @@ bool is_same_file(const std::string& a, const std::string& b) {
   };
   return place(a) == place(b);
 }
-
-namespace {
 
 // A file that cannot be written is a failure of the machine, though it is found with the arguments.
 struct NoPlaceError : CLI::ValidationError {
@@ -107,6 +105,20 @@ std::optional<Error> refused_output(const Model& model, const std::vector<NamedF
     }
   }
   return std::nullopt;
+}
+
+Result<Model> open_model(const ProfileOptions& options, const std::vector<NamedFile>& outputs) {
+  auto model = Model::open(options.profile, options.overrides);
+  if (!model) {
+    return model;
+  }
+  std::vector<NamedFile> all = outputs;
+  all.push_back({"standard output", "-"});
+  if (auto refused = refused_output(*model, all)) {
+    return tl::unexpected(*std::move(refused));
+  }
+  print_notes(model->notes(), options.quiet);
+  return model;
 }
 
 namespace {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "higherpair/front/model.hpp"
+
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -8,11 +10,6 @@
 namespace CLI {
 class App;
 }
-
-namespace higherpair {
-class Model;
-struct Error;
-}  // namespace higherpair
 
 namespace higherpair::cli {
 
@@ -43,9 +40,6 @@ struct NamedFile {
   std::string path;  ///< "-": standard output
 };
 
-/// Whether two paths lead to the same regular file, through links as well; it need not exist yet.
-[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
-
 /// Throws CLI::ValidationError if an output is also an input or another output (devices and pipes may be
 /// given twice). Before hours are spent on computing what could not be kept also, with kExitMachine as its
 /// exit code, if an output is a folder or a link that leads to itself, or if its folder does not exist.
@@ -69,6 +63,10 @@ struct ProfileOptions {
   std::vector<std::string> overrides;  ///< PATH=VALUE
   bool quiet = false;
 };
+
+/// Opens the model of the profile; prints its notes unless `quiet`.
+/// \param outputs  files to be written; refused if the profile reads one of them
+[[nodiscard]] Result<Model> open_model(const ProfileOptions& options, const std::vector<NamedFile>& outputs);
 
 /// Adds FILE, --set and --quiet. \param what  FILE is, for the help
 void add_profile_options(CLI::App& command, ProfileOptions& options,

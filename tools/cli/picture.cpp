@@ -4,10 +4,8 @@
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "picture_module.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -21,10 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string ending_of(const std::string& path) {
-  std::string ending = path == "-" ? ".svg" : fs::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return ending;
+  return path == "-" ? ".svg" : CLI::detail::to_lower(fs::path(path).extension().string());
 }
 
 using Convert = void(const std::string& svg, std::string& out);

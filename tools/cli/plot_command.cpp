@@ -1,8 +1,9 @@
 #include "commands.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "outcome.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 
 #include <memory>
 

@@ -1,9 +1,11 @@
 #include "commands.hpp"
+#include "event_text.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "option_checks.hpp"
+#include "outcome.hpp"
 #include "output_options.hpp"
 #include "picture.hpp"
-#include "positive_number.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 
 #include <memory>

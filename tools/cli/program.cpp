@@ -3,7 +3,8 @@
 #include "argument_error.hpp"
 #include "commands.hpp"
 #include "higherpair/front/model.hpp"
-#include "run_command.hpp"
+#include "outcome.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 #include "unknown_argument.hpp"
 

@@ -1,10 +1,12 @@
 #include "commands.hpp"
+#include "event_text.hpp"
 #include "file_text.hpp"
 #include "higherpair/front/pictures.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
 #include "progress.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "tell.hpp"
 
 #include <filesystem>

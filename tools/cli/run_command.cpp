@@ -1,109 +1,32 @@
-#include "run_command.hpp"
-
-#include "higherpair/io/diagnostic.hpp"
+// The commands `analyze`, `step` and `forces`.
+#include "commands.hpp"
+#include "event_text.hpp"
+#include "higherpair/analysis/status.hpp"
+#include "outcome.hpp"
+#include "output_options.hpp"
 #include "progress.hpp"
 #include "row_hdf5.hpp"
 #include "row_writer.hpp"
+#include "signals.hpp"
 #include "summary.hpp"
-#include "tell.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
-#include <ctime>
-#include <unistd.h>
+#include <memory>
 
-#include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 namespace higherpair::cli {
 namespace {
 
-// A signal handler may only touch lock-free atomics, and call few functions.
-std::atomic<bool> signalled = false;
-std::atomic<std::time_t> first_signal = 0;  // [s]
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::time_t>::is_always_lock_free);
-
-void end_at_once(int) {
-  _exit(kExitInterrupted);
-}
-
-// The second signal ends the program, in case no loop heeds the first one. Not within a second or two:
-// timeout(1) sends the same signal twice.
-void on_interrupt(int number) {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  signalled = true;
-  std::time_t first = 0;
-  if (!first_signal.compare_exchange_strong(first, now.tv_sec) && now.tv_sec > first + 1) {
-    end_at_once(number);
-  }
-}
-
-void on_signals(void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaction(number, &action, nullptr);
-  }
-}
-
-std::string quoted(const std::string& text) {
-  std::string doubled;
-  for (const char c : text) {
-    doubled += c;
-    if (c == '"') doubled += c;
-  }
-  return fmt::format("\"{}\"", doubled);
-}
-
-std::string driver_unit(const Model& model) {
-  const Mechanism& mechanism = model.mechanism();
-  const Joint& driven = mechanism.joints[mechanism.drivers.front().joint];
-  return unit_text(has_angle(driven.type) ? dimension::kAngle : dimension::kLength, model.units());
-}
-
-std::string events_csv(const std::vector<Event>& events, const Model& model) {
-  std::string text = fmt::format("type,driver[{}],time[{}],item,row,cause\n", driver_unit(model),
-                                 unit_text(dimension::kTime, model.units()));
-  for (const Event& event : events) {
-    text += fmt::format("{},{},{},{},{},{}\n", name_of(event.type), event.driver,
-                        event.time ? fmt::format("{}", *event.time) : "", event.item, event.row,
-                        quoted(event.cause));
-  }
-  return text;
-}
-
-// The value of an event at which a joint reverses: " = -45.88 deg"; empty for other events.
-std::string value_text(const Event& event, const Model& model) {
-  if (!event.value || !event.joint) {
-    return "";
-  }
-  const Joint& joint = model.mechanism().joints[*event.joint];
-  const Dimension& of = has_angle(joint.type) ? dimension::kAngle : dimension::kLength;
-  return fmt::format(" = {:.10g} {}", *event.value, unit_text(of, model.units()));
-}
-
-std::vector<std::string> event_lines(const std::vector<Event>& events, const Model& model) {
-  const std::string unit = driver_unit(model), time_unit = unit_text(dimension::kTime, model.units());
-  std::vector<std::string> lines;
-  for (const Event& event : events) {
-    const std::string item = event.item.empty() ? "" : ": " + event.item;
-    const std::string time = event.time ? fmt::format(", time = {:.15g} {}", *event.time, time_unit) : "";
-    lines.push_back(fmt::format("{} at driver = {:.15g} {}{}{}{}: {}", name_of(event.type), event.driver,
-                                unit, time, item, value_text(event, model), event.cause));
-  }
-  return lines;
-}
-
-// What the library calls the setting `columns`, or an override, is an option here: "setting columns driver"
-// is `--columns driver`, "override driver.end=3" is `--set driver.end=3`.
-std::string in_options(const std::string& source) {
-  constexpr std::string_view kSetting = "setting ";
-  constexpr std::string_view kOverride = "override ";
-  return source.starts_with(kSetting)    ? "--" + source.substr(kSetting.size())
-         : source.starts_with(kOverride) ? "--set " + source.substr(kOverride.size())
-                                         : source;
-}
+struct RunOptions : ProfileOptions {
+  std::optional<std::string> csv;
+  std::optional<std::string> json;
+  std::optional<std::string> hdf5;
+  std::optional<std::string> events;  ///< file of the events, as CSV
+  RunSettings settings;
+  int threads = 0;  ///< 0: as many as there are cores
+  bool summary = false;
+};
 
 // All outputs that are written while a run goes on.
 class Outputs {
@@ -160,7 +83,7 @@ public:
 
   /// Reports failed outputs, unless an interruption is the cause.
   void print_failure() const {
-    if (signalled) return;
+    if (interruption()) return;
     const bool said = std::any_of(writers_.begin(), writers_.end(),
                                   [](const auto& one) { return report_failure(one.file()); });
     if (!said && hdf5_) (void)report_failure(hdf5_->file());
@@ -219,82 +142,7 @@ int write_rows(const RunOptions& options, const Model& model, Analysis& analysis
   return analysis.good() ? kExitOk : kExitRows;
 }
 
-}  // namespace
-
-void end_on_signals() {
-  on_signals(end_at_once);
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
-// A write that waits for a reader is not restarted after a signal but fails.
-void listen_to_signals() {
-  on_signals(on_interrupt);
-}
-
-void print_events(const std::vector<Event>& events, const Model& model) {
-  for (const std::string& line : event_lines(events, model)) {
-    tell("{}\n", line);
-  }
-}
-
-void print_passed(const std::vector<Event>& passed, const Model& model) {
-  if (!passed.empty()) {
-    tell("higherpair: the motion from the first position to what is drawn goes over\n");
-    print_events(passed, model);
-  }
-}
-
-const std::atomic<bool>& interruption() {
-  return signalled;
-}
-
-int exit_unwritten() {
-  return signalled ? kExitInterrupted : kExitMachine;
-}
-
-int report_error(const Error& error) {
-  Error said = error;
-  for (Diagnostic& diagnostic : said.diagnostics) {
-    diagnostic.place.source = in_options(diagnostic.place.source);
-  }
-  tell("{}\n", to_string(said));
-  switch (error.kind) {
-    case ErrorKind::kInput:
-      return kExitInput;
-    case ErrorKind::kMechanism:
-      return kExitMechanism;
-    case ErrorKind::kInternal:
-      break;
-  }
-  return kExitMachine;
-}
-
-int exit_failed(const Error& error) {
-  return signalled ? kExitInterrupted : report_error(error);
-}
-
-void print_notes(const Diagnostics& notes, bool quiet) {
-  if (quiet) return;
-  for (Diagnostic note : notes) {
-    note.place.source = in_options(note.place.source);
-    tell("{}\n", note_text(note));
-  }
-}
-
-Result<Model> open_model(const ProfileOptions& options, const std::vector<NamedFile>& outputs, bool quiet) {
-  auto model = Model::open(options.profile, options.overrides);
-  if (!model) {
-    return model;
-  }
-  std::vector<NamedFile> all = outputs;
-  all.push_back({"standard output", "-"});
-  if (auto refused = refused_output(*model, all)) {
-    return tl::unexpected(*std::move(refused));
-  }
-  print_notes(model->notes(), quiet);
-  return model;
-}
-
+// Runs `analyze`, `step` or `forces`; returns the exit code.
 int run_command(const RunOptions& options) {
   const auto model = open_model(options, given({{"--csv", options.csv},
                                                 {"--json", options.json},
@@ -309,6 +157,53 @@ int run_command(const RunOptions& options) {
     return exit_failed(analysis.error());
   }
   return write_rows(options, *model, *analysis);
+}
+
+CommandRun add_run(CLI::App& command, const std::shared_ptr<RunOptions>& options) {
+  options->settings.stop = &interruption();
+  add_profile_options(command, *options);
+  add_output_options(command, options->profile, {"the table", options->csv},
+                     {"the table and the events", options->json},
+                     {.events = &options->events, .hdf5 = &options->hdf5});
+  command.add_option("--hdf5", options->hdf5, "write the table and the events as HDF5 to this file");
+  command.add_option("--events", options->events,
+                     "write the events as CSV to this file (-: standard output)");
+  command.add_option("--samples", options->settings.samples, "number of rows, in place of driver.samples");
+  add_tolerance_option(command, options->settings.tolerance);
+  add_threads_option(command, options->threads);
+  command.add_flag("--jerk", options->settings.jerk,
+                   "columns of the true jerk, and of that of the frozen equivalent linkage");
+  command
+      .add_option("--derivatives", options->settings.derivatives,
+                  "columns of all time derivatives of bodies and points from the third to this one")
+      ->check(CLI::Range(3, higherpair::kHighestDerivative));
+  command
+      .add_option("--columns", options->settings.columns,
+                  "GLOB[,GLOB]: only these columns, such as follower.*,touch.rho*; repeatable")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_flag("--summary", options->summary, "print the range of every column on standard output");
+  return [options] { return run_command(*options); };
+}
+
+}  // namespace
+
+CommandRun add_analyze(CLI::App& command) {
+  return add_run(command, std::make_shared<RunOptions>());
+}
+
+CommandRun add_step(CLI::App& command) {
+  const auto options = std::make_shared<RunOptions>();
+  options->settings.in_time = true;
+  return add_run(command, options);
+}
+
+CommandRun add_forces(CLI::App& command) {
+  const auto options = std::make_shared<RunOptions>();
+  options->settings.forces = true;
+  CommandRun run = add_run(command, options);
+  command.add_flag("--time", options->settings.in_time, "the motion in time, as step has it");
+  return run;
 }
 
 }  // namespace higherpair::cli

@@ -4,9 +4,10 @@
 #include "hdf5_file.hpp"
 #include "higherpair/higherpair.hpp"
 #include "journal.hpp"
+#include "outcome.hpp"
 #include "output_file.hpp"
 #include "output_options.hpp"
-#include "run_command.hpp"
+#include "signals.hpp"
 #include "sweep/block_bytes.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/table_file.hpp"
@@ -169,8 +170,8 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.final_callback([&options] { check_output(options); });
 }
 
-Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const std::atomic<bool>& stop) {
-  auto model = open_model(options, {{"--output", options.output}}, quiet);
+Result<OpenedSweep> open_sweep(const SweepOptions& options, const std::atomic<bool>& stop) {
+  auto model = open_model(options, {{"--output", options.output}});
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }
@@ -185,7 +186,7 @@ Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet, const st
 }
 
 int sweep_command(const SweepOptions& options, const SweepRunner& run) {
-  const auto opened = open_sweep(options, options.quiet, interruption());
+  const auto opened = open_sweep(options, interruption());
   if (!opened) {
     return report_error(opened.error());
   }

@@ -35,8 +35,7 @@ struct OpenedSweep {
 };
 
 /// Reads the profile; prints its notes unless `quiet`. \param stop  ends the work on blocks once true
-[[nodiscard]] Result<OpenedSweep> open_sweep(const SweepOptions& options, bool quiet,
-                                             const std::atomic<bool>& stop);
+[[nodiscard]] Result<OpenedSweep> open_sweep(const SweepOptions& options, const std::atomic<bool>& stop);
 
 /// Computes the blocks of a sweep from `first` on and passes them to `take`, as run_sweep does.
 using SweepRunner = std::function<void(const OpenedSweep& sweep, std::int64_t first,

@@ -48,20 +48,16 @@ public:
   [[nodiscard]] const std::string& where_unit() const { return where_unit_; }
 
 private:
-  struct Seen {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double where = std::numeric_limits<double>::quiet_NaN();
-  };
   // What one measure keeps of the rows.
   struct State {
-    Seen best;              // the row with the value; for range that of the largest
+    Measured best;          // the row with the value; for range that of the largest
     double low = 0;         // for range the smallest value; for at the distance of the row from the place
                             // asked for
     long double sum = 0;    // of v or v²: more digits and range than a double, against rounding and overflow
     std::int64_t rows = 0;  // with a value; not counted for first, last and at
   };
 
-  void take(const Seen& seen, const Measure& measure, State& state) const;
+  void take(const Measured& seen, const Measure& measure, State& state) const;
 
   std::vector<Measure> measures_;
   std::vector<State> states_;

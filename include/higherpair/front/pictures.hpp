@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/drawing/picture.hpp"
-#include "higherpair/front/map.hpp"
+#include "higherpair/front/contacts.hpp"
 #include "higherpair/front/model.hpp"
 
 #include <atomic>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "higherpair/geometry/bounds.hpp"
 #include "higherpair/geometry/pose.hpp"
 
 #include <array>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Core>
@@ -71,6 +72,27 @@ template <class T>
 [[nodiscard]] inline double nearest_turn(double angle, double reference) {
   const double turns = (reference - angle) * (0.5 / kPi);
   return std::abs(turns) <= 0.5 ? angle : angle + 2 * kPi * std::round(turns);
+}
+
+/// The closed interval from low to high.
+struct Bounds {
+  double low = 0;
+  double high = 0;
+
+  [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
+  [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] Bounds operator-() const { return {-high, -low}; }
+};
+
+/// The smallest interval that contains both.
+[[nodiscard]] inline Bounds hull(const Bounds& a, const Bounds& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+/// The bounds of an enclosure with lower() and upper().
+template <class Enclosure>
+[[nodiscard]] Bounds to_bounds(const Enclosure& x) {
+  return {x.lower(), x.upper()};
 }
 
 /// A planar rotation as a unit vector (cos, sin): the hot paths compose rotations without trigonometric

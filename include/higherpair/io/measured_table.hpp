@@ -25,8 +25,7 @@ struct MeasuredColumn {
 struct MeasuredTable {
   std::string source;                   ///< its name in messages
   std::vector<MeasuredColumn> columns;  ///< all of one length
-  std::vector<int> lines;  ///< line number of each row, from 1; empty, in a table made by a program: the rows
-                           ///< are counted
+  std::vector<int> lines;               ///< of the rows, from 1; if empty, the rows are counted
 };
 
 /// Reads a text of columns separated by commas, semicolons, tabs or spaces. The first line names them, each
@@ -42,8 +41,8 @@ struct MeasuredTable {
                                                        const std::vector<std::string>& names = {});
 
 /// The factor from the unit of a header to the unit of a table's column; the error is the end of a sentence
-/// about the header ("kg is a mass, expected a length, such as mm"). \param unit  of a column in these units,
-/// "deg/s^2"
+/// about the header ("kg is a mass, expected a length, such as mm").
+/// \param unit  of a column in these units, "deg/s^2"
 [[nodiscard]] tl::expected<double, std::string> factor_between(const std::string& header,
                                                                const std::string& unit, const Units& units);
 

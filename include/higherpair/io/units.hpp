@@ -170,4 +170,8 @@ inline constexpr double kLargestQuantity = 1e50;
                                                                  const Dimension& expected,
                                                                  const Units& units);
 
+/// What to write instead of a number with a decimal comma or with separators of thousands, 30,5 or 1 000, to
+/// the end of `text`, its unit or a comment. Empty for all else, and for a number that is right.
+[[nodiscard]] std::string separator_advice(std::string_view text);
+
 }  // namespace higherpair

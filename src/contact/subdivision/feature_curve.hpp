@@ -1,7 +1,7 @@
 #pragma once
 
 #include "higherpair/contact/boundary_contact.hpp"
-#include "higherpair/geometry/bounds.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "numeric/interval.hpp"
 
 #include <algorithm>

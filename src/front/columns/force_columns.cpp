@@ -32,7 +32,7 @@ void add_force_columns(ColumnSet& set, const Mechanism& mechanism) {
   }
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
     const std::string name = driver_name(mechanism.drivers[i]);
-    const Dimension dimension = effort_dimension(has_angle(driven_joint(mechanism, i).type));
+    const Dimension dimension = effort_dimension(driver_turns(mechanism, i));
     set.add({{name + ".effort", dimension}, {name + ".effort_check", dimension}},
             [i](const RowSource& source, double* out) {
               put(source.reactions->drivers[i].effort, out);

@@ -1,11 +1,11 @@
 #include "higherpair/front/measure.hpp"
 
 #include "front/analysis_impl.hpp"
-#include "front/tolerances.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/mechanism/driver_name.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "measure_series.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -93,7 +93,7 @@ std::string place_objection(const std::vector<double>& places, const Measure& me
   const double low = below == places.begin() ? -kInf : *std::prev(below);
   const double high = above == places.end() ? kInf : *above;
   const double nearest = std::min(measure.at - low, high - measure.at);
-  if (nearest <= kAtPlace * std::max(places.back() - places.front(), std::abs(measure.at))) {
+  if (is_there(nearest, measure.at, places.back() - places.front())) {
     return "";
   }
   const std::string next = std::isinf(low) ? fmt::format("the rows begin at {}", high)
@@ -154,7 +154,7 @@ Diagnostics column_mistakes(const Available& available, std::span<const Measure>
 // The mistakes of measures that a program made are of the model.
 Diagnostics placed(Diagnostics mistakes, const Model& model) {
   for (Diagnostic& mistake : mistakes) {
-    if (mistake.place.source.empty()) mistake.place.source = model.data().name;
+    if (mistake.place.source.empty()) mistake.place.source = model.profile().source;
   }
   return mistakes;
 }
@@ -230,7 +230,7 @@ void MeasureSet::add(const Row& row) {
   }
 }
 
-void MeasureSet::take(const Seen& seen, const Measure& measure, State& state) const {
+void MeasureSet::take(const Measured& seen, const Measure& measure, State& state) const {
   const auto keep = [&](bool better) {
     if (state.rows == 0 || better) state.best = seen;
   };
@@ -292,11 +292,10 @@ Measured MeasureSet::value(std::size_t measure) const {
     case MeasureKind::kRms:
       result.value = static_cast<double>(std::sqrt(state.sum / rows));
       break;
-    case MeasureKind::kAt: {
-      const double span = std::max(high_where_ - low_where_, std::abs(measures_[measure].at));
-      of_row(state.low <= kAtPlace * span ? state.best.value : kNoValue);
+    case MeasureKind::kAt:
+      of_row(is_there(state.low, measures_[measure].at, high_where_ - low_where_) ? state.best.value
+                                                                                  : kNoValue);
       break;
-    }
     default:
       of_row(state.best.value);
   }

@@ -90,8 +90,7 @@ Measured at_place(const Series& series, double at) {
   const auto nearest = std::min_element(series.where.begin(), series.where.end(),
                                         [&](double a, double b) { return off(a) < off(b); });
   const auto [low, high] = std::minmax_element(series.where.begin(), series.where.end());
-  const double span = std::max(*high - *low, std::abs(at));
-  if (!(off(*nearest) <= kAtPlace * span)) {
+  if (!is_there(off(*nearest), at, *high - *low)) {
     return {};
   }
   const auto row = static_cast<std::size_t>(nearest - series.where.begin());

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "front/tolerances.hpp"
 #include "higherpair/front/measure.hpp"
 #include "higherpair/io/units.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace higherpair {
@@ -13,6 +16,11 @@ struct Extremes {
 };
 /// \pre there are values, none of them NaN
 [[nodiscard]] Extremes extremes_of(std::span<const double> values);
+
+/// Whether a row at the distance `off` from the place `at` is there. \param span  of the places of all rows
+[[nodiscard]] inline bool is_there(double off, double at, double span) {
+  return off <= kAtPlace * std::max(span, std::abs(at));
+}
 
 /// A column of a whole run, defined in every row.
 struct Series {

@@ -86,7 +86,7 @@ std::vector<DriverMotion> motions_of(const std::vector<DriverState>& drivers) {
 double largest_rate(const DriverSchedule& schedule, const Run& start) {
   double rate = 0;
   for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-    const bool turns = has_angle(driven_joint(start.mechanism(), i).type);
+    const bool turns = driver_turns(start.mechanism(), i);
     rate = std::max(rate, schedule.greatest_speed(i) / (turns ? 1 : start.plan().size));
   }
   return rate;

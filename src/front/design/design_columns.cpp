@@ -1,6 +1,6 @@
 #include "design_columns.hpp"
 
-#include "front/tolerances.hpp"
+#include "front/columns/measure_series.hpp"
 #include "higherpair/io/column_dimension.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "numeric/eigen_index.hpp"
@@ -177,7 +177,7 @@ std::vector<std::optional<std::size_t>> rows_at(std::span<const double> position
     const auto off = [&](const auto& row) { return std::pair(std::abs(row.first - at), row.second); };
     auto nearest = above == first_there.end() ? off(*std::prev(above)) : off(*above);
     if (above != first_there.begin()) nearest = std::min(nearest, off(*std::prev(above)));
-    if (nearest.first <= kAtPlace * std::max(span, std::abs(at))) rows[i] = nearest.second;
+    if (is_there(nearest.first, at, span)) rows[i] = nearest.second;
   }
   return rows;
 }

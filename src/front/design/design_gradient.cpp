@@ -14,20 +14,21 @@ public:
            double unit, DesignJacobian& jacobian)
       : setup_(setup),
         task_(setup.numbers.task()),
+        candidates_(candidates),
         pins_(candidates.pins()),
         candidate_(candidate),
         rows_(candidate.rows),
         unit_(unit),
         jacobian_(jacobian) {}
 
-  bool fill(const DesignCandidates& candidates) {
+  bool fill() {
     const bool assembles = rows_.started && rows_.missing == 0;
     const bool has_room = has_any<DesignTask::Grashof>(setup_.quantities);
     if (!assembles && (pins_ == nullptr || has_room)) {
       return false;
     }
     if (pins_ == nullptr || (assembles && !setup_.quantities.empty())) {
-      slopes_ = candidates.slopes(candidate_.x, candidate_.branch, slope_places());
+      slopes_ = candidates_.slopes(candidate_.x, candidate_.branch, slope_places());
       if (!slopes_) return false;
     }
     set_sizes();
@@ -168,6 +169,7 @@ private:
 
   const DesignSetup& setup_;
   const DesignTask& task_;
+  const DesignCandidates& candidates_;
   PinnedRows* pins_;
   const EvaluatedCandidate& candidate_;
   const DesignRows& rows_;
@@ -186,7 +188,7 @@ Eigen::Index residual_count(const DesignTask::Objective& objective) {
 
 bool add_gradient(const DesignSetup& setup, DesignCandidates& candidates, const EvaluatedCandidate& candidate,
                   double unit, DesignJacobian& jacobian) {
-  return Gradient(setup, candidates, candidate, unit, jacobian).fill(candidates);
+  return Gradient(setup, candidates, candidate, unit, jacobian).fill();
 }
 
 }  // namespace higherpair

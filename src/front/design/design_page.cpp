@@ -161,7 +161,7 @@ Result<std::string> design_page(const Model& before, const DesignReport& report)
   if (!before.data().document || !before.profile().design) {
     return wrong(before, "is not the model of a design");
   }
-  const auto after = Model::from_text(report.text, before.data().name);
+  const auto after = Model::from_text(report.text, before.profile().source);
   if (!after) {
     return tl::unexpected(after.error());
   }

@@ -135,21 +135,22 @@ public:
     const double to = loop_ ? t + reach : std::min(high_, t + reach);
     for (int pass = 0; pass < kMostPasses; ++pass) {
       go_to(t);
-      const Vector2d off = p_ - target;
-      const double slope = off.dot(v_);
-      const double bend = v_.squaredNorm() + off.dot(a_);
+      const Vector2d off = here_.p_W - target;
+      const double slope = off.dot(here_.v_W);
+      const double bend = here_.v_W.squaredNorm() + off.dot(here_.a_W);
       // Where the squared distance is not convex, the step downhill is that for a straight path.
-      const double step = -slope / (bend > kConvexDistance * v_.squaredNorm() ? bend : v_.squaredNorm());
+      const double step =
+          -slope / (bend > kConvexDistance * here_.v_W.squaredNorm() ? bend : here_.v_W.squaredNorm());
       const double next = std::clamp(t + step, from, to);
       const bool done = !(std::abs(next - t) > kSharpestStep * reach);
       if (done || pass + 1 == kMostPasses) break;
       t = next;
     }
     PathMiss miss;
-    miss.p_W = p_;
+    miss.p_W = here_.p_W;
     miss.driver = wrapped(t);
     const bool at_end = t <= from || t >= to;  // of the path, or of the range of the search
-    if (!at_end && v_.norm() > 0) miss.along = v_.normalized();
+    if (!at_end && here_.v_W.norm() > 0) miss.along = here_.v_W.normalized();
     return {t, miss};
   }
 
@@ -159,20 +160,14 @@ private:
     return !loop_ || (t >= low_ && t <= high_) ? t : t - turn * std::floor((t - low_) / turn);
   }
 
-  void go_to(double t) {
-    const BodyMotion& body = rows_.bodies_at(wrapped(t))[path_.ref.body];
-    const Vector2d r_W = body.X_WB.R_WB * p_B_;
-    p_ = body.X_WB.p_WB + r_W;
-    v_ = body.v_WB + body.omega * perp(r_W);
-    a_ = body.a_WB + body.alpha * perp(r_W) - body.omega * body.omega * r_W;
-  }
+  void go_to(double t) { here_ = point_motion(rows_.bodies_at(wrapped(t))[path_.ref.body], p_B_); }
 
   const DesignTask::PointPath& path_;
   DesignRows& rows_;
   Vector2d p_B_;
   double low_, high_;
   bool loop_;
-  Vector2d p_ = Vector2d::Zero(), v_ = p_, a_ = p_;
+  PointMotion here_;
 };
 
 // Finds the places of an untimed path, starting from the rows next to them, in the order of the targets if

@@ -110,7 +110,7 @@ private:
   // Evaluates the text as any profile: it is read, and started from its poses.
   [[nodiscard]] Result<Reread> reread(const std::string& text, std::span<const double> x, int branch) const {
     const Model::Data& before = setup_.numbers.model().data();
-    const auto model = Model::from_text(text, before.name);
+    const auto model = Model::from_text(text, before.profile.source);
     if (!model) {
       return tl::unexpected(model.error());
     }

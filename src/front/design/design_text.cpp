@@ -198,7 +198,7 @@ Result<std::string> text_of_design(const DesignNumbers& numbers, const RunSettin
     return text;
   }
   // If the profile's poses lead to another assembly, those of the design are written.
-  const auto read = Model::from_text(*text, model.name);
+  const auto read = Model::from_text(*text, model.profile.source);
   const auto run = run_of(numbers, settings, x, branch);
   if (!read || !run || starts_like(*run, *read, settings)) {
     return text;

@@ -77,7 +77,7 @@ Result<std::string> verified_text(const FitProblem& problem, const FitSolution& 
     return text;
   }
   const Model::Data& before = data.model.data();
-  auto model = Model::from_text(*text, before.name);
+  auto model = Model::from_text(*text, before.profile.source);
   if (!model) {
     return tl::unexpected(std::move(model.error()));
   }

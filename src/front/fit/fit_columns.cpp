@@ -7,10 +7,6 @@
 
 namespace higherpair {
 
-bool driver_turns(const Mechanism& mechanism, std::size_t driver) {
-  return has_angle(driven_joint(mechanism, driver).type);
-}
-
 FitColumns::FitColumns(const Mechanism& mechanism, const FitData& data) {
   for (std::size_t c = 0; c < data.columns.size(); ++c) {
     if (const auto of = body_column(mechanism, data.model.units(), data.columns[c].name)) {

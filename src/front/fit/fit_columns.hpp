@@ -11,9 +11,6 @@
 
 namespace higherpair {
 
-/// Whether a driver's coordinate is an angle.
-[[nodiscard]] bool driver_turns(const Mechanism& mechanism, std::size_t driver);
-
 /// The measured columns that are motions of bodies, of their points or of revolute joints; their derivatives
 /// follow from those of the bodies in closed form.
 class FitColumns {

@@ -154,15 +154,13 @@ private:
       } else if (column.systematic) {
         report_.notes.push_back(
             fmt::format("residuals of {} follow one another (autocorrelation {:.2f}): the model misses "
-                        "something, or noise "
-                        "that is slow; intervals are too small",
+                        "something, or noise that is slow; intervals are too small",
                         column.name, column.succession));
       }
       if (column.outliers > 0 && report_.loss == FitLoss::kSquares) {
         report_.notes.push_back(
-            fmt::format("{}: {} of {} values are more than {} deviations off: outliers, which loss = "
-                        "\"huber\" or \"tukey\" "
-                        "would give less weight",
+            fmt::format("{}: {} of {} values are more than {} deviations off: outliers, which "
+                        "loss = \"huber\" or \"tukey\" would give less weight",
                         column.name, column.outliers, column.values, kOutlierDeviations));
       }
     }
@@ -180,8 +178,7 @@ private:
         if (!(std::abs(correlation) > kCloseCorrelation)) continue;
         report_.notes.push_back(
             fmt::format("{} and {} are hard to tell apart (correlation {:.4f}): their intervals are large, "
-                        "what they have in "
-                        "common is known better",
+                        "what they have in common is known better",
                         problem_.unknowns()[i].name, problem_.unknowns()[k].name, correlation));
       }
     }

@@ -1,12 +1,12 @@
-#include "higherpair/front/branches.hpp"
+#include "higherpair/analysis/branches.hpp"
 
 #include "front/demands.hpp"
 #include "front/model_data.hpp"
-#include "higherpair/analysis/branches.hpp"
 #include "higherpair/contact/boundary_enumeration.hpp"
 #include "higherpair/contact/certify.hpp"
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/tolerances.hpp"
+#include "higherpair/front/contacts.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/io/notes.hpp"
@@ -96,7 +96,7 @@ BranchesReport report_on(const Profile& profile, const DriverSchedule& schedule,
   report.driver = schedule.state(0).profile.position;
   report.complete = branches.complete;
   for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-    const bool turns = has_angle(driven_joint(mechanism, i).type);
+    const bool turns = driver_turns(mechanism, i);
     report.drivers += fmt::format("{}{} = {} {}", i == 0 ? "" : ", ", driver_name(mechanism.drivers[i]),
                                   schedule.state(0, i).profile.position, unit_of(profile, turns));
   }

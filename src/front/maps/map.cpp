@@ -1,10 +1,9 @@
-#include "higherpair/front/map.hpp"
-
 #include "front/demands.hpp"
 #include "front/model_data.hpp"
 #include "higherpair/analysis/mapped_contacts.hpp"
 #include "higherpair/contact/boundary_contact.hpp"
 #include "higherpair/contact/contact_map.hpp"
+#include "higherpair/front/contacts.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/driver_schedule.hpp"
 #include "higherpair/numeric/special_values.hpp"

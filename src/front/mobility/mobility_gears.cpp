@@ -1,7 +1,6 @@
-#include "mobility_gears.hpp"
-
 #include "higherpair/dynamics/tooth_force.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
+#include "mobility_parts.hpp"
 
 #include <cmath>
 

@@ -1,12 +1,9 @@
-#include "mobility_json.hpp"
-
 #include "front/columns/column_set.hpp"
 #include "higherpair/linkage/instant_centers.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
 #include "higherpair/mechanism/pins.hpp"
-#include "mobility_gears.hpp"
-#include "mobility_loops.hpp"
+#include "mobility_parts.hpp"
 
 #include <algorithm>
 #include <array>

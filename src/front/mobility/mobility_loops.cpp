@@ -1,5 +1,3 @@
-#include "mobility_loops.hpp"
-
 #include "front/tolerances.hpp"
 #include "higherpair/linkage/four_bar_limits.hpp"
 #include "higherpair/linkage/grashof.hpp"
@@ -8,6 +6,7 @@
 #include "higherpair/linkage/slider_crank_stroke.hpp"
 #include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/mechanism/loops.hpp"
+#include "mobility_parts.hpp"
 
 #include <algorithm>
 #include <array>

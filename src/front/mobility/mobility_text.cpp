@@ -2,8 +2,7 @@
 
 #include "front/tolerances.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "mobility_gears.hpp"
-#include "mobility_json.hpp"
+#include "mobility_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -32,8 +32,7 @@ bool moves(const Model& model, std::size_t driver, bool in_time) {
   if (program.law) return true;
   if (in_time) return program.velocity != 0 || program.acceleration != 0;
   if (!program.positions.empty()) return program.positions.size() > 1;
-  return program.end ? *program.end != program.start
-                     : has_angle(driven_joint(model.mechanism(), driver).type);
+  return program.end ? *program.end != program.start : driver_turns(model.mechanism(), driver);
 }
 
 // The first driver that moves, or the first of all.

@@ -1,7 +1,7 @@
 #include "front/columns/column_set.hpp"
 #include "front/pictures/column_scales.hpp"
 #include "front/tolerances.hpp"
-#include "higherpair/front/map.hpp"
+#include "higherpair/front/contacts.hpp"
 #include "higherpair/front/pictures.hpp"
 #include "higherpair/io/coordinate.hpp"
 #include "higherpair/mechanism/driver_name.hpp"

@@ -1,6 +1,7 @@
 #include "number_slopes.hpp"
 
 #include "front/tolerances.hpp"
+#include "higherpair/io/coordinate.hpp"
 #include "higherpair/io/profile_document.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/numbers.hpp"
@@ -82,6 +83,12 @@ bool joints_differ(const Mechanism& a, const Mechanism& b) {
   });
 }
 
+// Whether there are contacts that may part: no column can be differentiated exactly then.
+bool may_part(const Mechanism& mechanism) {
+  return std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
+                     [](const Contact& contact) { return contact.keep == Keep::kGap; });
+}
+
 bool is_zero(const Mechanism& derivative, const Mechanism& mechanism, double change) {
   double largest = 0, changed = 0;
   for_each_number(mechanism, [&](double number) { largest = std::max(largest, std::abs(number)); });
@@ -96,7 +103,7 @@ NaturalScales natural_scales(const PathColumns& columns) {
   NaturalScales natural{columns.start().plan().size, columns.rate()};
   for (std::int64_t row = 0; row < schedule.size(); ++row) {
     for (std::size_t i = 0; i < schedule.driver_count(); ++i) {
-      const double unit = has_angle(driven_joint(columns.start().mechanism(), i).type) ? 1 : natural.size;
+      const double unit = driver_turns(columns.start().mechanism(), i) ? 1 : natural.size;
       natural.rate =
           std::max(natural.rate, std::sqrt(std::abs(schedule.state(row, i).si.acceleration) / unit));
     }
@@ -129,15 +136,6 @@ Result<std::vector<std::unique_ptr<NumberModels>>> models_by(const Model& model,
   return all;
 }
 
-std::string exactness_objection(const Mechanism& mechanism) {
-  for (const Contact& contact : mechanism.contacts) {
-    if (contact.keep == Keep::kGap) {
-      return "contacts." + contact.name + " may part";
-    }
-  }
-  return "";
-}
-
 bool has_exact_slope(const Column& column) {
   return !column.name.ends_with(".arc1") && !column.name.ends_with(".arc2");
 }
@@ -161,18 +159,17 @@ NumberSlopes::NumberSlopes(const PathColumns& columns, NumberModels& models) : c
   if (!find_drivers(models)) {
     return;
   }
+  if (may_part(mechanism)) {
+    return;
+  }
   const bool same = !derivative->boundaries && is_zero(derivative->numbers, mechanism, step_);
-  if (!exactness_objection(mechanism).empty()) {
-    state_ = State::kOther;
+  if (same && !drivers_change()) {
+    state_ = State::kNoInfluence;
     return;
   }
   const DriverSlopes first = drivers_at({0, columns.path().path.knots.front()});
   std::vector<double> positions;
   for (const DriverState& driver : first.drivers) positions.push_back(driver.si.position);
-  if (same && !drivers_change()) {
-    state_ = State::kNoInfluence;
-    return;
-  }
   by_ = Sensitivity::at_start(columns.start(), *derivative, positions);
   state_ = by_ ? State::kExact : State::kOther;
 }

@@ -55,8 +55,6 @@ private:
 [[nodiscard]] Result<std::vector<std::unique_ptr<NumberModels>>> models_by(
     const Model& model, const std::vector<ProfileNumber>& numbers, const NaturalScales& natural);
 
-/// Why no column of a mechanism can be differentiated exactly; if empty, those with has_exact_slope can.
-[[nodiscard]] std::string exactness_objection(const Mechanism& mechanism);
 /// False for arcs: they count from the first row, and are not functions of one row alone.
 [[nodiscard]] bool has_exact_slope(const Column& column);
 

@@ -71,7 +71,7 @@ std::optional<NamedColumn> force_column_named(const Mechanism& mechanism, std::s
   }
   const Driver& driver = mechanism.drivers.front();
   const std::string prefix = driver_name(driver);
-  const Dimension dimension = effort_dimension(has_angle(driven_joint(mechanism).type));
+  const Dimension dimension = effort_dimension(driver_turns(mechanism));
   if (name == prefix + ".effort") {
     return NamedColumn{{0, std::nullopt, Quantity::kEffort}, dimension};
   }

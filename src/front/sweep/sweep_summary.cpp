@@ -1,4 +1,4 @@
-#include "higherpair/front/sweep_summary.hpp"
+#include "higherpair/front/sweep.hpp"
 
 #include <algorithm>
 #include <array>

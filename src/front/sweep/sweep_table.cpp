@@ -77,7 +77,7 @@ std::span<const std::string_view> sweep_statuses() {
 }
 
 Place place_of(const SweepTask& task, const Model& model) {
-  return task.place.source.empty() ? Place{model.data().name} : task.place;
+  return task.place.source.empty() ? Place{model.profile().source} : task.place;
 }
 
 Result<Sweep::Data> sweep_table(const Model& model, const SweepSettings& settings) {

@@ -1,4 +1,5 @@
 #include "higherpair/io/diagnostic.hpp"
+#include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "numeric/joined_words.hpp"
 
@@ -10,14 +11,12 @@
 namespace higherpair {
 namespace {
 
+using io_detail::same_letter;
+
 constexpr std::size_t kMostSuggestions = 3;
 constexpr std::size_t kMostListed = 18;
 constexpr std::size_t kShortestMisspelt = 5;  // of synonyms; shorter words are near to too many others
 constexpr std::size_t kLongestCompared = 64;  // comparing takes time ~ length²
-
-bool same_letter(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-}
 
 // How many single-character edits (insert, delete, replace, swap of neighbours) turn one name into the other;
 // upper and lower case count as equal.

@@ -1,7 +1,7 @@
 #include "encoding.hpp"
 #include "higherpair/io/names.hpp"
+#include "higherpair/io/units.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "io/units/unit_advice.hpp"
 #include "syntax_rules.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "higherpair/io/names.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "io/units/unit_advice.hpp"
 #include "io/units/unit_table.hpp"
 #include "syntax_rules.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/numeric/contains.hpp"
-#include "io/units/unit_advice.hpp"
+#include "io/units/unit_table.hpp"
 #include "numeric/joined_words.hpp"
 
 #include <algorithm>
@@ -278,11 +278,9 @@ std::optional<std::vector<Quantity>> as_list(Reading& reading, const Item& item,
     return std::nullopt;
   }
   if (count != 0 && items->size() != count) {
-    report(
-        reading, item,
-        fmt::format(
-            "expected {}, found {}{}", what(), items->size(),
-            may_be_decimal_commas(*items, count) ? ": decimals are written with a point, not a comma" : ""));
+    report(reading, item,
+           fmt::format("expected {}, found {}{}", what(), items->size(),
+                       may_be_decimal_commas(*items, count) ? kPointNotComma : ""));
     return std::nullopt;
   }
   std::vector<Quantity> list;

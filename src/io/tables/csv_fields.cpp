@@ -2,7 +2,6 @@
 
 #include "higherpair/io/names.hpp"
 #include "io/document/encoding.hpp"
-#include "io/units/unit_advice.hpp"
 #include "io/units/unit_table.hpp"
 #include "numeric/decimal.hpp"
 
@@ -20,6 +19,19 @@ std::string_view bare(std::string_view field) {
     field = trimmed(field.substr(1, field.size() - 2));
   }
   return field;
+}
+
+// What is wrong with a field that should be a number, for the end of a message: a decimal comma, or a unit
+// that belongs to the header. Empty if nothing is known.
+std::string number_advice(std::string_view field, std::string_view column) {
+  if (const std::string advice = separator_advice(field); !advice.empty()) {
+    return ": " + advice;
+  }
+  std::string_view unit = field;
+  if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);
+  return is_unit_name(unit.substr(0, unit.find_first_of("*/^ ")))
+             ? fmt::format(": units follow the names in the first line, {}[{}]", visible(column), unit)
+             : "";
 }
 
 }  // namespace
@@ -53,15 +65,12 @@ std::optional<double> number_in(std::string_view field) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::string number_advice(std::string_view field, std::string_view column) {
-  if (const std::string advice = separator_advice(field); !advice.empty()) {
-    return ": " + advice;
-  }
-  std::string_view unit = field;
-  if (unit.starts_with('[') && unit.ends_with(']')) unit = unit.substr(1, unit.size() - 2);
-  return is_unit_name(unit.substr(0, unit.find_first_of("*/^ ")))
-             ? fmt::format(": units follow the names in the first line, {}[{}]", visible(column), unit)
-             : "";
+std::string no_number(std::string_view field, std::string_view column) {
+  return fmt::format("`{}` is no number{}", visible(field.substr(0, 40)), number_advice(field, column));
+}
+
+std::string comma_advice(char separator, std::size_t found, std::size_t expected) {
+  return separator == ',' && found == 2 * expected ? kPointNotComma : "";
 }
 
 void for_each_line(std::string_view text,

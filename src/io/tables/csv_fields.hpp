@@ -20,9 +20,12 @@ namespace higherpair::io_detail {
 /// The number if a finite decimal, with at most one sign, fills the whole field.
 [[nodiscard]] std::optional<double> number_in(std::string_view field);
 
-/// What is wrong with a field that should be a number, for the end of a message: a decimal comma, or a unit
-/// that belongs to the header. Empty if nothing is known.
-[[nodiscard]] std::string number_advice(std::string_view field, std::string_view column);
+/// What is wrong with a field that should be a number: "`2,5` is no number: a decimal number …".
+[[nodiscard]] std::string no_number(std::string_view field, std::string_view column);
+
+/// The end of the message about a line with a wrong number of fields: kPointNotComma if it has two for each
+/// that it should have, else empty.
+[[nodiscard]] std::string comma_advice(char separator, std::size_t found, std::size_t expected);
 
 /// Calls `line` with the text and number of each line, without its line end; skips a byte order mark, empty
 /// lines and lines that begin with #.

@@ -28,9 +28,8 @@ tl::unexpected<Error> refused(Diagnostics mistakes) {
 }
 
 bool is_missing(std::string_view field) {
-  std::string lower;
-  for (const char c : field) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower.empty() || lower == "nan" || lower == "na" || lower == "null";
+  const auto is = [&](std::string_view word) { return io_detail::same_letters(field, word); };
+  return field.empty() || is("nan") || is("na") || is("null");
 }
 
 class MeasuredReader {
@@ -118,10 +117,9 @@ private:
   void row(std::string_view line, int number) {
     const std::vector<std::string_view> fields = io_detail::fields_of(line, separator_);
     if (fields.size() != table_.columns.size()) {
-      const bool commas = separator_ == ',' && fields.size() == 2 * table_.columns.size();
       fail({table_.source, number, 1},
            fmt::format("expected {} fields, found {}{}", table_.columns.size(), fields.size(),
-                       commas ? ": decimals are written with a point, not a comma" : ""));
+                       io_detail::comma_advice(separator_, fields.size(), table_.columns.size())));
       return;
     }
     table_.lines.push_back(number);
@@ -130,9 +128,7 @@ private:
       const auto value = io_detail::number_in(fields[i]);
       column.values.push_back(value.value_or(kNoValue));
       if (value || is_missing(fields[i]) || column.mistake) continue;
-      column.mistake = {place(line, fields[i], number),
-                        fmt::format("`{}` is no number{}", visible(fields[i].substr(0, 40)),
-                                    io_detail::number_advice(fields[i], column.name))};
+      column.mistake = {place(line, fields[i], number), io_detail::no_number(fields[i], column.name)};
     }
   }
 

@@ -110,9 +110,7 @@ private:
     if (count_ == 0) count_ = 2;
     if (fields.size() != count_) {
       fail(line, fmt::format("expected {} columns, found {}{}", count_, fields.size(),
-                             separator_ == ',' && fields.size() == 2 * count_
-                                 ? ": decimals are written with a point, not a comma"
-                                 : ""));
+                             comma_advice(separator_, fields.size(), count_)));
       return;
     }
     std::array<Quantity, 2> point;
@@ -120,8 +118,7 @@ private:
       const std::string_view field = fields[place_[k]];
       const auto value = number_in(field);
       if (!value) {
-        fail(line, fmt::format("`{}` is no number{}", visible(field.substr(0, 40)),
-                               number_advice(field, columns_.names[k])));
+        fail(line, no_number(field, columns_.names[k]));
         return;
       }
       point[k] = quantity(*value, k);

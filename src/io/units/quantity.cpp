@@ -2,7 +2,6 @@
 #include "higherpair/io/units.hpp"
 #include "higherpair/numeric/contains.hpp"
 #include "numeric/decimal.hpp"
-#include "unit_advice.hpp"
 #include "unit_table.hpp"
 
 #include <algorithm>
@@ -207,7 +206,7 @@ tl::expected<NumberAndRest, std::string> take_number(std::string_view text) {
   }
   const std::string_view rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
   if (io_detail::trimmed(rest).find_first_of("0123456789,.'/") == 0) {
-    const std::string advice = io_detail::separator_advice(text);
+    const std::string advice = separator_advice(text);
     if (!advice.empty()) return Refusal(advice);
     const std::string quotient = quotient_of(number, rest);
     if (!quotient.empty()) return Refusal("nothing is worked out here: write " + quotient);

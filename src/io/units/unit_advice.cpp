@@ -1,7 +1,6 @@
-#include "unit_advice.hpp"
-
 #include "higherpair/io/diagnostic.hpp"
 #include "higherpair/io/names.hpp"
+#include "higherpair/io/units.hpp"
 #include "numeric/joined_words.hpp"
 #include "unit_table.hpp"
 
@@ -113,7 +112,9 @@ std::string unit_advice(std::string_view text, std::string_view unknown, const D
   return names.size() < 2 ? "" : fmt::format(" (there are {})", joined_words(names));
 }
 
-std::string separator_advice(std::string_view text) {
+}  // namespace higherpair::io_detail
+
+std::string higherpair::separator_advice(std::string_view text) {
   static const std::regex kComma(R"(([+-]?\d+),(\d+)\s*(?:[#A-Za-z°µμ}\]].*)?)");
   static const std::regex kGrouped(
       R"(([+-]?[1-9]\d{0,2})([,.' ])(\d{3}(?:\2\d{3})*)(?:([.,])(\d+))?\s*(?:[#A-Za-z°µμ}\]].*)?)");
@@ -136,5 +137,3 @@ std::string separator_advice(std::string_view text) {
   return fmt::format("write {}{}{}: no separator of thousands{}", digits, grouped[4].matched ? "." : "",
                      grouped[5].str(), grouped[4] == "," ? ", and a point for decimals" : "");
 }
-
-}  // namespace higherpair::io_detail

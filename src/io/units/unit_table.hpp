@@ -52,6 +52,16 @@ struct UnitScalings {
 [[nodiscard]] std::vector<std::string> all_unit_names();
 [[nodiscard]] bool is_unit_name(std::string_view name);
 
+/// What to write instead of a word that is no unit: ": write rev/s", " (did you mean `N m`?)", or which units
+/// there are of a length. Only of what is expected; empty if that is not clear.
+/// \param text     the whole unit, "Nm/deg"
+/// \param unknown  the word in it, "Nm"
+[[nodiscard]] std::string unit_advice(std::string_view text, std::string_view unknown,
+                                      const Dimension& expected);
+
+/// What to say of lists and lines with twice as many numbers as expected.
+inline constexpr const char* kPointNotComma = ": decimals are written with a point, not a comma";
+
 /// The factor from multiples of `from` to multiples of `to`.
 [[nodiscard]] Scaling scaling(const UnitProduct& from, const UnitProduct& to);
 

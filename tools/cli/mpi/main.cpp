@@ -4,7 +4,8 @@
 #include "mpi/dispatcher.hpp"
 #include "mpi/messages.hpp"
 #include "mpi/worker.hpp"
-#include "run_command.hpp"
+#include "outcome.hpp"
+#include "signals.hpp"
 #include "sweep_command.hpp"
 #include "tell.hpp"
 
@@ -34,10 +35,11 @@ int command_of_rank_0(const SweepOptions& options) {
   return code;
 }
 
-void work(const SweepOptions& options) {
+void work(SweepOptions options) {
   std::atomic<bool> stop = false;
   listen_to_signals();
-  const auto opened = open_sweep(options, true, stop);
+  options.quiet = true;
+  const auto opened = open_sweep(options, stop);
   if (!opened) {
     only_listen();  // rank 0 reports the reason, or has a file that is missing here
     return;

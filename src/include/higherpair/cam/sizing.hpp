@@ -44,12 +44,9 @@ struct PressureLimits {
 /// The largest of these angles over the whole law. None without a round follower.
 [[nodiscard]] std::optional<CamPlace> largest_center_pressure(const FlankOrigin& cam);
 
-/// Largest (convex) and smallest (concave if < 0) signed curvature of the pitch curve, the path of the centre
-/// of a round follower relative to the cam [1/m]. None without a round follower.
-struct PitchCurvature {
-  CamPlace greatest, least;
-};
-[[nodiscard]] std::optional<PitchCurvature> pitch_curvature(const FlankOrigin& cam);
+/// The largest signed curvature, > 0 where it is convex, of the pitch curve: the path of the centre of a
+/// round follower relative to the cam [1/m]. None without a round follower.
+[[nodiscard]] std::optional<CamPlace> largest_pitch_curvature(const FlankOrigin& cam);
 
 /// Least permissible radii of curvature of a flank; 0 only forbids undercut.
 struct RadiusLimits {

@@ -23,6 +23,11 @@ namespace higherpair {
   return turns ? dimension::kTorque : dimension::kForce;
 }
 
+/// Whether a driver's position is an angle.
+[[nodiscard]] inline bool driver_turns(const Mechanism& mechanism, std::size_t driver = 0) {
+  return has_angle(driven_joint(mechanism, driver).type);
+}
+
 /// The dimension of a driver's position.
 [[nodiscard]] inline Dimension driver_dimension(const Mechanism& mechanism, std::size_t driver = 0) {
   return coordinate_dimension(driven_joint(mechanism, driver));

@@ -28,10 +28,12 @@ inline constexpr std::string_view kNameRule =
   return text.substr(0, text.find_last_not_of(kSpaces) + 1);
 }
 
-/// Whether two words differ in capital letters at most.
+/// Whether two letters, or words, differ in being capital at most.
+[[nodiscard]] inline bool same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
 [[nodiscard]] inline bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_letter);
 }
 
 /// Whether a character shows nothing or a blank only: control characters, unusual blanks, marks without
