@@ -87,6 +87,25 @@ TEST(FourBars, AreFoundThroughAPinOfThreeBodiesWhicheverJointsHoldIt) {
   EXPECT_THAT(pins[3].joints, ElementsAre(3, 4));
 }
 
+TEST(Pins, AreOneWhereALaterJointHasAPointOfEach) {
+  DrawnMechanism drawn;
+  const Vector2d C(0.05, 0.06);
+  for (const char* name : {"one", "two", "three", "four"}) {
+    drawn.body(name);
+  }
+  drawn.pin(1, 2, C);
+  drawn.pin(2, 3, {0.01, 0.02});
+  drawn.pin(3, 4, C);
+  ASSERT_EQ(find_pins(drawn.mechanism).size(), 3U);  // nothing holds bodies 2 and 3 together at C
+  drawn.pin(4, 1, C);
+  const auto pins = find_pins(drawn.mechanism);
+  ASSERT_EQ(pins.size(), 2U);
+  EXPECT_THAT(pins[0].joints, ElementsAre(0, 2, 3));
+  std::vector<int> bodies;
+  for (const BodyPoint& end : pins[0].ends) bodies.push_back(end.body);
+  EXPECT_THAT(bodies, ElementsAre(1, 2, 3, 4));
+}
+
 TEST(SliderCranks, AreFoundWithTheSignOfTheOffset) {
   for (const bool guide_first : {true, false}) {
     DrawnMechanism drawn;
