@@ -201,5 +201,18 @@ TEST(ConditionSystems, HaveTheRowsOfJointsContactsDriversAndIdleBodiesInThisOrde
   EXPECT_NE(moved(9), values(9));
 }
 
+// In the steps of a search a rolling contact may run off along an asymptote.
+TEST(ContactConditions, AskForNoArcBeyondTheNormalsOfAHyperbola) {
+  const CurveDimensions<double> hyperbola =
+      dimensions_of(make_hyperbola(Vector2d::Zero(), {0.05, 0.04}, 0, Side::kInside).value());
+  const CurveDimensions<double> circle = dimensions_of(make_circle({-0.02, 0}, 0.02, Side::kInside).value());
+  const std::optional<double> held(0.0);
+  for (const double off : {0.0, 0.5, 1.5, 2.0}) {
+    const auto values = contact_conditions<double>(hyperbola, {}, circle, {}, kPi + off, held, 0.1);
+    EXPECT_EQ(values.exist, off < std::atan(0.05 / 0.04)) << off;
+    EXPECT_EQ(values.count, 3);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair
