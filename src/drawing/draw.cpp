@@ -117,13 +117,15 @@ public:
 
   void draw(const Scene& scene, bool ghost) {
     for (int role = 0; role < kRoleCount; ++role) {
-      for (const std::vector<Shape>* shapes : {&scene.fixed, &scene.moving}) {
-        for (const Shape& shape : *shapes) {
+      const auto draw_of_role = [&](const auto& shapes) {
+        for (const Shape& shape : shapes) {
           if (static_cast<int>(shape.role) == role && is_shown(shape, ghost)) {
             draw(scene, shape, ghost);
           }
         }
-      }
+      };
+      draw_of_role(scene.fixed);
+      draw_of_role(scene.moving);
     }
   }
 

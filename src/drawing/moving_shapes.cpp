@@ -33,7 +33,8 @@ void set_circle(Shape& shape, const Vector2d& center, double radius) {
 
 }  // namespace
 
-// The next moving shape. All rows have the same shapes; only their numbers change.
+// The next moving shape. All rows have the same shapes; only their numbers change. It stays where it is when
+// others are added: a caller may fill several at once.
 Shape& SceneMaker::next(Role role, const std::string& name, Kind kind, bool closed) {
   if (next_ == scene_.moving.size()) {
     scene_.moving.push_back({role, kind, name, 0, closed, "", {}, "", false});

@@ -143,7 +143,7 @@ void run_scenes(benchmark::State& state, const Case& reference, double floor) {
   const auto step = [&](int k) {
     motions[0] = {driver_position(k), 1, 0};
     move_to(run, motions);
-    benchmark::DoNotOptimize(maker.at(run.row).moving.data());
+    benchmark::DoNotOptimize(maker.at(run.row).moving.size());
   };
   run_turns(state, floor, step, [&] { run = reference.run; });
 }

@@ -3,6 +3,7 @@
 #include "higherpair/geometry/pose.hpp"
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -111,7 +112,7 @@ struct Scene {
   double force_scale = 0;         ///< the same for a force [mm/N]; 0: there are none
   double torque_scale = 0;        ///< angle of the arc per driving torque [rad/(N m)]; 0: there are none
   std::vector<Shape> fixed;       ///< drawn in this order, the ground first
-  std::vector<Shape> moving;      ///< drawn after them
+  std::deque<Shape> moving;       ///< drawn after them; references hold while others are added
   bool defined = true;            ///< false: the row has no position
   std::vector<Place> places;      ///< one for each of Mechanism::bodies
   std::string caption;            ///< written below it: "driver = 45 deg"

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 
 namespace higherpair {
 namespace {
@@ -35,7 +36,8 @@ std::string_view name_of(Shape::Kind kind) {
 }
 
 // \param per_mm  of the unit of the numbers, which are left out if it is 0
-void write_shapes(JsonWriter& json, std::string_view key, const std::vector<Shape>& shapes, double per_mm) {
+template <class Shapes>
+void write_shapes(JsonWriter& json, std::string_view key, const Shapes& shapes, double per_mm) {
   json.key(key).open('[');
   for (const Shape& shape : shapes) {
     json.open('{')
@@ -148,7 +150,7 @@ void write_scene(JsonWriter& json, const Model& model, const ReportData& data) {
   const Mechanism& mechanism = model.mechanism();
   SceneMaker maker(mechanism, data.motions, {}, data.reactions, model.profile().looks);
   std::vector<RowScene> rows;
-  std::vector<Shape> shapes;
+  std::deque<Shape> shapes;
   for (std::size_t k = 0; k < data.motions.size(); ++k) {
     const Scene& scene = maker.at(data.motions[k], data.reactions.empty() ? nullptr : &data.reactions[k]);
     if (shapes.size() < scene.moving.size()) shapes = scene.moving;

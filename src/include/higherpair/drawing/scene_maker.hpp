@@ -37,7 +37,7 @@ public:
   /// The scene of the row last passed to at(); at first, of the first row with a position.
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
-  /// The scene of a row; the reference holds until the next call.
+  /// The scene of a row, which scene() also returns from then on.
   /// \param reactions  in this row, where the maker has any; none: forces are left out
   const Scene& at(const MotionRow& row, const Reactions* reactions = nullptr);
 
