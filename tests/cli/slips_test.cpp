@@ -347,6 +347,9 @@ TEST_F(Slips, ArgumentsThatCannotBeTakenGetASentenceAndARemedy) {
   const std::string help = "; see higherpair analyze --help\n";
   EXPECT_EQ(message("analyze p.toml --samples ten"), "higherpair: --samples ten: must be an integer" + help);
   EXPECT_EQ(message("analyze p.toml --samples 3.5"), "higherpair: --samples 3.5: must be an integer" + help);
+  EXPECT_EQ(
+      message("analyze p.toml --tolerance 1e-9,5"),
+      "higherpair: --tolerance: '1e-9,5' is no number above 0; decimals are written with a point" + help);
   const std::string point = "; a decimal number is written with a point: ";
   EXPECT_EQ(message("analyze p.toml --tolerance 0,5"),
             "higherpair: --tolerance: '0,5' is no number above 0" + point + "0.5" + help);

@@ -10,9 +10,13 @@
 
 namespace higherpair::cli {
 
-/// The objection to a value, with what to write instead of a decimal comma or separators of thousands in it.
+/// The objection to a value that should be a number, with what to write instead of a decimal comma or
+/// separators of thousands in it.
 [[nodiscard]] inline std::string with_separator_advice(const std::string& objection, std::string_view value) {
-  const std::string advice = separator_advice(value);
+  std::string advice = separator_advice(value);
+  if (advice.empty() && value.find(',') != std::string_view::npos) {
+    advice = "decimals are written with a point";
+  }
   return advice.empty() ? objection : objection + "; " + advice;
 }
 
