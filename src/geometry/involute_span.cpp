@@ -1,7 +1,7 @@
 #include "higherpair/geometry/involute_span.hpp"
 
-#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "numeric/interval.hpp"
 
 #include <algorithm>

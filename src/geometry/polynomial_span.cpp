@@ -1,7 +1,7 @@
 #include "polynomial_span.hpp"
 
-#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"
 

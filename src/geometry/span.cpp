@@ -1,6 +1,6 @@
 #include "higherpair/geometry/boundary.hpp"
-#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/curvature_rates.hpp"
+#include "higherpair/geometry/pose.hpp"
 #include "higherpair/geometry/support.hpp"
 #include "higherpair/geometry/tolerances.hpp"
 #include "numeric/interval.hpp"

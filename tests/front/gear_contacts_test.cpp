@@ -1,6 +1,6 @@
 // Gear teeth as contacts: which pairs touch, and where the next ones engage and separate.
-#include "higherpair/front/contacts.hpp"
 #include "higherpair/front/check.hpp"
+#include "higherpair/front/contacts.hpp"
 #include "higherpair/geometry/gear_pair.hpp"
 #include "sliding_cam.hpp"
 
