@@ -201,8 +201,9 @@ TEST(ConditionSystems, HaveTheRowsOfJointsContactsDriversAndIdleBodiesInThisOrde
   EXPECT_NE(moved(9), values(9));
 }
 
-// In the steps of a search a rolling contact may run off along an asymptote.
-TEST(ContactConditions, AskForNoArcBeyondTheNormalsOfAHyperbola) {
+// In the steps of a search a rolling contact may run off along an asymptote. Beyond the normals of the
+// hyperbola there are those of its other branch, with finite points but arcs of neither curve.
+TEST(ContactConditions, HaveNoArcBeyondTheNormalsOfAHyperbola) {
   const CurveDimensions<double> hyperbola =
       dimensions_of(make_hyperbola(Vector2d::Zero(), {0.05, 0.04}, 0, Side::kInside).value());
   const CurveDimensions<double> circle = dimensions_of(make_circle({-0.02, 0}, 0.02, Side::kInside).value());
@@ -212,6 +213,9 @@ TEST(ContactConditions, AskForNoArcBeyondTheNormalsOfAHyperbola) {
     EXPECT_EQ(values.exist, off < std::atan(0.05 / 0.04)) << off;
     EXPECT_EQ(values.count, 3);
   }
+  const auto other_branch = contact_conditions<double>(hyperbola, {}, circle, {}, kPi + 2.5, held, 0.1);
+  EXPECT_FALSE(other_branch.exist);
+  EXPECT_EQ(other_branch.value[2], other_branch.value[1]);
 }
 
 }  // namespace

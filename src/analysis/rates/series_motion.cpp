@@ -42,11 +42,8 @@ Coordinates<double> row_coordinates(const Run& run) {
   for (std::size_t i = 0; const auto& contact : dimensions_of(run.mechanism()).contacts) {
     const BodyAt<double>& first = at.bodies[contact.first];
     const BodyAt<double>& second = at.bodies[contact.second];
-    const FacingPoints<double> points =
-        facing_points(contact.curve1, first, contact.curve2, second, at.phi[i]);
-    if (points.exist) {
-      at.arcs[i] = arc_difference(contact.curve1, first, contact.curve2, second, points);
-    }
+    at.arcs[i] = arc_difference(contact.curve1, first, contact.curve2, second,
+                                facing_points(contact.curve1, first, contact.curve2, second, at.phi[i]));
     ++i;
   }
   return at;

@@ -257,11 +257,14 @@ template <class T, class D>
 
 /// Arc of the contact point on the first curve less that on the second, both along t = n turned +90°, as if
 /// the points coincided: constant where the bodies roll [m]. For a line the arc is the distance from its
-/// given point.
+/// given point. 0 where the points do not exist.
 template <class T, class D>
 [[nodiscard]] T arc_difference(const CurveDimensions<D>& curve1, const BodyAt<T>& body1,
                                const CurveDimensions<D>& curve2, const BodyAt<T>& body2,
                                const FacingPoints<T>& at) {
+  if (!at.exist) {
+    return T(0);
+  }
   const Vector2<T> t_W = perp(at.n_W);
   const T apart = (at.p2_W - at.p1_W).dot(t_W);
   T difference(0);
@@ -329,8 +332,7 @@ template <class T, class D>
   values.add(apart.dot(at.n_W));
   values.add(flat ? T(size * at.off) : T(cross(at.n_W, apart)));
   if (held) {
-    // A point that is not on its curve has no arc.
-    const T arcs = at.exist ? T(arc_difference(curve1, body1, curve2, body2, at) - *held) : T(0);
+    const T arcs = arc_difference(curve1, body1, curve2, body2, at) - *held;
     values.add(flat ? arcs : T(arcs + values.value[1]));
   }
   return values;
