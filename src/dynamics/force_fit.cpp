@@ -41,11 +41,9 @@ ForceFitter::ForceFitter(const Run& start, const DriverPath& path, const std::ve
   position_.at = path_.knots.front();
   breaks_.resize(contacts_);
   parts_.resize(contacts_);
-  for (std::size_t i = 0; i < contacts_; ++i) {
-    const Mechanism& mechanism = start.mechanism();
-    for (std::size_t side = 0; side < 2 && mechanism.contacts[i].by_boundary; ++side) {
-      breaks_[i][side] = breaks_of(boundary_of(mechanism, ref_of(mechanism.contacts[i], side)));
-    }
+  const Mechanism& mechanism = start.mechanism();
+  for (const auto [contact, side] : BoundarySides(mechanism)) {
+    breaks_[contact][side] = breaks_of(boundary_of(mechanism, ref_of(mechanism.contacts[contact], side)));
   }
 }
 

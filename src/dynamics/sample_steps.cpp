@@ -3,7 +3,6 @@
 #include "higherpair/cam/flank.hpp"
 #include "higherpair/geometry/boundary.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
-#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
 #include <algorithm>
@@ -36,25 +35,21 @@ double parts_of(const Span& span) {
 }  // namespace
 
 SampleSteps::SampleSteps(const Mechanism& mechanism) {
-  for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-    const Contact& contact = mechanism.contacts[i];
-    if (!contact.by_boundary) continue;
-    for (const std::size_t side : {0U, 1U}) {
-      const Boundary& boundary = boundary_of(mechanism, ref_of(contact, side));
-      Side& added = sides_.emplace_back(Side{i, side, {}, {0}});
-      for (const SpanPtr& span : boundary.spans()) {
-        added.ranges.push_back(span->range());
-        added.parts_before.push_back(added.parts_before.back() + parts_of(*span));
-      }
+  for (const SideOfContact& of : BoundarySides(mechanism)) {
+    const Boundary& boundary = boundary_of(mechanism, ref_of(mechanism.contacts[of.contact], of.side));
+    Side& added = sides_.emplace_back(Side{of, {}, {0}});
+    for (const SpanPtr& span : boundary.spans()) {
+      added.ranges.push_back(span->range());
+      added.parts_before.push_back(added.parts_before.back() + parts_of(*span));
     }
   }
 }
 
 double SampleSteps::passed(Side& side, const Run& run) {
-  const ContactMotion& contact = run.row.contacts[side.contact];
+  const ContactMotion& contact = run.row.contacts[side.of.contact];
   const bool touched = std::exchange(side.touched, contact.touches);
   if (!contact.touches) return 0;
-  const BoundaryPlace& place = contact.place[side.side];
+  const BoundaryPlace& place = contact.place[side.of.side];
   const auto span = static_cast<std::size_t>(place.span);
   const Bounds& range = side.ranges[span];
   const double share = range.width() > 0 ? std::clamp((place.t - range.low) / range.width(), 0.0, 1.0) : 0;

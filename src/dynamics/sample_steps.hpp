@@ -1,8 +1,8 @@
 #pragma once
 
 #include "higherpair/analysis/run.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 
-#include <cstddef>
 #include <vector>
 
 namespace higherpair {
@@ -21,8 +21,7 @@ public:
 private:
   // One of the two curves of a contact on boundaries.
   struct Side {
-    std::size_t contact;
-    std::size_t side;
+    SideOfContact of;
     std::vector<Bounds> ranges;        // of the spans
     std::vector<double> parts_before;  // of each span, and of all
     double at = 0;                     // the place of the last sample, in parts from the first span on

@@ -126,22 +126,19 @@ std::optional<ContactEnd> slipped_off(const Run& run, std::size_t g) {
 }
 
 void set_local_curves(Run& run) {
-  for (std::size_t i = 0; run.local && i < run.mechanism().contacts.size(); ++i) {
-    const Contact& contact = run.mechanism().contacts[i];
-    if (!contact.by_boundary) {
-      continue;
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      const CurveRef& ref = ref_of(contact, side);
-      const Boundary& boundary = boundary_of(run.mechanism(), ref);
-      const BoundaryPlace& place = run.row.contacts[i].place[side];
-      // While the contact is open nothing depends on the curve's shape.
-      Body& body = run.local->bodies[ref.body];
-      body.curves[ref.curve].curve =
-          run.row.contacts[i].touches
-              ? local_curve(boundary.at(place), boundary.is_corner(place), boundary.is_arc(place.span))
-              : Curve{};
-    }
+  if (!run.local) {
+    return;
+  }
+  for (const auto [contact, side] : BoundarySides(*run.local)) {
+    const CurveRef& ref = ref_of(run.local->contacts[contact], side);
+    const Boundary& boundary = boundary_of(*run.local, ref);
+    const ContactMotion& motion = run.row.contacts[contact];
+    const BoundaryPlace& place = motion.place[side];
+    // While the contact is open nothing depends on the curve's shape.
+    run.local->bodies[ref.body].curves[ref.curve].curve =
+        motion.touches
+            ? local_curve(boundary.at(place), boundary.is_corner(place), boundary.is_arc(place.span))
+            : Curve{};
   }
 }
 

@@ -15,12 +15,6 @@
 namespace higherpair {
 namespace {
 
-// A contact and one of its two curves.
-struct SideOfContact {
-  std::size_t contact = 0;
-  std::size_t side = 0;
-};
-
 const Boundary& boundary_of_side(const Run& run, const SideOfContact& at) {
   return boundary_at(run, at.contact, at.side);
 }
@@ -35,14 +29,9 @@ bool is_on_other_span(const Run& run, const SideOfContact& at) {
 }
 
 std::optional<SideOfContact> changed_place(const Run& run) {
-  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
-    if (!run.mechanism().contacts[i].by_boundary) {
-      continue;
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      if (is_on_other_span(run, {i, side})) {
-        return SideOfContact{i, side};
-      }
+  for (const SideOfContact& at : BoundarySides(run.mechanism())) {
+    if (is_on_other_span(run, at)) {
+      return at;
     }
   }
   return std::nullopt;
@@ -87,17 +76,12 @@ bool may_have_left(const Run& run, const SideOfContact& at, double h) {
 
 std::vector<Turn> turned_back(const Run& run, double h) {
   std::vector<Turn> turned;
-  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
-    if (!run.mechanism().contacts[i].by_boundary || !run.at.state.contacts[i].touches ||
-        !run.work.trial.contacts[i].touches) {
-      continue;
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      const SideOfContact at{i, side};
-      if (running_speed(run, at, run.at.state) * running_speed(run, at, run.work.trial) < 0 &&
-          may_have_left(run, at, h)) {
-        turned.push_back({at});
-      }
+  for (const SideOfContact& at : BoundarySides(run.mechanism())) {
+    const bool touches =
+        run.at.state.contacts[at.contact].touches && run.work.trial.contacts[at.contact].touches;
+    if (touches && running_speed(run, at, run.at.state) * running_speed(run, at, run.work.trial) < 0 &&
+        may_have_left(run, at, h)) {
+      turned.push_back({at});
     }
   }
   return turned;

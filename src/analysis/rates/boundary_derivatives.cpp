@@ -1,8 +1,8 @@
 #include "higherpair/analysis/boundary_derivatives.hpp"
 
-#include "analysis/boundaries/span_ends.hpp"
 #include "higherpair/geometry/local_conic.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "higherpair/mechanism/joint_sides.hpp"
 #include "higherpair/numeric/stencil.hpp"
 
 #include <algorithm>
@@ -111,19 +111,16 @@ double largest_of(const Contacts& contacts, double step, F f) {
 std::optional<BoundaryDerivatives> BoundaryDerivatives::of(const Family& mechanisms, double step) {
   BoundaryDerivatives derivatives;
   derivatives.step_ = step;
-  const std::vector<Contact>& contacts = mechanisms[kMiddle]->contacts;
-  derivatives.contacts_.resize(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    for (std::size_t side = 0; contacts[i].by_boundary && side < 2; ++side) {
-      Boundaries& boundaries = derivatives.contacts_[i][side];
-      for (std::size_t k = 0; k < boundaries.size(); ++k) {
-        const CurveRef& ref = ref_of(mechanisms[k]->contacts[i], side);
-        boundaries[k] = pieces_of(described_curve(*mechanisms[k], ref).boundary);
-      }
-      for (const auto& other : boundaries) {
-        if (!same_pieces(boundaries[kMiddle], other)) {
-          return std::nullopt;
-        }
+  derivatives.contacts_.resize(mechanisms[kMiddle]->contacts.size());
+  for (const auto [contact, side] : BoundarySides(*mechanisms[kMiddle])) {
+    Boundaries& boundaries = derivatives.contacts_[contact][side];
+    for (std::size_t k = 0; k < boundaries.size(); ++k) {
+      const CurveRef& ref = ref_of(mechanisms[k]->contacts[contact], side);
+      boundaries[k] = pieces_of(described_curve(*mechanisms[k], ref).boundary);
+    }
+    for (const auto& other : boundaries) {
+      if (!same_pieces(boundaries[kMiddle], other)) {
+        return std::nullopt;
       }
     }
   }

@@ -16,25 +16,25 @@ namespace {
 // Adds what boundaries have beyond the local curves that agree with them at the row's contacts. False where
 // their curvature's rates are not known.
 bool add_beyond_local_curves(const Run& run, Dimensions<double>& dimensions) {
-  for (std::size_t i = 0; i < run.row.contacts.size(); ++i) {
-    const Contact& contact = run.mechanism().contacts[i];
-    const ContactMotion& motion = run.row.contacts[i];
-    for (std::size_t side = 0; contact.by_boundary && motion.touches && side < 2; ++side) {
-      const CurveRef& ref = ref_of(contact, side);
-      const Boundary& boundary = boundary_of(run.mechanism(), ref);
-      const BoundaryPlace& place = motion.place[side];
-      const auto rates = boundary.curvature_rates(place);
-      if (!rates) {
-        return false;
-      }
-      const SpanPoint point = boundary.at(place);
-      auto& of = side == 0 ? dimensions.contacts[i].curve1 : dimensions.contacts[i].curve2;
-      if (of.bent) {
-        of.bend = height_over_tangent(point, *rates);
-      } else {
-        of.beyond = support_beyond(point, *rates, curve_of(run.mechanism(), ref));
-        of.normal_angle = angle_of(point.n_B);
-      }
+  for (const auto [contact, side] : BoundarySides(run.mechanism())) {
+    const ContactMotion& motion = run.row.contacts[contact];
+    if (!motion.touches) {
+      continue;
+    }
+    const Boundary& boundary = boundary_at(run, contact, side);
+    const BoundaryPlace& place = motion.place[side];
+    const auto rates = boundary.curvature_rates(place);
+    if (!rates) {
+      return false;
+    }
+    const SpanPoint point = boundary.at(place);
+    auto& of = side == 0 ? dimensions.contacts[contact].curve1 : dimensions.contacts[contact].curve2;
+    if (of.bent) {
+      of.bend = height_over_tangent(point, *rates);
+    } else {
+      const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
+      of.beyond = support_beyond(point, *rates, curve_of(run.mechanism(), ref));
+      of.normal_angle = angle_of(point.n_B);
     }
   }
   return true;

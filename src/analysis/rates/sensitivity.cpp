@@ -193,17 +193,14 @@ std::array<PlaceDerivative, 2> Sensitivity::of_places(const Run& run, const RowS
 
 Mechanism Sensitivity::derivative_at(const Run& run) const {
   Mechanism derivative = derivative_.numbers;
-  for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
-    const Contact& contact = run.mechanism().contacts[i];
-    for (std::size_t side = 0; contact.by_boundary && side < 2; ++side) {
-      const CurveRef& ref = ref_of(contact, side);
-      Curve& curve = derivative.bodies[ref.body].curves[ref.curve].curve;
-      if (run.row.contacts[i].touches) {
-        curve = of_local_curve(run, i, side);
-      } else {
-        curve.vertex_B = curve.axis_B = Vector2d::Zero();
-        curve.semi_latus = curve.q = curve.kappa = curve.slope = 0;
-      }
+  for (const auto [contact, side] : BoundarySides(run.mechanism())) {
+    const CurveRef& ref = ref_of(run.mechanism().contacts[contact], side);
+    Curve& curve = derivative.bodies[ref.body].curves[ref.curve].curve;
+    if (run.row.contacts[contact].touches) {
+      curve = of_local_curve(run, contact, side);
+    } else {
+      curve.vertex_B = curve.axis_B = Vector2d::Zero();
+      curve.semi_latus = curve.q = curve.kappa = curve.slope = 0;
     }
   }
   return derivative;

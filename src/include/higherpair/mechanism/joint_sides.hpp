@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 // A joint or contact as seen from one of its bodies.
 
@@ -55,6 +56,35 @@ template <class Pair>
 [[nodiscard]] inline const CurveRef& ref_of(const Contact& contact, std::size_t side) {
   return side == 0 ? contact.first : contact.second;
 }
+
+/// A contact and one of its two curves.
+struct SideOfContact {
+  std::size_t contact = 0;
+  std::size_t side = 0;  ///< 0 or 1
+};
+
+/// Both sides of all contacts by_boundary: a range that is its own iterator.
+class BoundarySides {
+public:
+  explicit BoundarySides(const Mechanism& mechanism) : contacts_(mechanism.contacts) { skip_others(); }
+
+  [[nodiscard]] BoundarySides begin() const { return *this; }
+  [[nodiscard]] std::size_t end() const { return 2 * contacts_.size(); }
+  SideOfContact operator*() const { return {at_ / 2, at_ % 2}; }
+  bool operator!=(std::size_t end) const { return at_ != end; }
+  void operator++() {
+    ++at_;
+    skip_others();
+  }
+
+private:
+  void skip_others() {
+    while (at_ != end() && !contacts_[at_ / 2].by_boundary) ++at_;
+  }
+
+  const std::vector<Contact>& contacts_;
+  std::size_t at_ = 0;  // 2 contact + side
+};
 
 /// The point of a joint on a body, in its frame.
 [[nodiscard]] inline const Vector2d& point_on(const Mechanism& mechanism, const Joint& joint, int body) {
