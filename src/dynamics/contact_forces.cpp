@@ -30,7 +30,7 @@ public:
   ContactForces record() {
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
       const double from = path_.knots[i - 1], to = path_.knots[i];
-      add_stretch(from, to, parts_between(path_.at(from), path_.at(to)));
+      add_stretch(from, to, first_pieces(path_.at(from), path_.at(to)));
     }
     if (!moved_) {
       add_position();
@@ -40,8 +40,8 @@ public:
 
 private:
   // Number of pieces to start with; 0 if nothing changes on the whole path.
-  [[nodiscard]] double parts_between(const std::vector<DriverMotion>& from,
-                                     const std::vector<DriverMotion>& to) const {
+  [[nodiscard]] double first_pieces(const std::vector<DriverMotion>& from,
+                                    const std::vector<DriverMotion>& to) const {
     const double parts = largest_move(run(), from, to, kLongestPieceTurn, kLongestPieceSlide);
     return from != to || path_.knots.size() > 2 ? std::max(1.0, std::ceil(parts * (1 - kAtPieceEnd))) : 0;
   }

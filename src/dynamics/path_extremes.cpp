@@ -33,8 +33,8 @@ bool is_lost(const Run& run) {
   });
 }
 
-// The number of parts between whose ends a part of the path without breaks is sampled.
-double parts_between(const Run& start, const DriverPath& path, double from, double to) {
+// The number of parts at whose ends a stretch of the path without breaks is sampled.
+double sampled_parts(const Run& start, const DriverPath& path, double from, double to) {
   return std::ceil(std::max(
       kFewest, largest_move(start, path.at(from), path.at(to), kLongestSampleTurn, kLongestSampleSlide)));
 }
@@ -115,7 +115,7 @@ private:
     }
     for (std::size_t i = 1; i < path_.knots.size(); ++i) {
       const double from = path_.knots[i - 1], to = path_.knots[i];
-      const double longest = (to - from) / parts_between(start_, path_, from, to);
+      const double longest = (to - from) / sampled_parts(start_, path_, from, to);
       std::vector<double> ends{from};
       for (const double at : breaks_) {
         if (at > from && at < to) ends.push_back(at);
@@ -368,7 +368,7 @@ private:
 std::optional<double> cut_to_examined(const Run& start, DriverPath& path) {
   double left = kMostSamples;
   for (std::size_t i = 1; i < path.knots.size(); ++i) {
-    const double parts = parts_between(start, path, path.knots[i - 1], path.knots[i]);
+    const double parts = sampled_parts(start, path, path.knots[i - 1], path.knots[i]);
     if (parts > left) {
       const double end = std::lerp(path.knots[i - 1], path.knots[i], left / parts);
       path.knots.resize(i);

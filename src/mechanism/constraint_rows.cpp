@@ -53,6 +53,13 @@ void append_pin_rows(const Mechanism& mechanism, const Joint& joint, const std::
   along_y.value = apart.y();
 }
 
+double arc_difference(const Mechanism& mechanism, const Contact& contact,
+                      const std::vector<BodyMotion>& bodies, const ContactMotion& motion) {
+  return arc_difference(curve_of(mechanism, contact.first), bodies[contact.first.body],
+                        curve_of(mechanism, contact.second), bodies[contact.second.body], motion.at,
+                        motion.phi);
+}
+
 }  // namespace
 
 EquivalentLink link_of(const Mechanism& mechanism, const Contact& contact, const CommonNormal& at) {
@@ -99,16 +106,6 @@ bool place_contact(const Mechanism& mechanism, const Contact& contact, const std
   }
   motion.phi = nearest_turn(angle_of(motion.at.n_W), motion.phi);
   return true;
-}
-
-double arc_difference(const Mechanism& mechanism, const Contact& contact, const ContactMotion& motion,
-                      const std::vector<BodyMotion>& bodies) {
-  const CommonNormal& touch = motion.at;
-  const double arc1 = contact_arc(curve_of(mechanism, contact.first), bodies[contact.first.body], touch.p1_W,
-                                  touch.n_W, motion.phi);
-  const double arc2 = contact_arc(curve_of(mechanism, contact.second), bodies[contact.second.body],
-                                  touch.p2_W, -touch.n_W, motion.phi + kPi);
-  return arc1 + arc2;
 }
 
 int row_count(const Joint& joint) {
@@ -160,7 +157,7 @@ void append_rows(const Mechanism& mechanism, const Contact& contact, const Conta
     const bool flat =
         is_line(curve_of(mechanism, contact.first)) || is_line(curve_of(mechanism, contact.second));
     const double apart = flat ? 0 : t_W.dot(touch.p2_W - touch.p1_W);
-    append_along(t_W, arc_difference(mechanism, contact, motion, bodies) + apart - motion.arc_difference);
+    append_along(t_W, arc_difference(mechanism, contact, bodies, motion) + apart - motion.arc_difference);
   }
 }
 
@@ -187,6 +184,19 @@ Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows) {
     values(static_cast<Eigen::Index>(i)) = rows[i].value;
   }
   return values;
+}
+
+void add_step(const Eigen::Vector3d& step, double size, BodyMotion& body) {
+  body.X_WB.p_WB += step.head<2>();
+  body.theta += step.z() / size;
+  body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
+}
+
+void start_arcs(const Mechanism& mechanism, const Contact& contact, const std::vector<BodyMotion>& bodies,
+                ContactMotion& motion) {
+  if (contact.rolling) {
+    motion.arc_difference = arc_difference(mechanism, contact, bodies, motion);
+  }
 }
 
 ConstraintRow angle_row(const std::vector<BodyMotion>& bodies, int body, double held, double size) {

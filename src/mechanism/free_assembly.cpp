@@ -92,11 +92,7 @@ std::optional<MechanismPosition> begin_to_roll(const SizedMechanism& sized,
     return std::nullopt;
   }
   for (std::size_t i = 0; i < position->contacts.size(); ++i) {
-    const Contact& contact = sized.mechanism.contacts[i];
-    ContactMotion& motion = position->contacts[i];
-    if (contact.rolling) {
-      motion.arc_difference = arc_difference(sized.mechanism, contact, motion, position->bodies);
-    }
+    start_arcs(sized.mechanism, sized.mechanism.contacts[i], position->bodies, position->contacts[i]);
   }
   return position;
 }
@@ -149,11 +145,7 @@ std::optional<MechanismPosition> assemble_beside(const SizedMechanism& sized, Me
 
 void add_step(const SizedMechanism& sized, const Eigen::VectorXd& step, MechanismPosition& position) {
   for (std::size_t b = 1; b < position.bodies.size(); ++b) {
-    BodyMotion& body = position.bodies[b];
-    const Eigen::Index column = column_of(static_cast<int>(b));
-    body.X_WB.p_WB += step.segment<2>(column);
-    body.theta += step(column + 2) / sized.size;
-    body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
+    add_step(step.segment<3>(column_of(static_cast<int>(b))), sized.size, position.bodies[b]);
   }
 }
 

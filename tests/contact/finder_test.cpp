@@ -23,7 +23,7 @@ TEST_P(FinderOracle, FindsTheContactByMovingTheFollowerUntilItTouches) {
   }
   const double u = reference.data.at("th1_start_deg").get<double>() * kDegree;
   const FindResult found = find_contact(reference.pair, u, start.at("approach").at("q_start"),
-                                        start.at("approach").at("direction"), false);
+                                        start.at("approach").at("direction"));
   ASSERT_EQ(found.status, FindStatus::kFound);
   const double q = start.at("q2_near");
   EXPECT_LE(std::abs(found.at.q - q), 2e-8 * std::max(1.0, std::abs(q)));

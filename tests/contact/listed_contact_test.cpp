@@ -21,7 +21,7 @@ TEST(ListedContact, OfTwoParabolasIsTheFirstInTheSenseOfTheMotion) {
   const ContactPair pair = parabolas();
   const CurveContacts list = find_curve_contacts(pair, 0);
   for (const int direction : {1, -1}) {
-    const FindResult found = find_contact(pair, 0, 0, direction, false);
+    const FindResult found = find_contact(pair, 0, 0, direction);
     ASSERT_EQ(found.status, FindStatus::kFound);
     EXPECT_EQ(found.branch, -direction);
     EXPECT_GT(direction * found.at.q, 0);
@@ -35,8 +35,8 @@ TEST(ListedContact, OfTwoParabolasIsTheFirstInTheSenseOfTheMotion) {
 
 TEST(ListedContact, OfTwoParabolasNearestToAPoseIsTheNearerOfTheTwo) {
   const ContactPair pair = parabolas();
-  const double up = find_contact(pair, 0, 0, 1, false).at.q;
-  const double down = find_contact(pair, 0, 0, -1, false).at.q;
+  const double up = find_contact(pair, 0, 0, 1).at.q;
+  const double down = find_contact(pair, 0, 0, -1).at.q;
   EXPECT_NEAR(find_nearest_contact(pair, 0, up - 1e-3).at.q, up, 1e-12);
   EXPECT_NEAR(find_nearest_contact(pair, 0, down + 1e-3).at.q, down, 1e-12);
   // Also from a position within the overlap, and from a turn away.
@@ -65,8 +65,8 @@ TEST(ListedContact, OfTwoParabolasVertexOnVertexIsListed) {
 
 TEST(ListedContact, IsRefusedFromAnOverlapWhereTheFollowerIsToMoveToTheFirstTouch) {
   const ContactPair pair = parabolas();
-  const double up = find_contact(pair, 0, 0, 1, false).at.q;
-  EXPECT_EQ(find_contact(pair, 0, up + 1e-3, 1, false).status, FindStatus::kOverlapAtStart);
+  const double up = find_contact(pair, 0, 0, 1).at.q;
+  EXPECT_EQ(find_contact(pair, 0, up + 1e-3, 1).status, FindStatus::kOverlapAtStart);
 }
 
 }  // namespace

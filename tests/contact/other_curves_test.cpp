@@ -201,7 +201,7 @@ TEST(ALobedCamUnderAFlatFace, LiftsItByItsSupport) {
   const LobedCurve cam(a, b);
   const ContactPair pair = {make_curve(cam), pivot(0, 0),
                             make_line(Vector2d::Zero(), Vector2d(0, -1)).value(), slide(0, 0)};
-  const FindResult found = find_contact(pair, 0, 0.1, -1, false);
+  const FindResult found = find_contact(pair, 0, 0.1, -1);
   ASSERT_EQ(found.status, FindStatus::kFound);
   FollowedContact track = start_track(pair, found.at, found.branch);
   for (int k = 0; k <= 90; ++k) {

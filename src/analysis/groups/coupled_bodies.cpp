@@ -136,17 +136,6 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
   return values;
 }
 
-// Moves the group's bodies by a change of their coordinates [m].
-void add_step(const Group& group, const Eigen::VectorXd& step, double size, State& to) {
-  for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-    BodyMotion& body = to.bodies[group.bodies[i]];
-    const auto column = static_cast<Eigen::Index>(3 * i);
-    body.X_WB.p_WB += step.segment<2>(column);
-    body.theta += step(column + 2) / size;
-    body.X_WB.R_WB = Rotation<double>::from_angle(body.theta);
-  }
-}
-
 }  // namespace
 
 GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
@@ -184,7 +173,9 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
     }
     last = length;
     step *= std::min(1.0, kLargestCoupledStep / length);
-    add_step(group, step, size, to);
+    for (std::size_t k = 0; k < group.bodies.size(); ++k) {
+      add_step(step.segment<3>(static_cast<Eigen::Index>(3 * k)), size, to.bodies[group.bodies[k]]);
+    }
   }
   return GroupStatus::kNotConverged;
 }

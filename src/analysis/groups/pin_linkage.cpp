@@ -108,8 +108,7 @@ void PinLinkage::set_numbers(std::span<const double> numbers) {
 void PinLinkage::set_branch(int branch) {
   poses_ = posed_;
   for (std::size_t k = 0; k < dyads_.size(); ++k) {
-    const bool minus = k < kMostBranchModes && ((branch >> k) & 1) != 0;
-    dyads_[k].sigma = minus ? -1 : 1;
+    dyads_[k].sigma = mode_on(branch, k);
   }
 }
 

@@ -240,10 +240,10 @@ State posed_state(const Mechanism& mechanism, const Plan& plan, int branch) {
   state.contacts.resize(mechanism.contacts.size());
   state.groups.resize(plan.groups.size());
   state.tracks.resize(plan.groups.size());
-  int bit = 0;
+  std::size_t k = 0;
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
-    if (traits_of(plan.groups[g]).two_modes && bit < kMostBranchModes) {
-      state.groups[g].mode = ((branch >> bit++) & 1) == 0 ? 1 : -1;
+    if (traits_of(plan.groups[g]).two_modes) {
+      state.groups[g].mode = mode_on(branch, k++);
     }
   }
   return state;

@@ -35,7 +35,7 @@ FindResult first_contact(const ContactPair& pair, Approach approach, double u, d
   if (approach == Approach::kNearest) {
     return find_nearest_contact(pair, u, q);
   }
-  return find_contact(pair, u, q, first_sense(approach, sign), false);
+  return find_contact(pair, u, q, first_sense(approach, sign));
 }
 
 // Of all contacts at which the bodies do not overlap, the nearest, or the first in the sense of `approach`;
@@ -156,19 +156,11 @@ GroupStatus FirstPosition::start_rolling_bodies(std::size_t g) {
   }
   const GroupStatus status = place_coupled({slipping, run_.plan()}, g, posed_, 0, drivers_, state_,
                                            phase_bodies_of(run_.plan(), group));
-  begin_arcs(group);
+  for (const int contact : group.contacts) {
+    start_arcs(run_.mechanism(), run_.mechanism().contacts[contact], state_.bodies, state_.contacts[contact]);
+  }
   judge_coupled(model_, g, state_);
   return status;
-}
-
-void FirstPosition::begin_arcs(const Group& group) {
-  for (const int index : group.contacts) {
-    const Contact& contact = run_.mechanism().contacts[index];
-    ContactMotion& motion = state_.contacts[index];
-    if (contact.rolling) {
-      motion.arc_difference = arc_difference(run_.mechanism(), contact, motion, state_.bodies);
-    }
-  }
 }
 
 bool FirstPosition::start_tracked(const TrackedPair& tracked, std::size_t g) {

@@ -36,7 +36,6 @@ private:
   [[nodiscard]] bool start_on_boundaries(const TouchingBody& touching, std::size_t g,
                                          const FrozenPair& placed, double posed);
   void start_coupled(const Group& group);
-  void begin_arcs(const Group& group);
 
   const Run& run_;
   Planned model_;

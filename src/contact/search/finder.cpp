@@ -63,6 +63,7 @@ std::optional<FindResult> touch(const ContactPair& pair, double u, double q, con
   return FindResult{FindStatus::kFound, result.at, branch};
 }
 
+// \param from_overlap  true: the bodies may overlap at the start; the result is then where they separate
 // \param farthest  contacts farther than this from q are not wanted
 FindResult search(const ContactPair& pair, double u, double q, int direction, bool from_overlap,
                   ListedContacts& listed, double farthest = kInf) {
@@ -122,9 +123,9 @@ double distance_ahead(const OneFreedom& follower, double q, int direction, doubl
   return ahead < 0 && ahead >= -near ? 0 : ahead;
 }
 
-FindResult find_contact(const ContactPair& pair, double u, double q, int direction, bool from_overlap) {
+FindResult find_contact(const ContactPair& pair, double u, double q, int direction) {
   ListedContacts listed(pair, u);
-  return search(pair, u, q, direction, from_overlap, listed);
+  return search(pair, u, q, direction, false, listed);
 }
 
 FindResult find_nearest_contact(const ContactPair& pair, double u, double q, std::optional<int> branch) {

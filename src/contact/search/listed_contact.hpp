@@ -19,6 +19,7 @@ public:
   ListedContacts(const ContactPair& pair, double u) : pair_(pair), u_(u) {}
 
   /// Arguments and result as of find_contact; kUnbounded where there is no such list.
+  /// \param from_overlap  true: the bodies may overlap at q; the result is then where they separate
   [[nodiscard]] FindResult find(double q, int direction, bool from_overlap);
   /// Whether the list has been made.
   [[nodiscard]] bool is_known() const { return list_.has_value(); }

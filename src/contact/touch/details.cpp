@@ -8,11 +8,22 @@
 namespace higherpair {
 namespace {
 
+// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]: on a line
+// the distance from its given point, otherwise from the vertex. \param normal_angle  of n_W, continuous [rad]
+double arc_at(const Curve& curve, const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
+              double normal_angle) {
+  if (is_line(curve)) {
+    return perp(n_W).dot(p_W - body.X_WB * anchor(curve));
+  }
+  return is_conic(curve) && curve.q <= 0 ? arc_to_point(curve, body.X_WB.inverse_times(p_W))
+                                         : arc_to_normal(curve, normal_angle - body.theta);
+}
+
 // `sense`: +1 if t of body 1 is the outward normal n_W of this body turned +90°, else -1.
 ContactSide side_of(const ContactBody& body, const Vector2d& p_W, const Vector2d& n_W, double rho,
                     double normal_angle, double sense) {
   ContactSide side;
-  side.arc = sense * contact_arc(body.curve, body.motion, p_W, n_W, normal_angle);
+  side.arc = sense * arc_at(body.curve, body.motion, p_W, n_W, normal_angle);
   if (!is_line(body.curve)) {
     side.rho = rho;
     side.center_W = p_W - rho * n_W;
@@ -84,13 +95,9 @@ void add_linkage(const ContactBody& body1, const ContactBody& body2, ContactDeta
 
 }  // namespace
 
-double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W, const Vector2d& n_W,
-                   double normal_angle) {
-  if (is_line(curve)) {
-    return perp(n_W).dot(p_W - body.X_WB * anchor(curve));
-  }
-  return is_conic(curve) && curve.q <= 0 ? arc_to_point(curve, body.X_WB.inverse_times(p_W))
-                                         : arc_to_normal(curve, normal_angle - body.theta);
+double arc_difference(const Curve& curve1, const BodyMotion& body1, const Curve& curve2,
+                      const BodyMotion& body2, const CommonNormal& at, double phi) {
+  return arc_at(curve1, body1, at.p1_W, at.n_W, phi) + arc_at(curve2, body2, at.p2_W, -at.n_W, phi + kPi);
 }
 
 std::optional<double> pressure_angle(const BodyMotion& body, const OneFreedom* grounded, const Vector2d& p_W,

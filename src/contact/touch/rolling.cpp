@@ -57,10 +57,8 @@ Equations contact_equations(const ContactPair& pair, const ContactPosition& at) 
 }
 
 double arc_difference(const ContactPair& pair, const ContactPosition& at, double phi) {
-  const BodyMotion body1 = motion_at(pair.motion1, at.u, 0, 0);
-  const BodyMotion body2 = motion_at(pair.motion2, at.q, 0, 0);
-  return contact_arc(pair.curve1, body1, at.p1_W, at.n_W, phi) +
-         contact_arc(pair.curve2, body2, at.p2_W, -at.n_W, phi + kPi);
+  return arc_difference(pair.curve1, motion_at(pair.motion1, at.u, 0, 0), pair.curve2,
+                        motion_at(pair.motion2, at.q, 0, 0), at, phi);
 }
 
 void add_arcs(const RollingTrack& track, double phi, Equations& equations) {

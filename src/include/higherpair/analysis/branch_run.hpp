@@ -2,6 +2,7 @@
 
 #include "higherpair/analysis/run.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace higherpair {
 
 /// Most modes that the number of a branch encodes: further groups are in mode +1.
 inline constexpr int kMostBranchModes = 16;
+
+/// The mode on a branch of the k-th group that has two.
+[[nodiscard]] constexpr int mode_on(int branch, std::size_t k) {
+  return k < kMostBranchModes && ((branch >> k) & 1) != 0 ? -1 : 1;
+}
 
 /// 2 to the number of groups with two modes, at most 2 to kMostBranchModes.
 [[nodiscard]] int branch_count(const Plan& plan);

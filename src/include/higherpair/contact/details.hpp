@@ -52,10 +52,10 @@ struct ContactBody {
 /// The same for a driver and a follower on ground.
 [[nodiscard]] ContactDetails details_of(const ContactPair& pair, const ContactPosition& at, double phi);
 
-/// Arc coordinate of a boundary point of a body, growing along its outward normal turned +90° [m]: on a line
-/// the distance from its given point, otherwise from the vertex.
-/// \param normal_angle  angle of n_W, continuous over turns [rad]
-[[nodiscard]] double contact_arc(const Curve& curve, const BodyMotion& body, const Vector2d& p_W,
-                                 const Vector2d& n_W, double normal_angle);
+/// Arc of the contact point on the first curve less that on the second, both along t of body 1; constant
+/// where the bodies roll [m].
+/// \param phi  as for details_of
+[[nodiscard]] double arc_difference(const Curve& curve1, const BodyMotion& body1, const Curve& curve2,
+                                    const BodyMotion& body2, const CommonNormal& at, double phi);
 
 }  // namespace higherpair

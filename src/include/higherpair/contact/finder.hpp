@@ -25,10 +25,7 @@ struct FindResult {
 /// to it the osculating iteration takes over. Where no such bound exists (two unbounded bodies), or the steps
 /// stall next to a grazing position, the list of all contacts (conic_contacts.hpp) is used. A turning
 /// follower is searched over one turn, a sliding one until the bodies are far apart.
-/// \param from_overlap  true: the bodies may overlap at the start; the result is then the position where they
-/// separate
-[[nodiscard]] FindResult find_contact(const ContactPair& pair, double u, double q, int direction,
-                                      bool from_overlap);
+[[nodiscard]] FindResult find_contact(const ContactPair& pair, double u, double q, int direction);
 
 /// The contact nearest to coordinate `q` among those that leave the interiors of the bodies disjoint.
 /// \param branch  if given, only contacts with this sign of ∂gap/∂q

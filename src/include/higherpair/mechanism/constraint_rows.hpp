@@ -89,9 +89,11 @@ template <class F>
 /// The values of rows [m].
 [[nodiscard]] Eigen::VectorXd values_of(const std::vector<ConstraintRow>& rows);
 
-/// Arc of the contact point on the first curve less that on the second, both along t; constant where the
-/// bodies roll [m].
-[[nodiscard]] double arc_difference(const Mechanism& mechanism, const Contact& contact,
-                                    const ContactMotion& motion, const std::vector<BodyMotion>& bodies);
+/// Moves a body by a step in (x, y, size·θ).
+void add_step(const Eigen::Vector3d& step, double size, BodyMotion& body);
+
+/// Measures the arcs of a rolling contact from its present position on.
+void start_arcs(const Mechanism& mechanism, const Contact& contact, const std::vector<BodyMotion>& bodies,
+                ContactMotion& motion);
 
 }  // namespace higherpair
