@@ -95,14 +95,13 @@ bool stop_near_crossing(Run& run, const Path& path, double s, double rest) {
     // If run.at.state is already nearer than `reach`, the step goes backward and may lead across the
     // crossing.
     const double h = rest - reach;
-    if (!(h * reach < 0 ? try_step(run, path, s, h).kind == StepResult::kOk : solve_at(run, path, s, h))) {
+    if (h * reach < 0 ? try_step(run, path, s, h).has_value() : !solve_at(run, path, s, h)) {
       return false;
     }
     const StateAside start(run.at.state);
     const State before = run.work.trial;
     run.at.state = before;
-    if (try_step(run, path, path.length - reach, 2 * reach).kind != StepResult::kOk ||
-        !modes_differ(before, run.work.trial)) {
+    if (try_step(run, path, path.length - reach, 2 * reach) || !modes_differ(before, run.work.trial)) {
       return false;
     }
     interpolate(run, before, 2 * reach, 0.5, run.work.trial);

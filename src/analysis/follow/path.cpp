@@ -89,8 +89,8 @@ private:
 
   Outcome next() {
     aim();
-    const StepResult result = try_step(run_, path_, at_.s, step_);
-    const bool ok = result.kind == StepResult::kOk;
+    const auto broken = try_step(run_, path_, at_.s, step_);
+    const bool ok = !broken;
     if (ok && close_open_contact(at_, step_)) {
       return Outcome::kGoesOn;
     }
@@ -110,7 +110,7 @@ private:
       length_.shorten(std::abs(*beyond));
       return Outcome::kGoesOn;
     }
-    return ok ? take() : refuse(result.group);
+    return ok ? take() : refuse(*broken);
   }
 
   void aim() {

@@ -247,17 +247,16 @@ double fastest_body(const Run& run, const State& state) {
   return speed;
 }
 
-StepResult try_step(Run& run, const Path& path, double s, double h) {
+std::optional<std::size_t> try_step(Run& run, const Path& path, double s, double h) {
   run.work.crossings.clear();
   mark_places(run);
   path.motions(s + h, run.work.motions);
   for (std::size_t g = 0; g < run.plan().groups.size(); ++g) {
-    const GroupStatus status = step_on_branch(run, path, g, s, h);
-    if (status != GroupStatus::kOk) {
-      return {status == GroupStatus::kOutOfReach ? StepResult::kLost : StepResult::kDisagrees, g};
+    if (step_on_branch(run, path, g, s, h) != GroupStatus::kOk) {
+      return g;
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 std::optional<std::size_t> broken_off(const Run& run, double h) {

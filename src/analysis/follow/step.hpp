@@ -38,14 +38,9 @@ private:
   return {run.mechanism(), run.plan()};
 }
 
-struct StepResult {
-  enum Kind { kOk, kLost, kDisagrees } kind = kOk;
-  std::size_t group = 0;  ///< the group that failed
-};
-
-/// Tries a step of `h` from run.at.state, which is at s, into run.work.trial; kOk only if every group
-/// continues its motion smoothly, straight through change points (run.work.crossings).
-[[nodiscard]] StepResult try_step(Run& run, const Path& path, double s, double h);
+/// Tries a step of `h` from run.at.state, which is at s, into run.work.trial. \returns the first group that
+/// does not continue its motion smoothly, straight through change points (run.work.crossings)
+[[nodiscard]] std::optional<std::size_t> try_step(Run& run, const Path& path, double s, double h);
 
 /// Sets the rates of a state that is at s of the path.
 void set_rates_on(Run& run, const Path& path, double s, State& state);
