@@ -106,13 +106,6 @@ ForceTerms terms_of(const Preload& preload, const Mechanism& mechanism, double s
 // worst position of every contact that opens as a condition, and repeats until none opens.
 class Exchange {
 public:
-  enum class End {
-    kClosed,           // every contact stays closed with the additions
-    kImpossible,       // proven: no preloads keep all contacts closed
-    kOpensAtSingular,  // a contact falls open towards a singular position, where no condition can be set
-    kNotSettled,       // contacts still opened after kMostExchanges
-  };
-
   Exchange(const ContactForces& forces, const std::vector<ForceTerms>& terms,
            const std::vector<std::size_t>& used, const PreloadRounding* rounding)
       : forces_(forces),
@@ -134,26 +127,26 @@ public:
     }
   }
 
-  [[nodiscard]] End run() {
+  /// One for each of forces.preloads. None where no preloads keep all contacts closed, where a contact falls
+  /// open towards a singular position, at which no condition can be set, and where exchanges do not settle.
+  [[nodiscard]] std::optional<std::vector<double>> run() {
     for (int i = 0; i < kMostExchanges; ++i) {
       const auto solution = solve(programme_);
       if (!solution) {
-        return End::kImpossible;
+        return std::nullopt;
       }
       for (std::size_t j = 0; j < used_.size(); ++j) {
         const double x = (*solution)[j];
         weights_[ForcePiece::kParts + used_[j]] = rounding_ != nullptr ? rounding_->round(used_[j], x) : x;
       }
       if (!add_conditions()) {
-        return opens_at_singular(forces_, weights_) ? End::kOpensAtSingular : End::kClosed;
+        return opens_at_singular(forces_, weights_)
+                   ? std::nullopt
+                   : std::optional<std::vector<double>>(
+                         {weights_.begin() + ForcePiece::kParts, weights_.end()});
       }
     }
-    return End::kNotSettled;
-  }
-
-  /// One for each of forces.preloads. \pre run() was kClosed
-  [[nodiscard]] std::vector<double> additions() const {
-    return {weights_.begin() + ForcePiece::kParts, weights_.end()};
+    return std::nullopt;
   }
 
 private:
@@ -232,9 +225,8 @@ std::optional<std::vector<double>> smallest_preloads(const ContactForces& forces
   }
   std::optional<std::vector<double>> best;
   double least = kInf;
-  const auto try_with = [&](const std::vector<std::size_t>& used) -> std::optional<std::vector<double>> {
-    Exchange exchange(forces, terms, used, rounding);
-    return exchange.run() == Exchange::End::kClosed ? std::optional(exchange.additions()) : std::nullopt;
+  const auto try_with = [&](const std::vector<std::size_t>& used) {
+    return Exchange(forces, terms, used, rounding).run();
   };
   for (const std::size_t k : all) {
     auto single = try_with({k});

@@ -99,7 +99,7 @@ public:
     for (const int index : order.contacts) {
       const Contact& contact = mechanism.contacts[index];
       if (contact.rolling) {
-        add_slip(contact);
+        add_between(contact);
         conditions_.back().row = contact_rows[index] + 1;
       }
     }
@@ -140,50 +140,48 @@ private:
   void add_joint(const Joint& joint) {
     if (joint.type == JointType::kRevolute) {
       for (const Coordinate coordinate : {Coordinate::kX, Coordinate::kY}) {
-        Condition condition;
+        Condition& condition = conditions_.emplace_back();
         enter_point(condition, joint.first, coordinate);
         enter_point(condition, joint.second, coordinate);
-        conditions_.push_back(condition);
       }
       return;
     }
     if (couples_turning(joint.type)) {
-      add_turning(joint);
+      Condition& condition = add_angles(joint);
+      // The carrier's turning does not matter to wheels that turn alike.
+      if (joint.turning_ratio != 1) {
+        enter(condition, joint.carrier, {Coordinate::kAngle});
+      }
       return;
     }
-    add_along_line(joint);
+    add_between(joint);
     if (joint.type == JointType::kPrismatic) {
-      add_angle(joint);
+      (void)add_angles(joint);
     }
   }
 
-  void add_along_line(const Joint& joint) {
-    Condition condition;
-    enter_all(condition, joint.first.body);
-    enter_all(condition, joint.second.body);
-    conditions_.push_back(condition);
+  // A condition on all coordinates of the two bodies of a joint or contact.
+  template <class Pair>
+  void add_between(const Pair& pair) {
+    Condition& condition = conditions_.emplace_back();
+    enter_all(condition, pair.first.body);
+    enter_all(condition, pair.second.body);
   }
 
-  void add_angle(const Joint& joint) {
-    Condition condition;
+  // One on their angles alone.
+  Condition& add_angles(const Joint& joint) {
+    Condition& condition = conditions_.emplace_back();
     enter(condition, joint.first.body, {Coordinate::kAngle});
     enter(condition, joint.second.body, {Coordinate::kAngle});
-    conditions_.push_back(condition);
-  }
-
-  void add_turning(const Joint& joint) {
-    Condition condition;
-    enter(condition, joint.first.body, {Coordinate::kAngle});
-    enter(condition, joint.second.body, {Coordinate::kAngle});
-    // The carrier's turning does not matter to wheels that turn alike.
-    if (joint.turning_ratio != 1) {
-      enter(condition, joint.carrier, {Coordinate::kAngle});
-    }
-    conditions_.push_back(condition);
+    return condition;
   }
 
   void add_driver(const Joint& joint) {
-    joint.type == JointType::kRevolute ? add_angle(joint) : add_along_line(joint);
+    if (joint.type == JointType::kRevolute) {
+      (void)add_angles(joint);
+    } else {
+      add_between(joint);
+    }
   }
 
   // The condition of a curve that is round about its body's pin does not depend on the body's angle.
@@ -196,17 +194,9 @@ private:
   }
 
   void add_contact(const Contact& contact) {
-    Condition condition;
+    Condition& condition = conditions_.emplace_back();
     enter_curve(condition, contact.first);
     enter_curve(condition, contact.second);
-    conditions_.push_back(condition);
-  }
-
-  void add_slip(const Contact& contact) {
-    Condition slip;
-    enter_all(slip, contact.first.body);
-    enter_all(slip, contact.second.body);
-    conditions_.push_back(slip);
   }
 
   References references_;

@@ -63,7 +63,7 @@ private:
       return false;
     }
     return std::abs(a.u - b.u) <= kCutResolution * unit1_ && a.opposed == b.opposed &&
-           difference_of_q(pair_, map_.size, a.q, b.q) <= kCutResolution &&
+           coordinate_distance(pair_.motion2, map_.size, a.q, b.q) <= kCutResolution &&
            (a.n_W - b.n_W).norm() <= kSameEventNormal;
   }
 
@@ -141,10 +141,6 @@ const MapCut* MapCuts::cut_beside(int interval, bool forward) const {
 
 MapCuts cuts_of(const ContactPair& pair, const MapRange& range) {
   return CutFinder(pair, range).run();
-}
-
-double difference_of_q(const ContactPair& pair, double size, double a, double b) {
-  return std::abs(pair.motion2.turns ? nearest_turn(a - b, 0) : (a - b) / size);
 }
 
 }  // namespace higherpair

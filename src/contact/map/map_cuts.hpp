@@ -38,7 +38,4 @@ struct MapCuts {
 
 [[nodiscard]] MapCuts cuts_of(const ContactPair& pair, const MapRange& range);
 
-/// Distance of two follower coordinates: in radians up to whole turns, or as a fraction of the size.
-[[nodiscard]] double difference_of_q(const ContactPair& pair, double size, double a, double b);
-
 }  // namespace higherpair

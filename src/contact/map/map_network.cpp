@@ -83,7 +83,7 @@ private:
       const MapNode& node = network_.nodes[i];
       const ContactPosition& there = node.track.at;
       if (node.interval == interval && node.opposed == opposed &&
-          difference_of_q(pair_, network_.size, there.q, at.q) <= kSameMapContact &&
+          coordinate_distance(pair_.motion2, network_.size, there.q, at.q) <= kSameMapContact &&
           (there.n_W - at.n_W).norm() <= kSameMapContact) {
         return static_cast<int>(i);
       }
@@ -179,8 +179,8 @@ private:
       double second = kInf;
       for (const int index : cut.events) {
         const CriticalPosition& event = network_.events[index].at;
-        const double distance =
-            difference_of_q(pair_, network_.size, track.at.q, event.q) + (track.at.n_W - event.n_W).norm();
+        const double distance = coordinate_distance(pair_.motion2, network_.size, track.at.q, event.q) +
+                                (track.at.n_W - event.n_W).norm();
         if (event.opposed != node.opposed) {
           continue;
         }

@@ -98,7 +98,7 @@ std::vector<MapContact> contacts_at(const ContactMap& map, double u) {
 
 std::optional<int> branch_of(const ContactMap& map, double u, double q, const Vector2d& n_W) {
   for (const MapContact& contact : contacts_at(map, u)) {
-    if (difference_of_q(map.pair, map.size, contact.point.q, q) <= kSameMapContact &&
+    if (coordinate_distance(map.pair.motion2, map.size, contact.point.q, q) <= kSameMapContact &&
         (contact.point.n_W - n_W).norm() <= kSameMapContact) {
       return contact.branch;
     }

@@ -225,12 +225,15 @@ public:
   }
 
 private:
+  [[nodiscard]] bool is_same(const OneFreedom& motion, double a, double b) const {
+    return coordinate_distance(motion, size_, a, b) <= kSameConforming;
+  }
+
   void add(const Fit& fit) {
     const bool jump = std::abs(fit.error) > kConformingRoot * size_ * size_;
     if (jump || !std::isfinite(fit.u) || !std::isfinite(fit.q)) {
       return;
     }
-    const double unit1 = pair_.motion1.turns ? 1 : size_;
     CriticalPosition position;
     position.type = CriticalType::kConforming;
     position.u = pair_.motion1.turns ? principal_angle(fit.u) : fit.u;
@@ -241,8 +244,7 @@ private:
     position.opposed = opposed_;
     // The mirror images share their edges: a root there is found more than once.
     const bool known = std::any_of(found_.begin(), found_.end(), [&](const CriticalPosition& other) {
-      const double u = position.u - other.u;
-      return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u) <= kSameConforming * unit1 &&
+      return is_same(pair_.motion1, position.u, other.u) &&
              (other.p_W - position.p_W).norm() <= kSameConforming * size_ &&
              (other.n_W - position.n_W).norm() <= kSameConforming;
     });
@@ -257,10 +259,7 @@ private:
     std::vector<CriticalPosition> kept;
     for (const CriticalPosition& at : found_) {
       const auto here = [&](const CriticalPosition& other) {
-        const double u = at.u - other.u;
-        const double q = at.q - other.q;
-        return std::abs(pair_.motion1.turns ? nearest_turn(u, 0) : u / size_) <= kSameConforming &&
-               std::abs(pair_.motion2.turns ? nearest_turn(q, 0) : q / size_) <= kSameConforming;
+        return is_same(pair_.motion1, at.u, other.u) && is_same(pair_.motion2, at.q, other.q);
       };
       const bool coincide = std::count_if(found_.begin(), found_.end(), here) > 4;
       if (!coincide || std::none_of(kept.begin(), kept.end(), here)) {

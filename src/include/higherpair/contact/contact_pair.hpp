@@ -3,6 +3,8 @@
 #include "higherpair/contact/common_normal.hpp"
 #include "higherpair/geometry/one_freedom.hpp"
 
+#include <cmath>
+
 namespace higherpair {
 
 /// Two curves that touch: one on the driver (body 1), one on the follower (body 2), each with one freedom
@@ -23,6 +25,11 @@ struct ContactPair {
 /// distance of the joints, and the smaller of the two curves' sizes (so a nearly flat curve does not make the
 /// pair huge). > 0.
 [[nodiscard]] double size_of_pair(const ContactPair& pair);
+
+/// How far two coordinates of a joint are apart: less than half a turn [rad], or as a fraction of a size.
+[[nodiscard]] inline double coordinate_distance(const OneFreedom& motion, double size, double a, double b) {
+  return std::abs(motion.turns ? nearest_turn(a - b, 0) : (a - b) / size);
+}
 
 /// Where the two curves touch (p2 - p1 = 0 to within rounding) and how the contact moves with the driver.
 struct ContactPosition : CommonNormal {
