@@ -24,8 +24,8 @@ struct ForceStretch {
 /// A part of a boundary on which all derivatives are continuous: its span, and its number within the span.
 using SmoothPart = std::pair<int, std::ptrdiff_t>;
 
-/// A contact goes over to another smooth part of one of its curves. No event tells of it if the curvature is
-/// continuous there, but some derivative of the forces jumps.
+/// A contact passes to another smooth part of one of its curves. If the curvature is continuous there it is
+/// not an event, but some derivative of the forces jumps.
 struct SmoothJoint {
   std::size_t contact = 0;
   std::size_t side = 0;

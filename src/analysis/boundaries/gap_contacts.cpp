@@ -152,7 +152,7 @@ void report_strike(Run& run, const Path& path, double s, const TouchingBody& tou
 }
 
 // The coordinate at which a follower stays when its contact opens in run.at.state. At the end of its joint
-// that end itself: the search leaves it a rounding away, from where the joint might not bear it any more.
+// that end itself: the search leaves it a rounding away, where the joint might no longer carry it.
 double rest_of(const Run& run, std::size_t g) {
   const CarriedBody& follower = touching_of(run, g).follower;
   const auto end = joint_at_end(model_of(run), g, run.at.state);

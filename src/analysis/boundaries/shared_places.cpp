@@ -151,11 +151,9 @@ std::optional<Change> change_of(Run& run, const Path& path, std::size_t i, doubl
 }
 
 // Whether a place is at an end of its spans, which it may reach just at the end of a step.
-bool is_at_an_end(const Bodies& bodies, const NearPlace& place) {
-  const auto is_at = [&](const Boundary& boundary, const BoundaryPlace& at) {
-    return is_at_end(boundary, at, true, kJustLeft) || is_at_end(boundary, at, false, kJustLeft);
-  };
-  return is_at(bodies.boundary1, place.place1) || is_at(bodies.boundary2, place.place2);
+bool is_at_end_of_spans(const Bodies& bodies, const NearPlace& place) {
+  return is_at_an_end(bodies.boundary1, place.place1, kJustLeft) ||
+         is_at_an_end(bodies.boundary2, place.place2, kJustLeft);
 }
 
 // The body that a group's contact places, where that contact may go on at another place of its curves; else
@@ -185,7 +183,7 @@ void note_shared_places(Run& run, const Path& path, SharedTouch touch, double s,
   std::size_t places = 1;  // before the first change
   for (const NearPlace& place : touch.before) {
     const NearPlace* later = same_among(touch.after, after, place);
-    if (later != nullptr && !is_at_an_end(after, *later)) {
+    if (later != nullptr && !is_at_end_of_spans(after, *later)) {
       ++places;
       continue;
     }

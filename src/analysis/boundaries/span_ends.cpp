@@ -77,9 +77,7 @@ bool is_at_edge(const Run& run, std::size_t g) {
 
 bool is_at_ends_of_both(const Run& run, std::size_t g) {
   const auto at_end = [&](std::size_t i, std::size_t side) {
-    const Boundary& boundary = boundary_at(run, i, side);
-    const BoundaryPlace& place = run.at.state.contacts[i].place[side];
-    return is_at_end(boundary, place, false, kAtSpanEnd) || is_at_end(boundary, place, true, kAtSpanEnd);
+    return is_at_an_end(boundary_at(run, i, side), run.at.state.contacts[i].place[side], kAtSpanEnd);
   };
   return first_of_sides(
       run, g, [&](std::size_t i, std::size_t side) { return at_end(i, side) && at_end(i, 1 - side); });
@@ -111,8 +109,7 @@ std::optional<ContactEnd> slipped_off(const Run& run, std::size_t g) {
     return first_of_sides(run, g, [&](std::size_t i, std::size_t side) -> std::optional<ContactEnd> {
       const Boundary& boundary = boundary_at(run, i, side);
       const BoundaryPlace& place = run.at.state.contacts[i].place[side];
-      if (!is_edge(boundary, place.span) || (at_end && !is_at_end(boundary, place, true, kAtSpanEnd) &&
-                                             !is_at_end(boundary, place, false, kAtSpanEnd))) {
+      if (!is_edge(boundary, place.span) || (at_end && !is_at_an_end(boundary, place, kAtSpanEnd))) {
         return std::nullopt;
       }
       return ContactEnd{i,

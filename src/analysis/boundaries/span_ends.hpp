@@ -30,7 +30,7 @@ struct ContactEnd {
 /// The contact of group g that is at an end or a concave corner of a boundary, beyond which it cannot go.
 [[nodiscard]] std::optional<ContactEnd> end_reached(const Run& run, std::size_t g);
 
-/// Whether the contact of group g is where a curve goes over into the edge at its end.
+/// Whether the contact of group g is where a curve continues into the edge at its end.
 [[nodiscard]] bool is_at_edge(const Run& run, std::size_t g);
 
 /// Whether a contact of group g is where spans of both its curves end, as where two corners meet.

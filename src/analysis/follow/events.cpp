@@ -78,7 +78,7 @@ private:
   void note_between(OutputJoint& output, double x0, const JointMotion& first, double x1,
                     const JointMotion& last) {
     const double before = first.velocity, after = last.velocity;
-    // Only recent speeds count: those reached earlier, next to a pole, do not tell what is slow here.
+    // Only recent speeds count: those reached earlier, next to a pole, are no measure of what is slow here.
     const double fastest = std::max(std::abs(before), std::abs(after));
     const double fast = std::max(fastest, std::exchange(output.fastest, fastest));
     const double slow = slowest(output, fast);

@@ -189,7 +189,7 @@ private:
 
   // The row is next to a change point, possibly beyond it; run.at.state remains before it.
   Outcome rest_beside_crossing() {
-    // At a break of a curve the path that goes on is another one: a change point there is told here.
+    // At a break of a curve another path begins: a change point at the break is reported on this one.
     const double rounding =
         path_.share_to < 1 ? std::copysign(kSameChangePoint * at_.scale, path_.length) : 0;
     note_crossings(run_, path_, at_.s, path_.length + rounding);
@@ -226,8 +226,8 @@ private:
     return Outcome::kGoesOn;
   }
 
-  // Goes on beyond what looks like a limit but is a joint of spans: where two flat parts come to lie on each
-  // other the contact has no curvature to go on with, but it goes on beyond them.
+  // Continues beyond what looks like a limit but is a joint of spans: where two flat parts meet face to face
+  // the contact has no curvature to continue with, but it does continue beyond them.
   std::optional<Outcome> look_beyond(const PathLimit& limit) {
     if (limit.s == last_looked_ || !moves_on_boundaries(run_, limit.group)) {
       return std::nullopt;
@@ -264,9 +264,8 @@ private:
     return Outcome::kLost;
   }
 
-  // Next to a limit rates and curvatures are too inexact to tell whether a joint reverses or curves conform,
-  // and a contact that ends there may change to and fro; how near to it the steps end is arbitrary. Removes
-  // such events found there.
+  // Removes the events found next to a limit that are not certain there: rates and curvatures are too inexact
+  // to show whether a joint reverses or curves conform, and a contact that ends there may change to and fro.
   void forget_beside(const RunEvent& limit) {
     const double per_unit = at_.scale * std::abs((path_.share_to - path_.share_from) / path_.length);
     std::erase_if(run_.events, [&](const RunEvent& event) {

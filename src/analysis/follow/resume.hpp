@@ -6,8 +6,8 @@
 
 namespace higherpair {
 
-/// Looks for the branch held last at the drivers' positions; true if it is there again. Adds an event that
-/// tells where on the path from `from`, the row before, this stretch begins.
+/// Looks for the branch that was lost at the drivers' positions; true if it exists there again. Adds an event
+/// where, on the path from `from`, the row before, this stretch of it begins.
 bool resume(Run& run, const std::vector<double>& drivers, const std::vector<double>& from);
 
 }  // namespace higherpair

@@ -295,7 +295,7 @@ void rest_beside(Run& run, const Path& path, double s) {
 }
 
 // Next to a change point at which one of these groups crosses in the present step they are interpolated: a
-// group that depends on them may cross at the same place, and cannot bear the digits that they lose there.
+// group that depends on them may cross at the same place, and needs the digits that they lose there.
 bool solve_before(Run& run, const Path& path, std::size_t end, double s, double x) {
   const auto& crossings = run.work.crossings;
   const auto own = std::find_if(crossings.begin(), crossings.end(),

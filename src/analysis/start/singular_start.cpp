@@ -239,7 +239,7 @@ void measure_at_start(const Run& run, const std::vector<std::size_t>& groups,
 }
 
 // The departure before a crossing whose position at the start is that of the poses; none where the branches
-// are too near each other there for the poses to tell.
+// are too near each other there for the poses to decide.
 std::optional<Departure> posed_among(const Run& run, const std::vector<Departure>& before) {
   const auto nearest =
       std::min_element(before.begin(), before.end(),

@@ -123,7 +123,7 @@ struct ContactMap {
 /// Folds and cusps are exact to within rounding divided by the slope of the conditions there. Those closer
 /// together than 1e-10 (of a radian, or relative to the size) are not distinguished: a smaller island is
 /// reported as two events without branches. Cost: some 10 ms for each interval and for each circle that
-/// stands in for curve 2 in the search for folds, for two conics.
+/// replaces curve 2 in the search for folds, for two conics.
 /// \pre samples >= 2
 [[nodiscard]] ContactMap map_contacts(const ContactPair& pair, const MapRange& range);
 

@@ -219,7 +219,7 @@ inline constexpr double kAtNormal = 1e-14;  // a point has the wanted normal to 
 // Difference of q [rad, or relative to the size] up to which two contacts are the same ...
 inline constexpr double kSameFound = 1e-7;
 inline constexpr double kSameFoundPoint = 1e-5;  // ... if their points are as close as this
-// Gaps between spans at a joint up to this are rounding, relative to the length that stands for a radian.
+// Gaps between spans at a joint up to this are rounding, relative to the length that corresponds to a radian.
 inline constexpr double kSmoothJoint = 1e-12;
 // Rounding error of points of a boundary, relative to its size plus their distance from the pivot, and of
 // normals [rad].

@@ -57,10 +57,11 @@ struct PathRange {
 /// moves to, on intervals that are halved until the series has converged to within rounding. At jumps both
 /// one-sided limits count. Of equal extremes the first one on the path is taken. Extremes that lie entirely
 /// between two samples may be missed. The stretch between a limit position or dead point and the samples next
-/// to it is not searched, since rates there are rounding or unbounded; from a few positions on it growth
-/// beyond the extreme is told. Ends early where is_stopped(start). \param start  the mechanism at the path's
-/// first positions, as start_run returns it \param breaks  ascending parameters of the path at which
-/// derivatives are known to jump \return for each block of quantities a range of each
+/// to it is not searched, since rates there are rounding or unbounded; whether the quantity grows beyond the
+/// extreme there is judged from a few positions on it. Ends early where is_stopped(start).
+/// \param start   the mechanism at the path's first positions, as start_run returns it
+/// \param breaks  ascending parameters of the path at which derivatives are known to jump
+/// \return for each block of quantities a range of each
 [[nodiscard]] std::vector<std::vector<PathRange>> path_extremes(const Run& start, const DriverPath& path,
                                                                 const std::vector<PathQuantities>& blocks,
                                                                 const std::vector<double>& breaks = {});

@@ -25,12 +25,17 @@ namespace higherpair {
   return (t - from.t) * boundary.at(from).speed;
 }
 
-/// Whether a place is at the beginning or the end of its span.
+/// Whether a place is at the end (`high`) or the beginning of its span.
 /// \param near  largest distance that counts as there, relative to the boundary's size; on corners [rad]
 [[nodiscard]] inline bool is_at_end(const Boundary& boundary, const BoundaryPlace& place, bool high,
                                     double near) {
   return std::abs(distance_along(boundary, place, end_of(boundary, place.span, high).t)) <=
          near * (boundary.is_corner(place) ? 1 : boundary.size());
+}
+
+/// Whether it is at either of them.
+[[nodiscard]] inline bool is_at_an_end(const Boundary& boundary, const BoundaryPlace& place, double near) {
+  return is_at_end(boundary, place, false, near) || is_at_end(boundary, place, true, near);
 }
 
 /// An end of a span as seen from a place on it.

@@ -130,7 +130,7 @@ struct CurveDimensions {
   /// up to the third derivative of a motion depends on it.
   std::array<double, 3> beyond{};
   double normal_angle = 0;
-  /// For a circle or line that stands for a nearly straight part of a boundary: its height over the tangent
+  /// For a circle or line that represents a nearly straight part of a boundary: its height over the tangent
   /// at the vertex is Σ bend[k] x^(k+2) at the distance x along n turned +90° [m].
   bool bent = false;
   std::array<D, 5> bend{};
@@ -280,9 +280,9 @@ template <class T, class D>
   return difference;
 }
 
-/// The same for a curve that is nearly straight, on which no normal tells where the contact is: gap [m] of
-/// the other curve's point above it, and size·sin of the angle between the normals there. \param n_W  out of
-/// the bent curve \param angle  of n [rad]
+/// The same for a curve that is nearly straight, whose normals do not determine where the contact is: gap [m]
+/// of the other curve's point above it, and size·sin of the angle between the normals there. \param n_W  out
+/// of the bent curve \param angle  of n [rad]
 template <class T, class D>
 [[nodiscard]] ConditionValues<T> bent_conditions(const CurveDimensions<D>& bent, const BodyAt<T>& body,
                                                  const CurveDimensions<D>& other, const BodyAt<T>& other_body,
