@@ -26,39 +26,34 @@ public:
     map_.pair.motion2 = pair.motion2;
     map_.range = range;
     map_.size = trace_->sheet(true).size();
-    too_many_parts_ = pair.boundary1->spans().size() * pair.boundary2->spans().size() > kMostParts;
     cyclic_ = pair.motion1.turns;
     unit1_ = cyclic_ ? 1 : map_.size;
     unit2_ = pair.motion2.turns ? 1 : map_.size;
   }
 
   [[nodiscard]] ContactMap run() {
-    if (!trace_->sheet(true).is_regular()) {
-      map_.status = MapStatus::kOnlyRelative;
-      return map_;
+    const TangencySheet& sheet = trace_->sheet(true);
+    const BoundaryPair& pair = sheet.pair();
+    if (!sheet.is_regular()) {
+      return ended(MapStatus::kOnlyRelative);
     }
-    if (too_many_parts_) {
-      map_.status = MapStatus::kTooManyParts;
-      return map_;
+    if (pair.boundary1->spans().size() * pair.boundary2->spans().size() > kMostParts) {
+      return ended(MapStatus::kTooManyParts);
     }
-    map_.status = MapStatus::kOk;
     BoundaryCuts cuts = cut_curves(*trace_, map_.pair, unbounded_, range_);
     if (is_stopped(range_)) {
-      map_.status = MapStatus::kStopped;
-      return map_;
+      return ended(MapStatus::kStopped);
     }
     map_.complete = cuts.complete;
     map_.events = std::move(cuts.events);
     drafts_ = std::move(cuts.drafts);
     if (cuts.idle && drafts_.empty()) {
-      map_.status = MapStatus::kTouchesNowhere;
-      return map_;
+      return ended(MapStatus::kTouchesNowhere);
     }
     sort_events();
     for (BranchDraft& draft : drafts_) {
       if (is_stopped(range_)) {
-        map_.status = MapStatus::kStopped;
-        return map_;
+        return ended(MapStatus::kStopped);
       }
       finish(draft);
     }
@@ -73,10 +68,15 @@ public:
     }
     join_branches(map_.branches, map_.events);
     map_.trace = trace_;
-    return map_;
+    return ended(MapStatus::kOk);
   }
 
 private:
+  [[nodiscard]] ContactMap ended(MapStatus status) {
+    map_.status = status;
+    return std::move(map_);
+  }
+
   // Shifts the events into the range and sorts them by rising u.
   void sort_events() {
     std::vector<int> order(map_.events.size());
@@ -260,7 +260,6 @@ private:
 
   MapRange range_;
   std::array<bool, 2> unbounded_;
-  bool too_many_parts_ = false;
   std::shared_ptr<BoundaryTrace> trace_;
   ContactMap map_;
   std::vector<BranchDraft> drafts_;

@@ -243,7 +243,6 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
   PairSide two(*pair.boundary2, {}, place2);
   const double scale = length_scale(one.boundary, two.boundary);
   const double most = pair.motion2.turns ? kMostTurnOfPass : kLongestPass * scale;
-  BoundaryResult result;
   Closure closure((pair.motion1.p_WO - pair.motion2.p_WO).norm() + one.boundary.size() + scale);
   int ended_before = 0;
   bool held = false;
@@ -256,8 +255,7 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
     const double gap_q = per_q.dot(offset.n_W);
     const double error = std::abs(offset.g) + std::abs(offset.s) + std::abs(offset.epsilon) * scale;
     if (!std::isfinite(error) || (one.corner && two.corner)) {
-      result.status = ContactStatus::kNoContact;
-      return result;
+      return {ContactStatus::kNoContact, {}};
     }
     if (closure.is_reached(error, ended_before != 0)) {
       if (!held && are_flat(one, two)) {
@@ -265,27 +263,23 @@ BoundaryResult solve_boundary_contact(const BoundaryPair& pair, double u, double
         held = true;
         continue;
       }
-      result.contact = contact_of(one, two, q);
-      result.contact.gap_q = gap_q;
-      result.status = branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch;
-      return result;
+      BoundaryContact contact = contact_of(one, two, q);
+      contact.gap_q = gap_q;
+      return {branch * gap_q >= 0 ? ContactStatus::kOk : ContactStatus::kOtherBranch, contact};
     }
     const double dq = limited(-offset.g / gap_q, most);
     if (!std::isfinite(dq)) {
-      result.status = ContactStatus::kNoContact;
-      return result;
+      return {ContactStatus::kNoContact, {}};
     }
     const double turn = offset.epsilon + (pair.motion2.turns ? dq : 0);
     const int ended = step_along(one, two, turn, offset.s + per_q.dot(offset.t_W) * dq, scale);
     q += dq;
     if (ended != 0 && ended == ended_before && std::abs(dq) <= kNoStepAtEnd * most) {
-      result.status = ContactStatus::kNoContact;
-      return result;
+      return {ContactStatus::kNoContact, {}};
     }
     ended_before = ended;
   }
-  result.status = ended_before != 0 ? ContactStatus::kNoContact : ContactStatus::kNotConverged;
-  return result;
+  return {ended_before != 0 ? ContactStatus::kNoContact : ContactStatus::kNotConverged, {}};
 }
 
 std::optional<BoundaryContact> find_boundary_normal(const Boundary& boundary1, const Pose<double>& X_W1,

@@ -69,7 +69,6 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
                   ListedContacts& listed, double farthest = kInf) {
   const double size = size_at(pair, u, q);
   const std::optional<double> bound = speed_bound(pair, u);
-  FindResult result;
   if (!bound || listed.is_known()) {
     return listed.find(q, direction, from_overlap);
   }
@@ -87,14 +86,12 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
       if (from_overlap) {
         return listed.find(start, direction, from_overlap);
       }
-      result.status = FindStatus::kOverlapAtStart;
-      return result;
+      return {FindStatus::kOverlapAtStart, {}};
     }
     if (i == 0) {
       overlapping = here.gap < -kTouching * size;
       if (overlapping && !from_overlap) {
-        result.status = FindStatus::kOverlapAtStart;
-        return result;
+        return {FindStatus::kOverlapAtStart, {}};
       }
     }
     if (std::abs(here.gap) <= kTouching * size) {
@@ -110,8 +107,7 @@ FindResult search(const ContactPair& pair, double u, double q, int direction, bo
     last_gap = std::abs(here.gap);
     q += direction * std::max((last_gap - error) * (1 - kFineGap), kLeastApproach * size) / *bound;
   }
-  result.status = FindStatus::kNoContact;
-  return result;
+  return {FindStatus::kNoContact, {}};
 }
 
 }  // namespace

@@ -21,13 +21,11 @@ double size_at(const ContactPair& pair, double u, double q) {
 FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const ContactPair& pair = pair_;
   const double u = u_;
-  FindResult result;
   if (!list_) {
     list_ = find_curve_contacts(pair, u);
   }
   if (list_->status == ContactsStatus::kTangentAtInfinity) {
-    result.status = FindStatus::kUnbounded;
-    return result;
+    return {FindStatus::kUnbounded, {}};
   }
   const Pose<double> X_W1 = pose_at(pair.motion1, u);
   const Pose<double> X_W2 = pose_at(pair.motion2, q);
@@ -35,11 +33,11 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const Separation here = separation(pair.curve1, X_W1, pair.curve2, X_W2, kFineGap * size);
   const bool overlapping = here.gap < -kTouching * size;
   if (overlapping && !from_overlap) {
-    result.status = FindStatus::kOverlapAtStart;
-    return result;
+    return {FindStatus::kOverlapAtStart, {}};
   }
   // Coming from a gap, the distance falls with q·direction; coming out of an overlap, it grows.
   const int branch = overlapping ? direction : -direction;
+  FindResult result;
   double shortest = kInf;
   for (const CurveContact& contact : list_->contacts) {
     const double distance =
