@@ -29,11 +29,7 @@ Coordinates<double> coordinates_of(const MotionRow& row, const std::vector<doubl
 std::vector<double> arcs_at(const Dimensions<double>& dimensions, const Coordinates<double>& at) {
   std::vector<double> arcs;
   for (const auto& contact : dimensions.contacts) {
-    const BodyAt<double>& first = at.bodies[contact.first];
-    const BodyAt<double>& second = at.bodies[contact.second];
-    const double phi = at.phi[arcs.size()];
-    arcs.push_back(arc_difference(contact.curve1, first, contact.curve2, second,
-                                  facing_points(contact.curve1, first, contact.curve2, second, phi)));
+    arcs.push_back(arc_difference(contact, at.bodies, at.phi[arcs.size()]));
   }
   return arcs;
 }

@@ -232,15 +232,10 @@ std::optional<Sensitivity> Sensitivity::at_start(const Run& started, MechanismDe
     return std::nullopt;
   }
   for (std::size_t i = 0; i < run.mechanism().contacts.size(); ++i) {
-    const auto& contact = start.dimensions.contacts[i];
-    const BodyAt<ParametricSeries>& body1 = motion.at.bodies[contact.first];
-    const BodyAt<ParametricSeries>& body2 = motion.at.bodies[contact.second];
-    const ParametricSeries arcs =
-        !run.mechanism().contacts[i].rolling
-            ? ParametricSeries()
-            : arc_difference(contact.curve1, body1, contact.curve2, body2,
-                             facing_points(contact.curve1, body1, contact.curve2, body2, motion.at.phi[i]));
-    sensitivity.arcs_.push_back(partial(arcs, 0));
+    const bool rolls = run.mechanism().contacts[i].rolling;
+    sensitivity.arcs_.push_back(
+        rolls ? partial(arc_difference(start.dimensions.contacts[i], motion.at.bodies, motion.at.phi[i]), 0)
+              : 0);
   }
   return sensitivity;
 }

@@ -40,10 +40,7 @@ Coordinates<double> coordinates_of(const Mechanism& mechanism, const std::vector
 Coordinates<double> row_coordinates(const Run& run) {
   Coordinates<double> at = coordinates_of(run.mechanism(), run.row.bodies, run.row.contacts);
   for (std::size_t i = 0; const auto& contact : dimensions_of(run.mechanism()).contacts) {
-    const BodyAt<double>& first = at.bodies[contact.first];
-    const BodyAt<double>& second = at.bodies[contact.second];
-    at.arcs[i] = arc_difference(contact.curve1, first, contact.curve2, second,
-                                facing_points(contact.curve1, first, contact.curve2, second, at.phi[i]));
+    at.arcs[i] = arc_difference(contact, at.bodies, at.phi[i]);
     ++i;
   }
   return at;

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace higherpair {
 
@@ -280,9 +281,20 @@ template <class T, class D>
   return difference;
 }
 
-/// The same for a curve that is nearly straight, whose normals do not determine where the contact is: gap [m]
-/// of the other curve's point above it, and size·sin of the angle between the normals there. \param n_W  out
-/// of the bent curve \param angle  of n [rad]
+/// The same for a contact of Dimensions, with the bodies indexed as in the mechanism and the normal at the
+/// angle φ.
+template <class ContactDimensions, class T>
+[[nodiscard]] T arc_difference(const ContactDimensions& contact, const std::vector<BodyAt<T>>& bodies,
+                               const T& phi) {
+  const BodyAt<T>& body1 = bodies[contact.first];
+  const BodyAt<T>& body2 = bodies[contact.second];
+  return arc_difference(contact.curve1, body1, contact.curve2, body2,
+                        facing_points(contact.curve1, body1, contact.curve2, body2, phi));
+}
+
+/// The conditions of a contact on a curve that is nearly straight, whose normals do not determine where the
+/// contact is: gap [m] of the other curve's point above it, and size·sin of the angle between the normals
+/// there. \param n_W  out of the bent curve \param angle  of n [rad]
 template <class T, class D>
 [[nodiscard]] ConditionValues<T> bent_conditions(const CurveDimensions<D>& bent, const BodyAt<T>& body,
                                                  const CurveDimensions<D>& other, const BodyAt<T>& other_body,
