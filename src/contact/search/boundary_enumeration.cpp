@@ -2,6 +2,7 @@
 
 #include "boundary_search.hpp"
 #include "contact/subdivision/feature_curve.hpp"
+#include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/numeric/special_values.hpp"
 
@@ -223,7 +224,7 @@ private:
   }
 
   [[nodiscard]] bool nearly_one(const BoundaryContact& a, const BoundaryContact& b) const {
-    return std::abs(a.q - b.q) <= kOneOpen * (pair_.motion2.turns ? 1 : scale_) &&
+    return coordinate_distance(pair_.motion2, scale_, a.q, b.q) <= kOneOpen &&
            (a.at.p1_W - b.at.p1_W).norm() <= kOneOpen * scale_;
   }
 

@@ -1,5 +1,6 @@
 #include "boundary_search.hpp"
 
+#include "higherpair/contact/contact_pair.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/boundary_places.hpp"
 #include "higherpair/geometry/polyline.hpp"
@@ -55,11 +56,11 @@ double coordinate_of(const BoundaryPair& pair, const Pose<double>& X_W1, const B
   return (X_W1 * one.p_B - at_zero * two.p_B).dot(pair.motion2.direction_W);
 }
 
-bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContact& contact, double unit,
-              double length) {
+bool is_known(const std::vector<BoundaryContact>& contacts, const BoundaryContact& contact,
+              const OneFreedom& motion2, double size) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const BoundaryContact& known) {
-    return std::abs(known.q - contact.q) <= kSameFound * unit &&
-           (known.at.p1_W - contact.at.p1_W).norm() <= kSameFoundPoint * length;
+    return coordinate_distance(motion2, size, known.q, contact.q) <= kSameFound &&
+           (known.at.p1_W - contact.at.p1_W).norm() <= kSameFoundPoint * size;
   });
 }
 
@@ -118,7 +119,7 @@ std::vector<BoundaryContact> find_boundary_contacts(const BoundaryPair& pair, do
   const double scale = std::max(pair.boundary1->size(), pair.boundary2->size());
   std::vector<BoundaryContact> contacts;
   for (const BoundaryContact& found : contacts_at_crossings(pair, u)) {
-    if (is_proper(found) && !is_known(contacts, found, pair.motion2.turns ? 1 : scale, scale)) {
+    if (is_proper(found) && !is_known(contacts, found, pair.motion2, scale)) {
       contacts.push_back(found);
     }
   }
