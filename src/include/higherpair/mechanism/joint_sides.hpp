@@ -66,10 +66,13 @@ struct SideOfContact {
 /// Both sides of all contacts by_boundary: a range that is its own iterator.
 class BoundarySides {
 public:
-  explicit BoundarySides(const Mechanism& mechanism) : contacts_(mechanism.contacts) { skip_others(); }
+  explicit BoundarySides(const Mechanism& mechanism)
+      : contacts_(mechanism.contacts.data()), end_(2 * mechanism.contacts.size()) {
+    skip_others();
+  }
 
   [[nodiscard]] BoundarySides begin() const { return *this; }
-  [[nodiscard]] std::size_t end() const { return 2 * contacts_.size(); }
+  [[nodiscard]] std::size_t end() const { return end_; }
   SideOfContact operator*() const { return {at_ / 2, at_ % 2}; }
   bool operator!=(std::size_t end) const { return at_ != end; }
   void operator++() {
@@ -79,10 +82,11 @@ public:
 
 private:
   void skip_others() {
-    while (at_ != end() && !contacts_[at_ / 2].by_boundary) ++at_;
+    while (at_ != end_ && !contacts_[at_ / 2].by_boundary) ++at_;
   }
 
-  const std::vector<Contact>& contacts_;
+  const Contact* contacts_;
+  std::size_t end_;
   std::size_t at_ = 0;  // 2 contact + side
 };
 
