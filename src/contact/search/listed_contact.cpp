@@ -23,7 +23,7 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const double u = u_;
   FindResult result;
   if (!list_) {
-    list_ = find_curve_contacts(pair, u);
+    list_ = find_free_contacts(pair, u);
   }
   if (list_->status == ContactsStatus::kTangentAtInfinity) {
     result.status = FindStatus::kUnbounded;
