@@ -1,5 +1,6 @@
 #include "higherpair/contact/conic_contacts.hpp"
 #include "higherpair/contact/finder.hpp"
+#include "random_pair.hpp"
 
 #include <cmath>
 
@@ -67,6 +68,41 @@ TEST(ListedContact, IsRefusedFromAnOverlapWhereTheFollowerIsToMoveToTheFirstTouc
   const ContactPair pair = parabolas();
   const double up = find_contact(pair, 0, 0, 1).at.q;
   EXPECT_EQ(find_contact(pair, 0, up + 1e-3, 1).status, FindStatus::kOverlapAtStart);
+}
+
+// The free contacts are those of the list of all, however they have been found.
+void expect_free_of_all(const testing::RandomPair& random) {
+  SCOPED_TRACE(random.text);
+  const CurveContacts all = find_curve_contacts(random.pair, random.u);
+  CurveContacts free = find_free_contacts(random.pair, random.u);
+  ASSERT_EQ(free.status, all.status);
+  std::erase_if(free.contacts, [](const CurveContact& each) { return !each.free; });
+  std::size_t k = 0;
+  for (const CurveContact& each : all.contacts) {
+    if (each.free) {
+      ASSERT_LT(k, free.contacts.size());
+      const CurveContact& same = free.contacts[k++];
+      EXPECT_LE(std::abs(same.q - each.q), 1e-12 * (1 + std::abs(each.q)));
+      EXPECT_LE((same.p_W - each.p_W).norm(), 1e-9 * (1 + each.p_W.squaredNorm()));
+      EXPECT_LE((same.n_W - each.n_W).norm(), 1e-9);
+      EXPECT_EQ(same.branch, each.branch);
+      EXPECT_EQ(same.at_limit, each.at_limit);
+      EXPECT_EQ(same.coincident, each.coincident);
+    }
+  }
+  EXPECT_EQ(k, free.contacts.size());
+}
+
+TEST(ListedContact, FreeOnesAreTheSameWithoutTheOthers) {
+  for (unsigned number = 0; number < 720; ++number) {
+    expect_free_of_all(testing::random_pair(number));
+  }
+}
+
+TEST(ListedContact, FreeOnesAreTheSameWithoutTheOthersInSingularPositions) {
+  for (unsigned number = 0; number < 720; ++number) {
+    expect_free_of_all(testing::grid_pair(number));
+  }
 }
 
 }  // namespace

@@ -102,6 +102,31 @@ TEST(NearPlaces, OfARollerAreTheLeastDistancesOfItsCentreFromTheCam) {
   EXPECT_GT(seen, 100);
 }
 
+// As drawings have them: parts of one boundary are much shorter than those of the other.
+TEST(NearPlaces, DoNotDependOnHowManyArcsACircleIsDividedInto) {
+  const Boundary cam = wavy_cam();
+  constexpr int kArcs = 180;
+  const Curve circle = *make_circle(Vector2d(0.0071, -0.0029), 0.0043);
+  std::vector<SpanPtr> arcs;
+  for (int k = 0; k < kArcs; ++k) {
+    arcs.push_back(conic_span(circle, 2 * kPi * k / kArcs, 2 * kPi * (k + 1) / kArcs));
+  }
+  const Boundary whole = boundary_of(circle, 1);
+  const Boundary divided = *Boundary::make(arcs, true, 1e-9);
+  const double reach = 0.0083;
+  std::size_t seen = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Pose<double> X_WC{Rotation<double>::from_angle(0.17 * i), Vector2d(0.3, -0.1)};
+    const Pose<double> X_WR{Rotation<double>::from_angle(-0.29 * i),
+                            Vector2d(0.3, -0.1) + (0.037 + 1.3e-5 * i) * unit_vector(0.7 * i)};
+    const std::vector<double> expected = gaps_of(near_places(cam, X_WC, whole, X_WR, reach));
+    expect_same(gaps_of(near_places(cam, X_WC, divided, X_WR, reach)), expected, reach);
+    expect_same(gaps_of(near_places(divided, X_WR, cam, X_WC, reach)), expected, reach);
+    seen += expected.size();
+  }
+  EXPECT_GT(seen, 100U);
+}
+
 TEST(NearPlaces, OfAFlatFaceAreTheTopsOfTheCam) {
   const Boundary cam = wavy_cam();
   const Boundary face = boundary_of(*make_line(Vector2d(0, 0.043), Vector2d(0, -1)), 1);

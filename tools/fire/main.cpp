@@ -54,6 +54,7 @@ struct Options {
   bool print = false;
   bool shrink = true;
   unsigned patience = 20;
+  double shrinking = 60;  // seconds
   std::uint64_t seed = 1;
   long first = 0;
   long count = 1000;
@@ -133,14 +134,20 @@ struct Tally {
   std::map<std::string, long> passed;  // by remark
 };
 
-// Prints the reduced case as a profile; its number identifies the original one.
+// Prints the reduced case as a profile; its number identifies the original one. A case without an end takes
+// all its processor time at every trial, so the reduction ends after some time.
 void print_sketch(SketchKind kind, long number, const Sketch& sketch, const Failure& failure,
                   const Options& options) {
-  const Sketch small =
-      options.shrink && (options.law != "truth" || sketch.twin.empty())
-          ? shrink(sketch,
-                   [&](const Sketch& smaller) { return try_rows(smaller, options).law == failure.law; })
-          : sketch;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(options.shrinking);
+  const auto still_fails = [&](const Sketch& smaller) {
+    return Clock::now() < end && try_rows(smaller, options).law == failure.law;
+  };
+  const bool shrinks = options.shrink && (options.law != "truth" || sketch.twin.empty());
+  const Sketch small = shrinks ? shrink(sketch, still_fails) : sketch;
+  if (shrinks && Clock::now() >= end) {
+    fmt::print("# not made smaller after {} seconds\n", options.shrinking);
+  }
   fmt::print("{}\n", profile_of(small, fmt::format("{} {}: {}", name_of(kind), number, failure.law)));
 }
 
@@ -232,6 +239,9 @@ int start(int argc, char** argv) {
   app.add_flag("--print", options.print, "print the profiles only");
   app.add_flag("!--whole-cases", options.shrink, "print failing mechanisms as they are, not made small");
   app.add_option("--patience", options.patience, "seconds of processor time that a case may take");
+  app.add_option("--shrinking", options.shrinking,
+                 "seconds that making a failing mechanism small may take; 60 unless given")
+      ->check(CLI::NonNegativeNumber);
   CLI11_PARSE(app, argc, argv);
   if (options.seconds > 0 && count->count() == 0) {
     options.count = std::numeric_limits<long>::max();

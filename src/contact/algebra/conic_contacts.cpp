@@ -4,11 +4,13 @@
 #include "higherpair/contact/separation.hpp"
 #include "higherpair/contact/tolerances.hpp"
 #include "higherpair/geometry/curve_queries.hpp"
+#include "higherpair/numeric/special_values.hpp"
 #include "tangency.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -117,12 +119,19 @@ Polynomial without_parallel_axes(const TangencyProblem& problem, Polynomial poly
   return polynomial;
 }
 
+Polynomial condition_of(const TangencyProblem& problem) {
+  return without_parallel_axes(problem, contact_polynomial(problem.first, problem.second, problem.motion));
+}
+
+RootsAsked roots_asked(const TangencyProblem& problem) {
+  return problem.motion.turns ? RootsAsked::kOfUnitSize : RootsAsked::kReal;
+}
+
 // All tangencies, including those on the wrong branches of hyperbolas; none if every q satisfies the
 // condition.
-std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& problem) {
+std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& problem,
+                                                     const Polynomial& polynomial) {
   std::vector<Tangency> found;
-  const Polynomial polynomial =
-      without_parallel_axes(problem, contact_polynomial(problem.first, problem.second, problem.motion));
   const PlacedCurve<double>& first = problem.first_W;
   const PlacedCurve<double>& second = problem.second_at_0;
   if (always_tangent(problem, polynomial)) {
@@ -138,8 +147,7 @@ std::optional<std::vector<Tangency>> find_tangencies(const TangencyProblem& prob
     }
     return found;
   }
-  const RootsAsked asked = problem.motion.turns ? RootsAsked::kOfUnitSize : RootsAsked::kReal;
-  for (const Complex<Extended>& root : roots_of(polynomial, asked)) {
+  for (const Complex<Extended>& root : roots_of(polynomial, roots_asked(problem))) {
     if (const auto at = real_coordinate(root, problem.motion.turns)) {
       for (const Tangency& tangency : tangencies_at(problem, *at)) {
         add(problem, tangency, found);
@@ -230,14 +238,122 @@ struct Finder {
   }
 };
 
+bool is_pair(const ContactPair& pair) {
+  const bool lines = is_line(pair.curve1) && is_line(pair.curve2);
+  const bool points = is_point(pair.curve1) && is_point(pair.curve2);
+  return !lines && !points;
+}
+
+CurveContacts sorted(std::vector<CurveContact> contacts) {
+  std::sort(contacts.begin(), contacts.end(),
+            [](const CurveContact& a, const CurveContact& b) { return a.q < b.q; });
+  return {ContactsStatus::kComplete, std::move(contacts)};
+}
+
+CurveContacts list_all(const ContactPair& pair, double u, const TangencyProblem& problem,
+                       const Polynomial& polynomial) {
+  const auto found = find_tangencies(problem, polynomial);
+  if (!found) {
+    return {ContactsStatus::kTangentAtInfinity, {}};
+  }
+  const Finder finder{pair, problem, u};
+  std::vector<CurveContact> contacts;
+  for (const Tangency& tangency : *found) {
+    if (finder.on_branches(tangency)) {
+      contacts.push_back(finder.contact(tangency));
+    }
+  }
+  return sorted(std::move(contacts));
+}
+
+// Two convex conics near a rough root, where they touch if they neither overlap nor are apart.
+class RoughContact {
+public:
+  RoughContact(const ContactPair& pair, double u, const TangencyProblem& problem, double q)
+      : pair_(pair), u_(u), problem_(problem), q_(q), here_(separation_at(q)) {}
+
+  // Whether they do not touch within rounding of the root.
+  [[nodiscard]] bool is_clear() const {
+    if (here_.gap == -kInf) {  // their asymptotes cross
+      return pair_.motion2.turns && separation_at(q_ + kClearTurn).gap == -kInf &&
+             separation_at(q_ - kClearTurn).gap == -kInf;
+    }
+    double size = problem_.length;
+    for (const Curve& curve : {pair_.curve1, pair_.curve2}) {
+      size = curve.q == 0 ? size : std::max({size, semi_axes(curve)[0], semi_axes(curve)[1]});
+    }
+    return std::abs(here_.gap) > kClearGap * size;
+  }
+
+  // The contact, if they touch far from a limit and from infinity.
+  [[nodiscard]] std::optional<CurveContact> contact() const {
+    if (!(std::abs(here_.gap) <= kTouching * problem_.length)) {
+      return std::nullopt;
+    }
+    const PlacedCurve<double> first = place(pair_.curve1, pose_at(pair_.motion1, u_));
+    const Vector2d v_W = velocity_per_q(pair_.motion2, support_point(first, here_.n_W).p_W);
+    const double gap_q = here_.n_W.dot(v_W);
+    const int branch = gap_q > 0 ? 1 : -1;
+    const ContactResult solved = solve_contact(pair_, u_, q_, here_.n_W, branch);
+    const double unit = pair_.motion2.turns ? 1 : problem_.length;
+    const double far = (solved.at.p1_W - problem_.origin_W).norm();
+    if (!(std::abs(gap_q) > kClearlyMoves * v_W.norm()) || solved.status != ContactStatus::kOk ||
+        !(std::abs(solved.at.q - q_) <= kTouching * unit) || !(far <= kClearlyFinite * problem_.length)) {
+      return std::nullopt;
+    }
+    CurveContact contact;
+    contact.u = u_;
+    contact.q = pair_.motion2.turns ? principal_angle(solved.at.q) : solved.at.q;
+    contact.p_W = solved.at.p1_W;
+    contact.n_W = solved.at.n_W;
+    contact.opposed = contact.free = true;
+    contact.branch = branch;
+    return contact;
+  }
+
+private:
+  [[nodiscard]] Separation separation_at(double q) const {
+    return separation(pair_.curve1, pose_at(pair_.motion1, u_), pair_.curve2, pose_at(pair_.motion2, q),
+                      kFineGap * problem_.length);
+  }
+
+  const ContactPair& pair_;
+  double u_;
+  const TangencyProblem& problem_;
+  double q_;
+  Separation here_;
+};
+
+// The free contacts at rough roots; none if a rough root is not sufficient to tell.
+std::optional<std::vector<CurveContact>> rough_contacts(const ContactPair& pair, double u,
+                                                        const TangencyProblem& problem,
+                                                        const Polynomial& polynomial) {
+  const auto roots = simple_roots_of(polynomial, roots_asked(problem));
+  if (!roots) {
+    return std::nullopt;
+  }
+  std::vector<CurveContact> contacts;
+  for (const Complex<long double>& root : *roots) {
+    const bool turns = problem.motion.turns;
+    const auto q = static_cast<double>(turns ? std::atan2(root.im, root.re) : root.re * problem.length);
+    const RoughContact rough(pair, u, problem, q);
+    if (rough.is_clear()) {
+      continue;
+    }
+    const auto contact = rough.contact();
+    if (!contact) {
+      return std::nullopt;
+    }
+    contacts.push_back(*contact);
+  }
+  return contacts;
+}
+
 }  // namespace
 
 CurveContacts find_curve_contacts(const ContactPair& pair, double u) {
-  CurveContacts result;
-  const bool lines = is_line(pair.curve1) && is_line(pair.curve2);
-  const bool points = is_point(pair.curve1) && is_point(pair.curve2);
-  if (lines || points) {
-    return result;
+  if (!is_pair(pair)) {
+    return {};
   }
   if (!is_algebraic(pair)) {
     return list_support_contacts(pair, u);
@@ -245,25 +361,24 @@ CurveContacts find_curve_contacts(const ContactPair& pair, double u) {
   const TangencyProblem problem = make_problem(pair, u);
   if (is_independent(pair, u, problem.length)) {
     const Coordinate any{Extended(problem.motion.turns ? 1 : 0), Extended(0)};
-    result.status = tangencies_at(problem, any).empty() ? ContactsStatus::kTouchesNowhere
-                                                        : ContactsStatus::kTouchesEverywhere;
-    return result;
+    const bool touches = !tangencies_at(problem, any).empty();
+    return {touches ? ContactsStatus::kTouchesEverywhere : ContactsStatus::kTouchesNowhere, {}};
   }
-  const auto found = find_tangencies(problem);
-  if (!found) {
-    result.status = ContactsStatus::kTangentAtInfinity;
-    return result;
+  return list_all(pair, u, problem, condition_of(problem));
+}
+
+CurveContacts find_free_contacts(const ContactPair& pair, double u) {
+  const bool conics = is_algebraic(pair) && is_conic(pair.curve1) && is_conic(pair.curve2);
+  if (!conics || always_free(pair.curve1, pair.curve2) != true) {
+    return find_curve_contacts(pair, u);
   }
-  const Finder finder{pair, problem, u};
-  for (const Tangency& tangency : *found) {
-    if (finder.on_branches(tangency)) {
-      result.contacts.push_back(finder.contact(tangency));
-    }
+  const TangencyProblem problem = make_problem(pair, u);
+  const Polynomial polynomial = condition_of(problem);
+  if (is_independent(pair, u, problem.length) || always_tangent(problem, polynomial)) {
+    return find_curve_contacts(pair, u);
   }
-  std::sort(result.contacts.begin(), result.contacts.end(),
-            [](const CurveContact& a, const CurveContact& b) { return a.q < b.q; });
-  result.status = ContactsStatus::kComplete;
-  return result;
+  auto contacts = rough_contacts(pair, u, problem, polynomial);
+  return contacts ? sorted(*std::move(contacts)) : list_all(pair, u, problem, polynomial);
 }
 
 std::string_view describe(ContactsStatus status) {

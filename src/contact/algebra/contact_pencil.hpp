@@ -150,6 +150,9 @@ template <class T>
 [[nodiscard]] ComplexPolynomial<T> operator*(const ComplexPolynomial<T>& a, const ComplexPolynomial<T>& b) {
   ComplexPolynomial<T> c(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].re == T(0) && a[i].im == T(0)) {  // most coefficients of a constant
+      continue;
+    }
     for (std::size_t j = 0; j < b.size(); ++j) {
       c[i + j] += a[i] * b[j];
     }
@@ -208,10 +211,8 @@ template <class T>
   const auto& [a, b, c, d] = pencil;
   const ComplexPolynomial<T> bc = b * c;
   const ComplexPolynomial<T> ad = a * d;
-  ComplexPolynomial<T> result = sum(bc * bc, -4, a * (c * (c * c)));
-  result = sum(result, -4, d * (b * (b * b)));
-  result = sum(result, 18, ad * bc);
-  return sum(result, -27, ad * ad);
+  const ComplexPolynomial<T> cubes = sum(a * (c * (c * c)), 1, d * (b * (b * b)));
+  return sum(sum(sum(bc, 18, ad) * bc, -4, cubes), -27, ad * ad);
 }
 
 /// lᵀ p for a line and a point, one of which moves; as a polynomial in z it is multiplied by z.

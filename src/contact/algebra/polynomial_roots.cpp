@@ -103,30 +103,44 @@ void iterate(const std::vector<Complex<T>>& c, std::vector<Complex<T>>& x, const
   }
 }
 
-// The starting values, improved as far as the precision of long double allows.
-std::vector<Complex<Extended>> rough_roots(const Polynomial& c) {
-  const RoughComplexes start = starting_values(c);
+RoughComplexes rough(const Polynomial& c) {
   RoughComplexes rough_c;
   for (const auto& coefficient : c) rough_c.push_back(rough(coefficient));
+  return rough_c;
+}
+
+// The starting values, improved as far as the precision of long double allows.
+RoughComplexes rough_roots(const Polynomial& c) {
+  const RoughComplexes start = starting_values(c);
   RoughComplexes x = start;
-  iterate(rough_c, x, kRoughlyConvergedSquared, std::vector<bool>(x.size(), false));
-  std::vector<Complex<Extended>> values;
+  iterate(rough(c), x, kRoughlyConvergedSquared, std::vector<bool>(x.size(), false));
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto& [re, im] = std::isfinite(x[i].re) && std::isfinite(x[i].im) ? x[i] : start[i];
-    values.push_back({Extended(re), Extended(im)});
+    x[i] = std::isfinite(x[i].re) && std::isfinite(x[i].im) ? x[i] : start[i];
   }
-  return values;
+  return x;
+}
+
+Rough magnitude(const RoughComplex& a) {
+  return std::hypot(a.re, a.im);
 }
 
 // Radius of a disc that contains a root of p: n |p(x_i)| / (|c_n| Π |x_i - x_j|), including the rounding of
-// p(x_i).
-Rough radius_of_disc(const Polynomial& c, const std::vector<Complex<Extended>>& x, std::size_t i) {
+// p(x_i). \param rounding  of a sum of products of this type, relative to the sum of their sizes
+template <class T>
+Rough radius_of_disc(const std::vector<Complex<T>>& c, const std::vector<Complex<T>>& x, std::size_t i,
+                     Rough rounding) {
   const Rough at = magnitude(x[i]);
   Rough terms = 0, product = magnitude(c.back());
   for (std::size_t k = c.size(); k-- > 0;) terms = terms * at + magnitude(c[k]);
   for (std::size_t j = 0; j < x.size(); ++j) product *= j == i ? 1 : magnitude(x[i] - x[j]);
-  const Rough value = magnitude(evaluate(c, x[i]).first) + kRoundingOfTerms * terms;
+  const Rough value = magnitude(evaluate(c, x[i]).first) + rounding * terms;
   return static_cast<Rough>(x.size()) * value / product;
+}
+
+// Distance of a value from where roots are asked for.
+template <class T>
+Rough distance_from_asked(const Complex<T>& x, RootsAsked asked) {
+  return std::abs(asked == RootsAsked::kOfUnitSize ? magnitude(x) - 1 : rough(x).im);
 }
 
 // Which roots are proven not to be where roots are wanted: connected discs contain as many roots as discs
@@ -135,11 +149,10 @@ std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex
                                   RootsAsked asked) {
   std::vector<bool> elsewhere(x.size());
   std::vector<Rough> radii;
-  for (std::size_t i = 0; i < x.size(); ++i) radii.push_back(radius_of_disc(c, x, i));
+  for (std::size_t i = 0; i < x.size(); ++i) radii.push_back(radius_of_disc(c, x, i, kRoundingOfTerms));
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Rough at = magnitude(x[i]);
-    const Rough off = asked == RootsAsked::kOfUnitSize ? std::abs(at - 1) : std::abs(to_long_double(x[i].im));
-    elsewhere[i] = off > radii[i] + kNearbyRoots * (1 + at);  // false for NaN
+    const Rough nearby = radii[i] + kNearbyRoots * (1 + magnitude(x[i]));
+    elsewhere[i] = distance_from_asked(x[i], asked) > nearby;  // false for NaN
   }
   for (bool changed = true; changed;) {
     changed = false;
@@ -154,9 +167,13 @@ std::vector<bool> lying_elsewhere(const Polynomial& c, const std::vector<Complex
   return elsewhere;
 }
 
-}  // namespace
+// Without the coefficients at both ends that count as 0; `zeros` is the number of those at the lower end.
+struct Trimmed {
+  Polynomial polynomial;
+  std::size_t zeros = 0;
+};
 
-std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsked asked) {
+Trimmed trimmed(const Polynomial& coefficients) {
   long double largest = 0;
   for (const auto& coefficient : coefficients) {
     largest = std::max(largest, magnitude(coefficient));
@@ -169,11 +186,45 @@ std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsk
   if (first == coefficients.end()) {
     return {};
   }
-  const Polynomial trimmed(first, last);
-  std::vector<Complex<Extended>> x = rough_roots(trimmed);
-  iterate(trimmed, x, Extended(kConvergedSquared), lying_elsewhere(trimmed, x, asked));
-  x.insert(x.end(), static_cast<std::size_t>(first - coefficients.begin()), Complex<Extended>{});
+  return {Polynomial(first, last), static_cast<std::size_t>(first - coefficients.begin())};
+}
+
+}  // namespace
+
+std::vector<Complex<Extended>> roots_of(const Polynomial& coefficients, RootsAsked asked) {
+  const auto [c, zeros] = trimmed(coefficients);
+  if (c.empty()) {
+    return {};
+  }
+  std::vector<Complex<Extended>> x;
+  for (const auto& [re, im] : rough_roots(c)) x.push_back({Extended(re), Extended(im)});
+  iterate(c, x, Extended(kConvergedSquared), lying_elsewhere(c, x, asked));
+  x.insert(x.end(), zeros, Complex<Extended>{});
   return x;
+}
+
+std::optional<std::vector<Complex<long double>>> simple_roots_of(const Polynomial& coefficients,
+                                                                 RootsAsked asked) {
+  const auto [extended_c, zeros] = trimmed(coefficients);
+  if (extended_c.empty() || (zeros > 0 && asked == RootsAsked::kReal)) {
+    return std::nullopt;
+  }
+  const RoughComplexes c = rough(extended_c), x = rough_roots(extended_c);
+  std::vector<Rough> radii;
+  for (std::size_t i = 0; i < x.size(); ++i) radii.push_back(radius_of_disc(c, x, i, kRoughRounding));
+  RoughComplexes found;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Rough off = distance_from_asked(x[i], asked), nearby = kNearbyRoots * (1 + magnitude(x[i]));
+    if (off > radii[i] + nearby) continue;
+    // A root whose mirror image would be in the same disc is its own mirror image.
+    bool alone = off <= radii[i] && radii[i] <= kSharpRoot * (1 + magnitude(x[i]));
+    for (std::size_t j = 0; j < x.size() && alone; ++j) {
+      alone = j == i || magnitude(x[i] - x[j]) > radii[i] + radii[j] + nearby;
+    }
+    if (!alone) return std::nullopt;  // also for NaN
+    found.push_back(x[i]);
+  }
+  return found;
 }
 
 void divide_out(Polynomial& coefficients, const Complex<Extended>& root) {

@@ -22,7 +22,7 @@ FindResult ListedContacts::find(double q, int direction, bool from_overlap) {
   const ContactPair& pair = pair_;
   const double u = u_;
   if (!list_) {
-    list_ = find_curve_contacts(pair, u);
+    list_ = find_free_contacts(pair, u);
   }
   if (list_->status == ContactsStatus::kTangentAtInfinity) {
     return {FindStatus::kUnbounded, {}};

@@ -11,9 +11,9 @@ namespace higherpair {
 /// bodies instead of that of the joints.
 [[nodiscard]] double size_at(const ContactPair& pair, double u, double q);
 
-/// Answers find_contact from the list of all contacts: for pairs without a safe step length, and where the
-/// march of find_contact gets stuck. The list is made on first use and kept: it is the same for every start
-/// and sense, and costs more than all the rest.
+/// Answers find_contact from the list of all free contacts: for pairs without a safe step length, and where
+/// the march of find_contact gets stuck. The list is made on first use and kept: it is the same for every
+/// start and sense, and costs more than all the rest.
 class ListedContacts {
 public:
   ListedContacts(const ContactPair& pair, double u) : pair_(pair), u_(u) {}

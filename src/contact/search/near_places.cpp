@@ -13,6 +13,8 @@
 namespace higherpair {
 namespace {
 
+constexpr double kMuchLongerPart = 4;  // than the other one, for a closer look at its normals
+
 std::optional<NearPlace> common_normal_near(const Boundary& boundary1, const Pose<double>& X_W1,
                                             const Boundary& boundary2, const Pose<double>& X_W2,
                                             const BoundaryPlace& place1, const BoundaryPlace& place2) {
@@ -80,9 +82,12 @@ void add_ends(const EndOver& over, double reach, std::vector<NearPlace>& places)
   }
 }
 
-// A chord between two neighbouring samples, in the frame of body 1.
-struct Chord {
+// A part between two neighbouring samples, in the frame of body 1.
+struct Part {
+  const Boundary& boundary;
+  const Pose<double>& X_1B;
   Feature from, to;
+  NormalCone normals;
 
   [[nodiscard]] Vector2d middle() const { return (from.at + to.at) / 2; }
   [[nodiscard]] double length() const { return (to.at - from.at).norm(); }
@@ -93,11 +98,41 @@ struct Chord {
   }
 };
 
-// Finds the pairs of parts of two outlines that may have points with a common normal, at most `reach` apart.
+// Whether the line between points of two parts may be along their normal, which is in this cone: where it
+// turns within the cone, part of the distance counts as across it.
+bool may_be_along(const NormalCone& normals, const Part& a, const Part& b) {
+  const Vector2d apart = b.middle() - a.middle();
+  const double lengths = a.length() + b.length();
+  return std::abs(cross(normals.middle, apart)) <=
+         (0.5 + kSlackOfPart) * lengths + normals.chord * apart.norm();
+}
+
+// A part that is much longer than the other one faces it with a piece only, whose normals turn less. That
+// piece is around the point opposite the shorter part; its curvature is allowed to be twice that of the point
+// and of the whole part.
+bool piece_may_face(const Part& longer, const Part& shorter) {
+  if (!(longer.length() > kMuchLongerPart * shorter.length())) {
+    return true;
+  }
+  const SpanPoint point = longer.boundary.at(longer.place_nearest(shorter.middle()));
+  const Vector2d n = longer.X_1B.R_WB * point.n_B;
+  const Vector2d apart = shorter.middle() - longer.X_1B * point.p_B;
+  const double along = shorter.length() + shorter.normals.chord * apart.norm() + std::abs(cross(n, apart));
+  const double kappa = std::max(std::abs(point.kappa), 2 * longer.normals.chord / longer.length());
+  return may_be_opposed(shorter.normals, {n, 2 * kappa * along}, {});
+}
+
+// Finds the pairs of parts of two boundaries that may have points with a common normal, at most `reach`
+// apart.
 class FacingParts {
 public:
-  FacingParts(const Outline& one, const Outline& two, const Pose<double>& X_12, double reach)
-      : one_(one), two_(two), X_12_(X_12), reach_(reach) {}
+  FacingParts(const Boundary& one, const Boundary& two, const Pose<double>& X_12, double reach)
+      : boundary1_(one),
+        boundary2_(two),
+        one_(outline_of(one)),
+        two_(outline_of(two)),
+        X_12_(X_12),
+        reach_(reach) {}
 
   /// Calls f with a place on each part.
   template <class F>
@@ -126,23 +161,23 @@ private:
     if (!may_be_opposed(normals1, normals2, X_12_.R_WB)) {
       return;
     }
-    const Chord a{one_.polyline().from(i), one_.polyline().to(i)};
-    Chord b{two_.polyline().from(k), two_.polyline().to(k)};
+    const Part a{boundary1_, X_11_, one_.polyline().from(i), one_.polyline().to(i), normals1};
+    Part b{boundary2_, X_12_, two_.polyline().from(k), two_.polyline().to(k), normals2};
     b.from.at = X_12_ * b.from.at;
     b.to.at = X_12_ * b.to.at;
-    const double lengths = a.length() + b.length();
-    const Vector2d apart = b.middle() - a.middle();
-    // Within the cones of normals the tangent turns, so that part of the offset along the normal counts along
-    // it.
-    const double turned = normals1.chord + normals2.chord;
-    const double along = std::abs(apart.dot(perp(normals1.middle)));
-    if (apart.norm() <= reach_ + lengths && along <= (0.5 + kSlackOfPart) * lengths + turned * apart.norm()) {
+    b.normals.middle = X_12_.R_WB * b.normals.middle;
+    if ((b.middle() - a.middle()).norm() <= reach_ + a.length() + b.length() &&
+        may_be_along(a.normals, a, b) && may_be_along(b.normals, a, b) && piece_may_face(a, b) &&
+        piece_may_face(b, a)) {
       f(a.place_nearest(b.middle()), b.place_nearest(a.middle()));
     }
   }
 
+  const Boundary& boundary1_;
+  const Boundary& boundary2_;
   const Outline& one_;
   const Outline& two_;
+  const Pose<double> X_11_;
   const Pose<double>& X_12_;
   double reach_;
 };
@@ -154,7 +189,7 @@ std::vector<NearPlace> near_places(const Boundary& boundary1, const Pose<double>
   const Pose<double> X_12 = X_W1.inverse_times(X_W2);
   const double same = kSameNearPlace * (boundary1.size() + boundary2.size());
   std::vector<NearPlace> places;
-  const FacingParts facing(outline_of(boundary1), outline_of(boundary2), X_12, reach);
+  const FacingParts facing(boundary1, boundary2, X_12, reach);
   facing.for_each([&](const BoundaryPlace& place1, const BoundaryPlace& place2) {
     const auto found = common_normal_near(boundary1, X_W1, boundary2, X_W2, place1, place2);
     if (!found || std::abs(found->at.gap()) > reach) {

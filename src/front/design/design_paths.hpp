@@ -33,9 +33,6 @@ struct PathMiss {
   }
 };
 
-/// The first row from which the driver turns back by more than rounding; none where it goes one way.
-[[nodiscard]] std::optional<std::size_t> turning_row(std::span<const double> positions);
-
 /// The place of the path nearest to each of its target points: in the given row if the path is timed, else
 /// anywhere on the path, in the order of the points if they have one. Places between rows are found to within
 /// rounding. They are places of the path itself even where it is free to be placed elsewhere; placement_of

@@ -3,6 +3,7 @@
 #include "design_candidates.hpp"
 #include "front/analysis_impl.hpp"
 #include "higherpair/numeric/contains.hpp"
+#include "nearest_rows.hpp"
 
 #include <cmath>
 #include <tuple>

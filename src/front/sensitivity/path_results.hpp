@@ -11,6 +11,8 @@
 
 namespace higherpair {
 
+class SampledColumns;
+
 /// A place of an extreme on the path: there the result is `weight` times the column.
 struct ExtremePlace {
   PathPlace place;
@@ -55,14 +57,13 @@ public:
 
 private:
   struct Extreme;
-  class Sampled;
 
   void take_rows(Analysis& analysis, std::span<const Measure> measures);
   void take_extremes(std::span<const Measure> measures, bool ties);
   [[nodiscard]] PathResult extreme_result(const Measure& measure, std::size_t column,
-                                          const std::vector<PathRange>& ranges, Sampled* sampled);
+                                          const std::vector<PathRange>& ranges, SampledColumns* sampled);
   [[nodiscard]] Extreme extreme(std::size_t column, double sign, const std::optional<PathExtreme>& found,
-                                Sampled* sampled);
+                                SampledColumns* sampled);
   [[nodiscard]] bool jumps_at(std::size_t column, const PathExtreme& found, double spread);
 
   PathColumns& columns_;

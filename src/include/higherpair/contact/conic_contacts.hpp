@@ -51,6 +51,10 @@ struct CurveContacts {
 /// Cost: some 10 ms (two conics); not meant for inner loops.
 [[nodiscard]] CurveContacts find_curve_contacts(const ContactPair& pair, double u);
 
+/// The same list as far as contacts are free. Some times faster for two convex conics whose contacts are not
+/// close to each other: then roots to the precision of doubles are sufficient.
+[[nodiscard]] CurveContacts find_free_contacts(const ContactPair& pair, double u);
+
 /// The status as a sentence.
 [[nodiscard]] std::string_view describe(ContactsStatus status);
 
