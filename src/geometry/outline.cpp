@@ -33,14 +33,13 @@ NormalCone cone_around(std::span<const NormalCone> cones) {
   return all;
 }
 
-// The normals between two neighbouring samples.
+}  // namespace
+
 NormalCone cone_between(const Vector2d& a, const Vector2d& b) {
   NormalCone cone = cone_around(std::array{NormalCone{a, 0}, NormalCone{b, 0}});
   cone.chord *= 1 + kSlackOfNormals;
   return cone;
 }
-
-}  // namespace
 
 Outline::Outline(const std::vector<Boundary::Sample>& samples, std::vector<Polyline> solids)
     : polyline_(points_of(samples)), solids_(std::move(solids)) {

@@ -8,12 +8,14 @@
 #include "higherpair/geometry/outline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace higherpair {
 namespace {
 
 constexpr double kMuchLongerPart = 4;  // than the other one, for a closer look at its normals
+constexpr int kMostHalvings = 8;
 
 std::optional<NearPlace> common_normal_near(const Boundary& boundary1, const Pose<double>& X_W1,
                                             const Boundary& boundary2, const Pose<double>& X_W2,
@@ -107,19 +109,35 @@ bool may_be_along(const NormalCone& normals, const Part& a, const Part& b) {
          (0.5 + kSlackOfPart) * lengths + normals.chord * apart.norm();
 }
 
-// A part that is much longer than the other one faces it with a piece only, whose normals turn less. That
-// piece is around the point opposite the shorter part; its curvature is allowed to be twice that of the point
-// and of the whole part.
-bool piece_may_face(const Part& longer, const Part& shorter) {
-  if (!(longer.length() > kMuchLongerPart * shorter.length())) {
+// The normals within either half of a part turn less than those of the whole.
+std::array<Part, 2> halves_of(const Part& part) {
+  const BoundaryPlace place = between(part.from, part.to, 0.5);
+  const SpanPoint middle = part.boundary.at(place);
+  const Feature at{part.X_1B * middle.p_B, place};
+  const auto normals = [&](const Feature& end) {
+    const NormalCone cone = cone_between(part.boundary.at(end.place).n_B, middle.n_B);
+    return NormalCone{part.X_1B.R_WB * cone.middle, cone.chord};
+  };
+  return {Part{part.boundary, part.X_1B, part.from, at, normals(part.from)},
+          Part{part.boundary, part.X_1B, at, part.to, normals(part.to)}};
+}
+
+// Whether two parts may have points with a common normal, at most `reach` apart. Of a part that is much
+// longer than the other one the halves are looked at, and theirs.
+bool may_face(const Part& a, const Part& b, double reach, int halvings = kMostHalvings) {
+  if (!may_be_opposed(a.normals, b.normals, {}) ||
+      (b.middle() - a.middle()).norm() > reach + a.length() + b.length() || !may_be_along(a.normals, a, b) ||
+      !may_be_along(b.normals, a, b)) {
+    return false;
+  }
+  const bool first = a.length() > kMuchLongerPart * b.length();
+  if (halvings == 0 || (!first && b.length() <= kMuchLongerPart * a.length())) {
     return true;
   }
-  const SpanPoint point = longer.boundary.at(longer.place_nearest(shorter.middle()));
-  const Vector2d n = longer.X_1B.R_WB * point.n_B;
-  const Vector2d apart = shorter.middle() - longer.X_1B * point.p_B;
-  const double along = shorter.length() + shorter.normals.chord * apart.norm() + std::abs(cross(n, apart));
-  const double kappa = std::max(std::abs(point.kappa), 2 * longer.normals.chord / longer.length());
-  return may_be_opposed(shorter.normals, {n, 2 * kappa * along}, {});
+  const std::array<Part, 2> halves = halves_of(first ? a : b);
+  return std::any_of(halves.begin(), halves.end(), [&](const Part& half) {
+    return first ? may_face(half, b, reach, halvings - 1) : may_face(a, half, reach, halvings - 1);
+  });
 }
 
 // Finds the pairs of parts of two boundaries that may have points with a common normal, at most `reach`
@@ -157,18 +175,15 @@ private:
 
   template <class F>
   void visit(std::size_t i, std::size_t k, const F& f) const {
-    const NormalCone &normals1 = one_.normals_of_part(i), &normals2 = two_.normals_of_part(k);
-    if (!may_be_opposed(normals1, normals2, X_12_.R_WB)) {
+    const Part a{boundary1_, X_11_, one_.polyline().from(i), one_.polyline().to(i), one_.normals_of_part(i)};
+    Part b{boundary2_, X_12_, two_.polyline().from(k), two_.polyline().to(k), two_.normals_of_part(k)};
+    if (!may_be_opposed(a.normals, b.normals, X_12_.R_WB)) {
       return;
     }
-    const Part a{boundary1_, X_11_, one_.polyline().from(i), one_.polyline().to(i), normals1};
-    Part b{boundary2_, X_12_, two_.polyline().from(k), two_.polyline().to(k), normals2};
     b.from.at = X_12_ * b.from.at;
     b.to.at = X_12_ * b.to.at;
     b.normals.middle = X_12_.R_WB * b.normals.middle;
-    if ((b.middle() - a.middle()).norm() <= reach_ + a.length() + b.length() &&
-        may_be_along(a.normals, a, b) && may_be_along(b.normals, a, b) && piece_may_face(a, b) &&
-        piece_may_face(b, a)) {
+    if (may_face(a, b, reach_)) {
       f(a.place_nearest(b.middle()), b.place_nearest(a.middle()));
     }
   }

@@ -13,6 +13,9 @@ struct NormalCone {
   double chord = 2;
 };
 
+/// The normals of a span between two places at which they are a and b, at most from one sample to the next.
+[[nodiscard]] NormalCone cone_between(const Vector2d& a, const Vector2d& b);
+
 /// Whether vectors of two cones may be opposed to each other, the second one being turned by R_12.
 [[nodiscard]] inline bool may_be_opposed(const NormalCone& a, const NormalCone& b,
                                          const Rotation<double>& R_12) {
