@@ -154,7 +154,9 @@ const context = await chromium.launchPersistentContext(userData, {
   viewport: { width: 1440, height: 900 },
   reducedMotion: "reduce",
   args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync"],
+    "--disable-component-update", "--disable-sync",
+    // One process draws all pages, one after another: starting one for each takes longer than many a page.
+    "--renderer-process-limit=1", "--disable-site-isolation-trials"],
 });
 const all = [];
 try {
