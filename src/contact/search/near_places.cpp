@@ -122,11 +122,10 @@ std::array<Part, 2> halves_of(const Part& part) {
           Part{part.boundary, part.X_1B, at, part.to, normals(part.to)}};
 }
 
-// Whether two parts may have points with a common normal, at most `reach` apart. Of a part that is much
-// longer than the other one the halves are looked at, and theirs.
+// Whether two parts, whose normals may be opposed, may have points with a common normal, at most `reach`
+// apart. Of a part that is much longer than the other one the halves are looked at, and theirs.
 bool may_face(const Part& a, const Part& b, double reach, int halvings = kMostHalvings) {
-  if (!may_be_opposed(a.normals, b.normals, {}) ||
-      (b.middle() - a.middle()).norm() > reach + a.length() + b.length() || !may_be_along(a.normals, a, b) ||
+  if ((b.middle() - a.middle()).norm() > reach + a.length() + b.length() || !may_be_along(a.normals, a, b) ||
       !may_be_along(b.normals, a, b)) {
     return false;
   }
@@ -136,7 +135,8 @@ bool may_face(const Part& a, const Part& b, double reach, int halvings = kMostHa
   }
   const std::array<Part, 2> halves = halves_of(first ? a : b);
   return std::any_of(halves.begin(), halves.end(), [&](const Part& half) {
-    return first ? may_face(half, b, reach, halvings - 1) : may_face(a, half, reach, halvings - 1);
+    const Part &one = first ? half : a, &two = first ? b : half;
+    return may_be_opposed(one.normals, two.normals, {}) && may_face(one, two, reach, halvings - 1);
   });
 }
 
@@ -175,14 +175,18 @@ private:
 
   template <class F>
   void visit(std::size_t i, std::size_t k, const F& f) const {
-    const Part a{boundary1_, X_11_, one_.polyline().from(i), one_.polyline().to(i), one_.normals_of_part(i)};
-    Part b{boundary2_, X_12_, two_.polyline().from(k), two_.polyline().to(k), two_.normals_of_part(k)};
-    if (!may_be_opposed(a.normals, b.normals, X_12_.R_WB)) {
+    const NormalCone& normals1 = one_.normals_of_part(i);
+    const NormalCone& normals2 = two_.normals_of_part(k);
+    if (!may_be_opposed(normals1, normals2, X_12_.R_WB)) {
       return;
     }
-    b.from.at = X_12_ * b.from.at;
-    b.to.at = X_12_ * b.to.at;
-    b.normals.middle = X_12_.R_WB * b.normals.middle;
+    const auto moved = [&](const Feature& of2) { return Feature{X_12_ * of2.at, of2.place}; };
+    const Part a{boundary1_, X_11_, one_.polyline().from(i), one_.polyline().to(i), normals1};
+    const Part b{boundary2_,
+                 X_12_,
+                 moved(two_.polyline().from(k)),
+                 moved(two_.polyline().to(k)),
+                 {X_12_.R_WB * normals2.middle, normals2.chord}};
     if (may_face(a, b, reach_)) {
       f(a.place_nearest(b.middle()), b.place_nearest(a.middle()));
     }
