@@ -295,10 +295,10 @@ public:
     const double gap_q = here_.n_W.dot(v_W);
     const int branch = gap_q > 0 ? 1 : -1;
     const ContactResult solved = solve_contact(pair_, u_, q_, here_.n_W, branch);
-    const double unit = pair_.motion2.turns ? 1 : problem_.length;
     const double far = (solved.at.p1_W - problem_.origin_W).norm();
     if (!(std::abs(gap_q) > kClearlyMoves * v_W.norm()) || solved.status != ContactStatus::kOk ||
-        !(std::abs(solved.at.q - q_) <= kTouching * unit) || !(far <= kClearlyFinite * problem_.length)) {
+        !(coordinate_distance(pair_.motion2, problem_.length, solved.at.q, q_) <= kTouching) ||
+        !(far <= kClearlyFinite * problem_.length)) {
       return std::nullopt;
     }
     CurveContact contact;
@@ -328,7 +328,8 @@ private:
 std::optional<std::vector<CurveContact>> rough_contacts(const ContactPair& pair, double u,
                                                         const TangencyProblem& problem,
                                                         const Polynomial& polynomial) {
-  const auto roots = simple_roots_of(polynomial, roots_asked(problem));
+  const auto roots =
+      always_tangent(problem, polynomial) ? std::nullopt : simple_roots_of(polynomial, roots_asked(problem));
   if (!roots) {
     return std::nullopt;
   }
@@ -373,10 +374,10 @@ CurveContacts find_free_contacts(const ContactPair& pair, double u) {
     return find_curve_contacts(pair, u);
   }
   const TangencyProblem problem = make_problem(pair, u);
-  const Polynomial polynomial = condition_of(problem);
-  if (is_independent(pair, u, problem.length) || always_tangent(problem, polynomial)) {
+  if (is_independent(pair, u, problem.length)) {
     return find_curve_contacts(pair, u);
   }
+  const Polynomial polynomial = condition_of(problem);
   auto contacts = rough_contacts(pair, u, problem, polynomial);
   return contacts ? sorted(*std::move(contacts)) : list_all(pair, u, problem, polynomial);
 }
