@@ -142,6 +142,25 @@ inline constexpr double kSameTangency = 1e-36;
 // Smaller results of the 100-digit arithmetic are noise of an exact 0.
 inline constexpr double kNoiseOfZero = 1e-30;
 
+// Roots of polynomials, in the same numbers.
+
+// Coefficients below this fraction of the largest count as 0.
+inline constexpr long double kNegligibleCoefficient = 1e-80L;
+// Rounding error of a sum of products, relative to the sum of their sizes.
+inline constexpr long double kRoundingOfTerms = 1e-95L;
+// The same in long double, and the largest radius of a disc about a root found in it that is good enough.
+inline constexpr long double kRoughRounding = 2e-17L;
+inline constexpr long double kSharpRoot = 1e-12L;
+// Largest remainder after dividing by a root, relative to the sum of the coefficients.
+inline constexpr long double kRootRest = 1e-70L;
+// Distance from the real axis or the unit circle, where roots are asked for, within which a root is refined:
+// more than callers accept.
+inline constexpr long double kNearbyRoots = 1e-3L;
+// Squares of the relative corrections that end the iteration, first in long double, then in 100 digits: roots
+// 1e-40 apart are distinct.
+inline constexpr long double kRoughlyConvergedSquared = 1e-30L;
+inline constexpr double kConvergedSquared = 1e-120;
+
 // Free contacts from rough roots. At a root the bodies touch, or are clearly apart or overlap, by this
 // fraction of the size of their curves: next to an asymptote, where normals end early (kFarthestNormal),
 // their distance is known to 1e-3 of it only.
@@ -149,26 +168,6 @@ inline constexpr double kClearGap = 1e-2;
 inline constexpr double kClearTurn = 1e-4;     // by so much asymptotes cross that clearly cross [rad]
 inline constexpr double kClearlyMoves = 1e-3;  // least |∂gap/∂q| of such a contact, relative to the lever
 inline constexpr double kClearlyFinite = 1e6;  // its farthest point, in units of the problem
-
-// Roots of polynomials, in the same numbers.
-
-// Coefficients below this fraction of the largest count as 0.
-inline constexpr long double kNegligibleCoefficient = 1e-80L;
-// Rounding error of a sum of products, relative to the sum of their sizes.
-inline constexpr long double kRoundingOfTerms = 1e-95L;
-// Largest remainder after dividing by a root, relative to the sum of the coefficients.
-inline constexpr long double kRootRest = 1e-70L;
-// Distance from the real axis or the unit circle, where roots are asked for, within which a root is refined:
-// more than callers accept.
-inline constexpr long double kNearbyRoots = 1e-3L;
-// The same rounding error in long double, and the largest radius of a disc about a rough root with which that
-// is good enough.
-inline constexpr long double kRoughRounding = 2e-17L;
-inline constexpr long double kSharpRoot = 1e-12L;
-// Squares of the relative corrections that end the iteration, first in long double, then in 100 digits: roots
-// 1e-40 apart are distinct.
-inline constexpr long double kRoughlyConvergedSquared = 1e-30L;
-inline constexpr double kConvergedSquared = 1e-120;
 
 // Certificates: a list of contacts is compared with the exact roots of the contact polynomial. Rounding may
 // shift contacts, exchange close ones, and split double and fourfold roots.
