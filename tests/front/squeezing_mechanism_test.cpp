@@ -2,7 +2,7 @@
 // the pins of a mechanism of seven bodies with a spring. The initial values are those of Hairer and Wanner,
 // Solving Ordinary Differential Equations II, section VI.9; those after 0.03 s are of the Test Set for
 // Initial Value Problem Solvers (Mazzia and Magherini, problem `andrews`), integrated numerically.
-#include "higherpair/higherpair.hpp"
+#include "front/cam_profile.hpp"
 
 #include <string>
 #include <vector>
@@ -85,12 +85,10 @@ Motion andrews_motion(const PublishedState& instant) {
       fmt::format("driver.positions=[\"{} rad\", \"{} rad\"]", kAndrewsStart.crank, instant.crank),
       fmt::format("driver.velocity=\"{} rad/s\"", instant.velocity),
       fmt::format("driver.acceleration=\"{} rad/s^2\"", instant.acceleration)};
-  const Model model =
-      Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/squeezing_mechanism.toml", overrides).value();
   RunSettings settings;
   settings.forces = true;
   settings.units = kSiUnits;
-  return model.run(settings).value();
+  return testing::shipped_model("squeezing_mechanism", overrides).run(settings).value();
 }
 
 void expect_published(const Motion& motion, const std::vector<PublishedValue>& published, double tolerance) {
