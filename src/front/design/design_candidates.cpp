@@ -20,10 +20,9 @@ DesignCandidates::DesignCandidates(const DesignSetup& setup)
   });
 }
 
-DesignRows& DesignCandidates::work_out(std::span<const double> x, int branch) {
+void DesignCandidates::work_out(std::span<const double> x, int branch) {
   work_out_rows(x, branch);
   add_quantities(x, branch);
-  return rows_;
 }
 
 void DesignCandidates::work_out_rows(std::span<const double> x, int branch) {

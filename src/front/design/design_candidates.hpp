@@ -18,8 +18,11 @@ public:
   /// \param setup  must outlive this
   explicit DesignCandidates(const DesignSetup& setup);
 
-  /// Computes the rows of the candidate x on a branch; valid until the next call.
-  [[nodiscard]] DesignRows& work_out(std::span<const double> x, int branch);
+  /// Computes the rows of the candidate x on a branch.
+  void work_out(std::span<const double> x, int branch);
+  /// Those of the last candidate.
+  [[nodiscard]] const DesignRows& rows() const { return rows_; }
+  [[nodiscard]] DesignRows& rows() { return rows_; }
 
   /// For a linkage of pins: exact derivatives of the last rows by the variables, except those of measures;
   /// else null.

@@ -81,14 +81,14 @@ public:
 
   bool differentiate(std::span<const double> x, int branch, DesignJacobian& jacobian) override {
     go_to(x, task_.keep_branch ? setup_.start_branch.value_or(0) : branch);
-    return add_gradient(setup_, candidates_, {x_, branch_, *rows_, places_}, unit_, jacobian);
+    return add_gradient(setup_, candidates_, {x_, branch_, rows(), places_}, unit_, jacobian);
   }
 
   DesignScore score(std::span<const double> x, int branch) override {
     go_to(x, branch);
     DesignScore score;
-    score.started = rows_->started;
-    score.missing = rows_->missing;
+    score.started = rows().started;
+    score.missing = rows().missing;
     for (std::size_t k = 0; k < task_.objectives.size(); ++k) {
       const DesignTask::Objective& objective = task_.objectives[k];
       const ObjectivePlace& place = setup_.objective_places[k];
@@ -101,7 +101,7 @@ public:
         }
       } else if (!objective.path()) {
         value = measured(place);
-      } else if (rows_->started) {
+      } else if (rows().started) {
         value = misses_[place.path].squaredNorm();
         if (!objective.path()->is_free()) continue;
         const PathPlacement placed = placement_of(*objective.path(), places_[place.path]);
@@ -118,25 +118,27 @@ public:
   }
 
 private:
+  [[nodiscard]] const DesignRows& rows() const { return candidates_.rows(); }
+
   // Does nothing for the same candidate again: methods ask for its values and then for its derivatives.
   void go_to(std::span<const double> x, int branch) {
-    if (rows_ != nullptr && branch == branch_ && std::equal(x.begin(), x.end(), x_.begin(), x_.end())) {
+    if (branch == branch_ && std::equal(x.begin(), x.end(), x_.begin(), x_.end())) {
       return;
     }
     x_.assign(x.begin(), x.end());
     branch_ = branch;
-    rows_ = &candidates_.work_out(x, branch);
+    candidates_.work_out(x, branch);
     places_.clear();
     for (std::size_t k = 0; k < paths_.size(); ++k) misses_of_path(*paths_[k], k);
   }
 
   void misses_of_path(const DesignTask::PointPath& path, std::size_t k) {
-    if (!rows_->started) {
+    if (!rows().started) {
       misses_[k].setConstant(miss_count(path), kMissing);
       places_.emplace_back();
       return;
     }
-    places_.push_back(nearest_places(path, *rows_, rows_->points[k], timed_rows_[k]));
+    places_.push_back(nearest_places(path, candidates_.rows(), rows().points[k], timed_rows_[k]));
     misses_[k] = misses_of(path, places_.back(), unit_);
   }
 
@@ -151,21 +153,21 @@ private:
   template <class Place>
   [[nodiscard]] double measured(const Place& place, std::size_t k = 0) const {
     const std::size_t number = setup_.quantities[place.quantity].first + k;
-    return number < rows_->measured.size() ? rows_->measured[number] : kNoValue;
+    return number < rows().measured.size() ? rows().measured[number] : kNoValue;
   }
 
   // The least sine of a transmission angle.
   [[nodiscard]] double sine_at(const ConstraintPlace& place) const {
-    return rows_->started ? rows_->transmissions[place.transmission] : kNoValue;
+    return rows().started ? rows().transmissions[place.transmission] : kNoValue;
   }
 
   void fill_constraints(Eigen::VectorXd& values) const {
     values.resize(setup_.constraints);
     Eigen::Index next = 0;
-    for (const double gap : rows_->gaps) {
+    for (const double gap : rows().gaps) {
       values(next++) = std::isfinite(gap) ? (gap + setup_.spare()) / setup_.size : 0.0;
     }
-    values(next) = rows_->missing > 0 ? rows_->missing : kGoodPath;
+    values(next) = rows().missing > 0 ? rows().missing : kGoodPath;
     const Units& units = setup_.numbers.model().units();
     for (std::size_t k = 0; k < task_.constraints.size(); ++k) {
       const DesignTask::Constraint& constraint = task_.constraints[k];
@@ -194,7 +196,6 @@ private:
   // The candidate evaluated last.
   std::vector<double> x_;
   int branch_ = 0;
-  DesignRows* rows_ = nullptr;
   std::vector<std::vector<PathMiss>> places_;  // of each path
   std::vector<Eigen::VectorXd> misses_;
 };
