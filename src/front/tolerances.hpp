@@ -148,6 +148,8 @@ inline constexpr double kDifferenceStep = 2e-4;
 inline constexpr double kDifferencesAgree = 1e-5;
 inline constexpr double kShorterDifference = 0.1;
 inline constexpr int kMostDifferenceSteps = 4;
+/// Rows of differences that do not agree have a derivative all the same if its error is below this fraction.
+inline constexpr double kDifferencesTell = 1e-3;
 /// Relative to the result: the two agree if they differ by a smaller change of it over the step, which may be
 /// rounding.
 inline constexpr double kDifferenceRounding = 1e-11;

@@ -791,6 +791,29 @@ TEST(SensitivityOfRows, OfADistanceThatIsShortBesideTheMechanismAreTheClosedForm
   EXPECT_EQ(rows, 3);
 }
 
+// A pin that is moved by y along its circle of radius r is where the crank is y/r further. At 135 and 225
+// degrees it enters and leaves a slot: there the wheel's velocity has a kink, its acceleration jumps.
+TEST(SensitivityOfRows, ByDifferencesHaveNoneAtAKinkOrJump) {
+  const Model model =
+      shipped_model("geneva_four_slots", {"driver.start=120", "driver.end=240", "driver.samples=9"});
+  const auto table = sensitivity_rows(
+      model, {"wheel.omega", "wheel.angle", "wheel.alpha"}, wanted({}, {"bodies.crank.curves.pin.at.1"}),
+      [](const SlopeTable&) {},
+      [&](const RowSlopes& row) {
+        const double r = 56.568542494923804;
+        const double omega = row.values[2], alpha = row.values[3];
+        const bool changes = row.row == 1 || row.row == 7;
+        EXPECT_EQ(std::isnan(row.slopes[2]), changes) << row.row;
+        EXPECT_EQ(std::isnan(row.slopes[3]), changes) << row.row;
+        if (!changes) {
+          EXPECT_NEAR(row.slopes[1], omega / r, 1e-9) << row.row;
+          EXPECT_NEAR(row.slopes[2], alpha / r, 1e-9) << row.row;
+        }
+        return true;
+      });
+  ASSERT_TRUE(table) << to_string(table.error());
+}
+
 // Rows compared with runs with other numbers at the same positions.
 TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
   struct Compared {

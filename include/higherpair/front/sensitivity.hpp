@@ -131,7 +131,8 @@ struct SensitivityReport {
 struct RowSlopes {
   std::int64_t row = 0;
   std::span<const double> values;  ///< one for each of SlopeTable::columns; NaN where undefined
-  /// Derivatives of all columns with respect to the first number, then to the second one, …; NaN at a kink.
+  /// Derivatives of all columns with respect to the first number, then to the second one, …; NaN at a kink or
+  /// jump.
   std::span<const double> slopes;
 };
 

@@ -9,11 +9,17 @@
 namespace higherpair {
 namespace {
 
+// The derivative of a smooth quantity, to fourth order.
+double central_slope(const std::array<double, 5>& r, double h) {
+  const double one = (r[3] - r[1]) / (2 * h), two = (r[4] - r[0]) / (4 * h);
+  return (4 * one - two) / 3;
+}
+
 // \param rounding  smaller second differences of the values are rounding
 Slope slope_of_step(const std::array<double, 5>& r, double h, double rounding) {
   Slope slope;
   const double bend = std::abs(r[3] - 2 * r[2] + r[1]), wide = std::abs(r[4] - 2 * r[2] + r[0]);
-  slope.up = slope.down = slope_beside({r[0], r[1], r[3], r[4]}, h);
+  slope.up = slope.down = central_slope(r, h);
   if (std::isnan(slope.up)) {
     slope.remark = "with another value the mechanism cannot be run all the way";
     return slope;
@@ -30,11 +36,6 @@ Slope slope_of_step(const std::array<double, 5>& r, double h, double rounding) {
 }
 
 }  // namespace
-
-double slope_beside(const std::array<double, 4>& r, double h) {
-  const double one = (r[2] - r[1]) / (2 * h), two = (r[3] - r[0]) / (4 * h);
-  return (4 * one - two) / 3;
-}
 
 void DifferenceSlope::add(const std::array<double, 5>& values, double h, double largest) {
   Slope slope = slope_of_step(values, h, kKinkRounding * largest);

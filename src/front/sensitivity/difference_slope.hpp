@@ -6,10 +6,6 @@
 
 namespace higherpair {
 
-/// The derivative of a smooth quantity, to fourth order, from its values for a number changed by -2 h, -h, h
-/// and 2 h.
-[[nodiscard]] double slope_beside(const std::array<double, 4>& values, double h);
-
 /// The derivative of a result from its values for a number changed by -2 h, -h, 0, h and 2 h; a value is NaN
 /// where there is none.
 ///

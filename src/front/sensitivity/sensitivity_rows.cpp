@@ -32,12 +32,12 @@ Result<RunSettings> settings_for_columns(const Model& model, RunSettings setting
   return tl::unexpected(columns_of(model.data(), settings, model.units()).error());
 }
 
-// The same run with one number changed by some steps to either side, row by row.
+// The same run with one number changed by -2 h, -h, h and 2 h, row by row.
 class SteppedRuns {
 public:
-  SteppedRuns(NumberModels& models, const RunSettings& settings) : h_(kDifferenceStep * models.scale()) {
+  SteppedRuns(NumberModels& models, const RunSettings& settings, double h) {
     for (const double k : {-2.0, -1.0, 1.0, 2.0}) {
-      const auto model = models.at(k * h_);
+      const auto model = models.at(k * h);
       auto analysis = model ? model->start(settings) : Result<Analysis>(tl::unexpected(model.error()));
       if (!analysis) {
         analyses_.clear();
@@ -47,23 +47,63 @@ public:
     }
   }
 
-  // Derivatives of all columns in the next row.
-  [[nodiscard]] std::vector<double> next(std::size_t columns) {
-    std::vector<double> slopes(columns, kNoValue);
-    std::array<Row, 4> rows;
-    for (std::size_t k = 0; k < analyses_.size(); ++k) {
-      if (!analyses_[k].next(rows[k])) return slopes;
-    }
-    for (std::size_t c = 0; !analyses_.empty() && c < columns; ++c) {
-      slopes[c] =
-          slope_beside({rows[0].values[c], rows[1].values[c], rows[2].values[c], rows[3].values[c]}, h_);
-    }
-    return slopes;
+  // Goes on to a row; false where one of the runs does not come to it.
+  [[nodiscard]] bool go_to(std::int64_t number) {
+    const auto comes = [&](std::size_t k) {
+      do {
+        if (!analyses_[k].next(rows_[k])) return false;
+      } while (rows_[k].number < number);
+      return true;
+    };
+    return analyses_.size() == rows_.size() && comes(0) && comes(1) && comes(2) && comes(3);
+  }
+
+  // The values of a column in that row; `unchanged` is that of the run itself.
+  [[nodiscard]] std::array<double, 5> values(std::size_t c, double unchanged) const {
+    return {rows_[0].values[c], rows_[1].values[c], unchanged, rows_[2].values[c], rows_[3].values[c]};
   }
 
 private:
-  double h_;
   std::vector<Analysis> analyses_;
+  std::array<Row, 4> rows_;
+};
+
+// Derivatives of columns by one number from differences, row by row, with shorter steps where longer ones do
+// not agree.
+class RowDifferences {
+public:
+  // \param largest  of each column: smaller changes than its rounding are none
+  RowDifferences(NumberModels& models, const RunSettings& settings, std::vector<std::size_t> columns,
+                 const std::vector<double>& largest)
+      : models_(models), settings_(settings), columns_(std::move(columns)), largest_(largest) {}
+
+  // Writes the derivatives in the next row; NaN where there is none.
+  void next(const Row& row, std::vector<double>& slopes) {
+    std::vector<DifferenceSlope> found(slopes.size());
+    std::vector<std::size_t> open = columns_;
+    double h = kDifferenceStep * models_.scale();
+    for (std::size_t k = 0; k < kMostDifferenceSteps && !open.empty(); ++k, h *= kShorterDifference) {
+      if (k == runs_.size()) runs_.emplace_back(models_, settings_, h);
+      if (!runs_[k].go_to(row.number)) continue;
+      for (const std::size_t c : open) found[c].add(runs_[k].values(c, row.values[c]), h, largest_[c]);
+      std::erase_if(open, [&](std::size_t c) { return !found[c].needs_shorter_step(); });
+    }
+    for (const std::size_t c : columns_) slopes[c] = slope_of(found[c]);
+  }
+
+private:
+  // None at a kink or jump, where no steps agree.
+  [[nodiscard]] static double slope_of(const DifferenceSlope& found) {
+    const Slope& slope = found.slope();
+    const bool told = !found.needs_shorter_step() || slope.error <= kDifferencesTell * std::abs(slope.up);
+    return slope.kind == SlopeKind::kDifferences && told ? slope.up : kNoValue;
+  }
+
+  NumberModels& models_;
+  const RunSettings& settings_;
+  std::vector<std::size_t> columns_;
+  const std::vector<double>& largest_;
+  std::vector<SteppedRuns> runs_;  // by the length of their steps
 };
 
 class RowDifferentiator {
@@ -123,18 +163,38 @@ private:
     auto models = models_by(model_, numbers_, natural_scales(*columns_));
     if (!models) return models.error();
     models_ = *std::move(models);
-    const bool arcs = std::any_of(slots_.begin(), slots_.end(), [&](std::size_t slot) {
-      return !has_exact_slope(columns_->columns()[slot]);
-    });
+    std::vector<std::size_t> arcs;
+    std::copy_if(slots_.begin(), slots_.end(), std::back_inserter(arcs),
+                 [&](std::size_t slot) { return !has_exact_slope(columns_->columns()[slot]); });
     slopes_.resize(numbers_.size());
-    runs_.resize(numbers_.size());
+    differences_.resize(numbers_.size());
     in_parallel([&](std::size_t i) {
       slopes_[i] = std::make_unique<NumberSlopes>(*columns_, *models_[i]);
       const NumberSlopes::State state = slopes_[i]->state();
-      if (state == NumberSlopes::State::kOther || (arcs && state == NumberSlopes::State::kExact)) {
-        runs_[i] = std::make_unique<SteppedRuns>(*models_[i], run_);
+      const auto& columns = state == NumberSlopes::State::kOther ? slots_ : arcs;
+      const bool needed = state == NumberSlopes::State::kOther || state == NumberSlopes::State::kExact;
+      if (needed && !columns.empty()) {
+        differences_[i] = std::make_unique<RowDifferences>(*models_[i], run_, columns, largest_);
       }
     });
+    return find_largest();
+  }
+
+  // Of all rows, for differences. Values within rounding of the column's scale are none.
+  [[nodiscard]] std::optional<Error> find_largest() {
+    for (const double rounding : rounding_) largest_.push_back(rounding / kKinkRounding);
+    if (std::none_of(differences_.begin(), differences_.end(),
+                     [](const auto& one) { return one != nullptr; })) {
+      return std::nullopt;
+    }
+    auto analysis = model_.start(run_);
+    if (!analysis) return analysis.error();
+    Row row;
+    while (!stopped() && analysis->next(row)) {
+      for (std::size_t c = 0; c < largest_.size(); ++c) {
+        largest_[c] = std::fmax(largest_[c], std::abs(row.values[c]));
+      }
+    }
     return std::nullopt;
   }
 
@@ -152,30 +212,24 @@ private:
     for (const std::size_t slot : slots_) values.push_back(row.values[slot]);
     const RatesAsked rates = rates_to_ask(*columns_, run, place);
     in_parallel([&](std::size_t i) {
-      const std::vector<double> all = slopes_at(i, run, place, rates);
+      const std::vector<double> all = slopes_at(i, run, row, place, rates);
       for (std::size_t c = 0; c < slots_.size(); ++c) slopes[i * slots_.size() + c] = all[slots_[c]];
     });
     return !stopped() && take({row.number, values, slopes});
   }
 
-  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const PathPlace& place,
-                                              RatesAsked rates) {
+  [[nodiscard]] std::vector<double> slopes_at(std::size_t i, const Run& run, const Row& row,
+                                              const PathPlace& place, RatesAsked rates) {
     const std::size_t count = columns_->columns().size();
-    std::vector<double> differences = runs_[i] ? runs_[i]->next(count) : std::vector<double>(count, kNoValue);
-    switch (slopes_[i]->state()) {
-      case NumberSlopes::State::kNoInfluence:
-        return std::vector<double>(count, 0.0);
-      case NumberSlopes::State::kExact:
-        break;
-      default:
-        return differences;
+    const NumberSlopes::State state = slopes_[i]->state();
+    std::vector<double> slopes(count, state == NumberSlopes::State::kNoInfluence ? 0.0 : kNoValue);
+    if (state == NumberSlopes::State::kExact) {
+      const auto sided = slopes_[i]->at(run, place, rates);
+      for (std::size_t c = 0; sided && c < count; ++c) {
+        slopes[c] = slope_of((*sided)[c], kNoSlopeOfRounding * rounding_[c] / models_[i]->scale());
+      }
     }
-    std::vector<double> slopes(count, kNoValue);
-    const auto sided = slopes_[i]->at(run, place, rates);
-    for (std::size_t c = 0; c < count; ++c) {
-      if (sided) slopes[c] = slope_of((*sided)[c], kNoSlopeOfRounding * rounding_[c] / models_[i]->scale());
-      if (!has_exact_slope(columns_->columns()[c])) slopes[c] = differences[c];
-    }
+    if (differences_[i]) differences_[i]->next(row, slopes);
     return slopes;
   }
 
@@ -194,7 +248,8 @@ private:
   std::vector<std::size_t> slots_;  // of the columns of the table
   std::vector<std::unique_ptr<NumberModels>> models_;
   std::vector<std::unique_ptr<NumberSlopes>> slopes_;
-  std::vector<std::unique_ptr<SteppedRuns>> runs_;  // for the numbers that need differences
+  std::vector<std::unique_ptr<RowDifferences>> differences_;  // of the numbers that need them
+  std::vector<double> largest_;                               // of the columns of the run
 };
 
 }  // namespace
