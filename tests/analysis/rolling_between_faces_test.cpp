@@ -1,12 +1,13 @@
 #include "geometry/geometry_testing.hpp"
 #include "run_testing.hpp"
+#include "support/texts.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
+using testing::contains;
 using testing::RunTable;
 
 // A planet between a driven sun and a fixed ring, without an arm to carry it: both contacts keep it at the
@@ -56,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(FromPoses, PlanetBetweenFaces,
 
 TEST(PlanetBetweenTwoFaces, ThatSlipsOnOneOfThemIsNotHeld) {
   for (const char* slipping : {"contacts.outer.rolling=false", "contacts.inner.rolling=false"}) {
-    EXPECT_THAT(testing::analyze(testing::profile_of(kPlanet, {slipping})).failure(),
-                ::testing::HasSubstr("2 drivers needed, 1 given"))
+    EXPECT_TRUE(contains(testing::analyze(testing::profile_of(kPlanet, {slipping})).failure(),
+                         "2 drivers needed, 1 given"))
         << slipping;
   }
 }
@@ -67,8 +68,7 @@ TEST(PlanetBetweenTwoFaces, ThatSlipsOnBothIsNotHeldHoweverItIsTurned) {
     const auto profile =
         testing::profile_of(kPlanet, {"contacts.outer.rolling=false", "contacts.inner.rolling=false",
                                       std::string("bodies.planet.pose.angle=") + angle});
-    EXPECT_THAT(testing::analyze(profile).failure(), ::testing::HasSubstr("wrong mobility for its drivers"))
-        << angle;
+    EXPECT_TRUE(contains(testing::analyze(profile).failure(), "wrong mobility for its drivers")) << angle;
   }
 }
 
