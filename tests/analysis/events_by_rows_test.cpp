@@ -408,21 +408,12 @@ points.A = [30, 40]
 pose = { x = -170, y = -10, angle = 0 }
 points.A = [0, 0]
 points.B = [200, 50]
-[joints.cam_pivot]
-type = "revolute"
-between = ["ground.O1", "cam.O"]
-[joints.ring_pivot]
-type = "revolute"
-between = ["ground.O2", "ring.O"]
-[joints.crank_pivot]
-type = "revolute"
-between = ["ground.O3", "crank.O"]
-[joints.a]
-type = "revolute"
-between = ["crank.A", "rod.A"]
-[joints.b]
-type = "revolute"
-between = ["rod.B", "cam.B"]
+[joints]
+cam_pivot   = { type = "revolute", between = ["ground.O1", "cam.O"] }
+ring_pivot  = { type = "revolute", between = ["ground.O2", "ring.O"] }
+crank_pivot = { type = "revolute", between = ["ground.O3", "crank.O"] }
+a           = { type = "revolute", between = ["crank.A", "rod.A"] }
+b           = { type = "revolute", between = ["rod.B", "cam.B"] }
 [contacts.touch]
 between = ["cam.oval", "ring.hole"]
 [driver]
@@ -473,21 +464,12 @@ points.B=[1.9018,0]
 pose={x=-1.0497,y=-0.5546,angle=0}
 points.O=[0,0]
 curves.hole={ type="ellipse",center=[1.8624,0.8287],semi_axes=[0.8266,0.8183],rotation=70.8,side="outside" }
-[joints.o]
-type="revolute"
-between=["ground.O","crank.O"]
-[joints.a]
-type="revolute"
-between=["crank.A","rod.A"]
-[joints.b]
-type="revolute"
-between=["rod.B","rocker.B"]
-[joints.d]
-type="revolute"
-between=["ground.D","rocker.D"]
-[joints.q]
-type="revolute"
-between=["ground.R","ring.O"]
+[joints]
+o = { type = "revolute", between = ["ground.O","crank.O"] }
+a = { type = "revolute", between = ["crank.A","rod.A"] }
+b = { type = "revolute", between = ["rod.B","rocker.B"] }
+d = { type = "revolute", between = ["ground.D","rocker.D"] }
+q = { type = "revolute", between = ["ground.R","ring.O"] }
 [contacts.touch]
 between=["rod.oval","ring.hole"]
 [driver]

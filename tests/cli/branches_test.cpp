@@ -158,13 +158,9 @@ curves.flank = { type = "chain", closed = true, spans = [
 pose = { x = 0, y = 20 }
 points.P = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "tappet.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "tappet.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.flank", "tappet.face"]
 [driver]

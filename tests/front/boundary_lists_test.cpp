@@ -55,13 +55,9 @@ curves.flank = {1}
 pose = {{ x = {0:.17g}, y = 30 }}
 points.P = [0, 0]
 curves.tip = {2}
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.G", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+guide = {{ type = "prismatic", between = ["ground.G", "follower.P"], direction = [0, 1] }}
 [contacts.touch]
 between = ["cam.flank", "follower.tip"]
 [driver]

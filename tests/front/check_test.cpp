@@ -89,16 +89,10 @@ points.O = [0, 0]
 [bodies.wheel]
 pose = { x = 60 }
 points.P = [0, 0]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.P]
-type = "revolute"
-between = ["ground.P", "wheel.P"]
-[joints.mesh]
-type = "gears"
-between = ["crank.O", "wheel.P"]
-ratio = 0.5
+[joints]
+O    = { type = "revolute", between = ["ground.O", "crank.O"] }
+P    = { type = "revolute", between = ["ground.P", "wheel.P"] }
+mesh = { type = "gears", between = ["crank.O", "wheel.P"], ratio = 0.5 }
 [driver]
 joint = "O"
 samples = 3
@@ -323,13 +317,9 @@ curves.disc = { type = "circle", center = [6, 0], radius = 20 }
 pose = { x = 0, y = 29 }
 points.P = [0, 0]
 curves.roller = { type = "circle", center = [0, 0], radius = 10 }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.disc", "follower.roller"]
 [loads]
@@ -430,13 +420,9 @@ center_of_mass = [0, 0]
 [laws.lift]
 segments = [ { over = 120, law = "cycloidal", rise = 10 }, { over = 60, law = "dwell" },
              { over = 120, law = "cycloidal", rise = -10 }, { over = 60, law = "dwell" } ]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.flank", "follower.face"]
 [springs]

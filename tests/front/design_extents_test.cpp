@@ -101,9 +101,8 @@ points.O = [0, 0]
 [bodies.cam]
 points.O = [0, 0]
 curves.oval = )" + curve + R"(
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
+[joints]
+O = { type = "revolute", between = ["ground.O", "cam.O"] }
 [driver]
 joint   = "O"
 samples = 361

@@ -349,7 +349,7 @@ TEST(Design, SaysOnceWhatIsWrongWithAColumnThatIsFollowed) {
   };
   EXPECT_EQ(
       followed("follower.z", "[[0, 1], [1, 2], [2, 3]]"),
-      "test.toml:27:10: design.objectives.0.column = \"follower.z\": there is no such column; did you mean "
+      "test.toml:23:10: design.objectives.0.column = \"follower.z\": there is no such column; did you mean "
       "`follower.x` or `follower.y` or `follower.vx`?");
   EXPECT_TRUE(contains(followed("follower.y", "[[0, 1], [0.1, 2]]"),
                        "design.objectives.0.follow: no row is at 0.1: the rows next to it are at 0 and "));

@@ -59,19 +59,11 @@ points.B = [60, 0]
 pose = {{ x = 100, y = 0, angle = 80 }}
 points.O = [0, 0]
 points.B = [110, 0]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.guide]
-type = "prismatic"
-between = ["crank.O", "rod.P"]
-direction = [1, 0]
-[joints.B]
-type = "revolute"
-between = ["rod.B", "rocker.B"]
-[joints.pivot]
-type = "revolute"
-between = ["ground.O4", "rocker.O"]
+[joints]
+main  = {{ type = "revolute", between = ["ground.O", "crank.O"] }}
+guide = {{ type = "prismatic", between = ["crank.O", "rod.P"], direction = [1, 0] }}
+B     = {{ type = "revolute", between = ["rod.B", "rocker.B"] }}
+pivot = {{ type = "revolute", between = ["ground.O4", "rocker.O"] }}
 [driver]
 joint = "main"
 start = {}
@@ -142,22 +134,12 @@ points.B = [50, 0]
 [laws.lift]
 segments = [{ over = 120, law = "cycloidal", rise = 15 }, { over = 60, law = "dwell" },
             { over = 120, law = "cycloidal", rise = -15 }, { over = 60, law = "dwell" }]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.A"]
-direction = [0, 1]
-[joints.A]
-type = "revolute"
-between = ["slide.A", "rod.A"]
-[joints.B]
-type = "revolute"
-between = ["rod.B", "rocker.B"]
-[joints.pivot]
-type = "revolute"
-between = ["ground.P", "rocker.O"]
+[joints]
+main  = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "slide.A"], direction = [0, 1] }
+A     = { type = "revolute", between = ["slide.A", "rod.A"] }
+B     = { type = "revolute", between = ["rod.B", "rocker.B"] }
+pivot = { type = "revolute", between = ["ground.P", "rocker.O"] }
 [contacts.touch]
 between = ["cam.flank", "slide.roller"]
 [driver]
@@ -205,19 +187,11 @@ points.B = [100, 0]
 [bodies.slide]
 pose = { x = 130, y = 10, angle = 33.3333333333 }
 points.B = [0, 0]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.A]
-type = "revolute"
-between = ["crank.A", "rod.A"]
-[joints.B]
-type = "revolute"
-between = ["rod.B", "slide.B"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.rail", "slide.B"]
-direction = [1, 0]
+[joints]
+main  = { type = "revolute", between = ["ground.O", "crank.O"] }
+A     = { type = "revolute", between = ["crank.A", "rod.A"] }
+B     = { type = "revolute", between = ["rod.B", "slide.B"] }
+guide = { type = "prismatic", between = ["ground.rail", "slide.B"], direction = [1, 0] }
 [driver]
 joint = "main"
 samples = 37
@@ -260,26 +234,13 @@ points.Q = [0, 0]
 [bodies.second]
 pose = { x = 95, y = 10, angle = 110 }
 points.Q = [0, 0]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.A]
-type = "revolute"
-between = ["crank.A", "rod.A"]
-[joints.B]
-type = "revolute"
-between = ["rod.B", "rocker.B"]
-[joints.P]
-type = "revolute"
-between = ["ground.P", "rocker.P"]
-[joints.slide1]
-type = "prismatic"
-between = ["rod.A", "first.Q"]
-direction = [1, 0]
-[joints.slide2]
-type = "prismatic"
-between = ["rocker.P", "second.Q"]
-direction = [1, 0]
+[joints]
+main   = { type = "revolute", between = ["ground.O", "crank.O"] }
+A      = { type = "revolute", between = ["crank.A", "rod.A"] }
+B      = { type = "revolute", between = ["rod.B", "rocker.B"] }
+P      = { type = "revolute", between = ["ground.P", "rocker.P"] }
+slide1 = { type = "prismatic", between = ["rod.A", "first.Q"], direction = [1, 0] }
+slide2 = { type = "prismatic", between = ["rocker.P", "second.Q"], direction = [1, 0] }
 [drivers.main]
 joint = "main"
 positions = [0, 10, 20]

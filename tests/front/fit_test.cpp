@@ -300,13 +300,9 @@ points.A = [20, 0]
 pose = { x = 0, y = 50 }
 points.Q = [0, 0]
 points.B = [7, 3]
-[joints.pin]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.s]
-type = "prismatic"
-between = ["ground.Q", "slide.Q"]
-direction = [1, 0]
+[joints]
+pin = { type = "revolute", between = ["ground.O", "crank.O"] }
+s   = { type = "prismatic", between = ["ground.Q", "slide.Q"], direction = [1, 0] }
 [drivers.pin]
 joint = "pin"
 start = 0
@@ -465,9 +461,8 @@ points.O = [0, 0]
 [bodies.driver]
 points.O = [0, 0]
 points.A = [28, 0]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "driver.O"]
+[joints]
+main = { type = "revolute", between = ["ground.O", "driver.O"] }
 [driver]
 joint = "main"
 [design.variables]

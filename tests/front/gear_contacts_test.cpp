@@ -365,13 +365,9 @@ points.G = [0, 0]
 type = "chain"
 spans = [
 {6}]
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "gear.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.G", "rack.G"]
-direction = [1, 0]
+[joints]
+pivot = {{ type = "revolute", between = ["ground.O", "gear.O"] }}
+guide = {{ type = "prismatic", between = ["ground.G", "rack.G"], direction = [1, 0] }}
 [contacts.mesh]
 between = ["gear.teeth", "rack.teeth"]
 approach = "{7}"

@@ -115,10 +115,8 @@ TEST(LawDriver, SaysWhereBetweenTheRowsItJumps) {
 points.O = [0, 0]
 [bodies.slide]
 points.S = [0, 0]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.S"]
-direction = [1, 0]
+[joints]
+guide = { type = "prismatic", between = ["ground.O", "slide.S"], direction = [1, 0] }
 [laws.go]
 segments = [{ over = 1, law = "uniform", rise = 10 }, { over = 2, law = "uniform", rise = -5 }]
 [driver]
@@ -189,10 +187,8 @@ points.O = [0, 0]
 points.S = [0, 0]
 mass = 12
 center_of_mass = [0, 0]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.S"]
-direction = [1, 0]
+[joints]
+guide = { type = "prismatic", between = ["ground.O", "slide.S"], direction = [1, 0] }
 [laws.feed]
 segments = [{ over = 0.3, law = "modified-sine", rise = 80 }, { over = 0.1, law = "dwell" }]
 [driver]
@@ -230,14 +226,9 @@ points.P = [0, 0]
 curves.foot = { type = "circle", center = [0, 5], radius = 5 }
 mass = 1
 center_of_mass = [0, 0]
-[joints.lift]
-type = "prismatic"
-between = ["ground.O", "table.O"]
-direction = [0, 1]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "load.P"]
-direction = [0, 1]
+[joints]
+lift  = { type = "prismatic", between = ["ground.O", "table.O"], direction = [0, 1] }
+guide = { type = "prismatic", between = ["ground.O", "load.P"], direction = [0, 1] }
 [contacts.rest]
 between = ["table.top", "load.foot"]
 [driver]

@@ -673,10 +673,8 @@ points.O = [0, 0]
 [bodies.slide]
 pose = { x = 1e-6, y = 0 }
 points.P = [0, 0]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.P"]
-direction = [1, 0]
+[joints]
+guide = { type = "prismatic", between = ["ground.O", "slide.P"], direction = [1, 0] }
 [driver]
 joint = "guide"
 start = 10

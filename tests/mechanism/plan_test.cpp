@@ -63,19 +63,11 @@ points.P = [40, 0]
 points.O = [0, 0]
 [bodies.planet]
 points.P = [40, 0]
-[joints.mesh]
-type = "gears"
-between = ["sun.O", "planet.P"]
-ratio = 1.5
-[joints.arm_pivot]
-type = "revolute"
-between = ["ground.O", "arm.O"]
-[joints.sun_pivot]
-type = "revolute"
-between = ["arm.O", "sun.O"]
-[joints.planet_pivot]
-type = "revolute"
-between = ["arm.P", "planet.P"]
+[joints]
+mesh         = { type = "gears", between = ["sun.O", "planet.P"], ratio = 1.5 }
+arm_pivot    = { type = "revolute", between = ["ground.O", "arm.O"] }
+sun_pivot    = { type = "revolute", between = ["arm.O", "sun.O"] }
+planet_pivot = { type = "revolute", between = ["arm.P", "planet.P"] }
 [drivers.arm]
 joint = "arm_pivot"
 [drivers.sun]
