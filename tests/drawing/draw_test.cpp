@@ -551,15 +551,18 @@ TEST(Drawing, HasRoomForALinkageThatIsNeverFarOutside) {
   const Model model = shipped("involute_pair");
   const std::vector<MotionRow> rows = rows_of(model);
   SceneMaker maker(model.mechanism(), rows);
+  std::size_t linkages = 0;
   for (const MotionRow& row : rows) {
     const Scene& scene = maker.at(row);
     for (const Shape& shape : linkage_of(scene)) {
       EXPECT_NE(shape.kind, Shape::Kind::kText);
       if (shape.kind != Shape::Kind::kPath || shape.closed) continue;
+      ++linkages;
       ASSERT_EQ(shape.numbers.size(), 8U);
       EXPECT_NEAR(shape.numbers[5], 40 * std::cos(kPi / 9) * std::sin(kPi / 9), 1e-9);  // N2
     }
   }
+  EXPECT_GT(linkages, 0U);
 }
 
 // Each above its position of the driver, and no picture on the caption of another.
@@ -1088,8 +1091,10 @@ TEST(Drawing, HasTheEquivalentLinkageInItsLengths) {
   SceneSettings at;
   at.at = 77;
   const auto scenes = scenes_of(shipped("eccentric_disc_oscillating_roller"), at).value();
+  int linkages = 0;
   for (const Shape& shape : scenes.scenes.front().moving) {
     if (shape.role != Role::kLinkage || shape.kind != Shape::Kind::kPath || shape.closed) continue;
+    ++linkages;
     ASSERT_EQ(shape.numbers.size(), 8U);
     std::vector<Vector2d> p;
     for (std::size_t i = 0; i < 8; i += 2) p.emplace_back(shape.numbers[i], shape.numbers[i + 1]);
@@ -1098,6 +1103,7 @@ TEST(Drawing, HasTheEquivalentLinkageInItsLengths) {
     EXPECT_NEAR((p[3] - p[2]).norm(), 60, 1e-9);
     EXPECT_NEAR((p[3] - p[0]).norm(), 80, 1e-9);
   }
+  EXPECT_EQ(linkages, 1);
 }
 
 }  // namespace

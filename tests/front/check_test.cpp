@@ -512,10 +512,12 @@ curves.roller = { type = "circle", center = [0, 0], radius = 10 })",
   }
 }
 
-TEST(Check, OfAMirroredAndTurnedCamIsTheSame) {
+TEST(Check, OfACamThatTurnsBackwardsIsTheSame) {
   const CheckReport forward = checked(shipped_model("checked_cam"));
   const CheckReport backward = checked(
       shipped_model("checked_cam", {"driver.start=360", "driver.end=0", "driver.velocity=\"-600 rpm\""}));
+  EXPECT_FALSE(forward.figures.empty());
+  EXPECT_EQ(backward.figures.size(), forward.figures.size());
   for (const CheckFigure& one : forward.figures) {
     EXPECT_NEAR(std::abs(value(backward, one.item, one.quantity, one.of)), std::abs(one.value.value()),
                 1e-8 * std::abs(one.value.value()))

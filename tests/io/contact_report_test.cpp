@@ -197,7 +197,7 @@ TEST(ContactForceReport, EndsEarlyWhereItIsWantedNoLonger) {
   const std::atomic<bool> stop = true;
   higherpair::Run run = start_run(profile.mechanism, schedule.first_positions()).value();
   run.stop = &stop;
-  (void)report_contacts(profile, schedule, run);
+  (void)report_contacts(profile, schedule, run);  // which would take hours
 }
 
 std::string sentence(const Preload& preload, double addition) {
