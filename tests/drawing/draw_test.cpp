@@ -52,78 +52,83 @@ std::vector<MotionRow> rows_of(const Model& model) {
   return rows;
 }
 
-class DrawnProfile : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(DrawnProfile, HasItsPinsAndContactsWhereTheMotionSays) {
-  const Model model = shipped(GetParam());
-  const Mechanism& mechanism = model.mechanism();
-  const std::vector<MotionRow> rows = rows_of(model);
-  SceneMaker maker(mechanism, rows);
-  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 7) {
-    const Scene& scene = maker.at(rows[k]);
-    if (!scene.defined) continue;
-    const Reading picture(draw_svg({&scene, 1}, {}));
-    std::size_t pins = 0, touches = 0;
-    for (const Element& element : picture.elements) {
-      if (element.tag != "circle") continue;
-      const Vector2d drawn = picture.mm(element.number("cx"), element.number("cy"));
-      for (const Joint& joint : mechanism.joints) {
-        if (element.role != "joint" || element.name != joint.name || joint.type != JointType::kRevolute)
-          continue;
-        const auto body = static_cast<std::size_t>(joint.second.body);
-        const Vector2d p_B = mechanism.bodies[body].points[joint.second.point].p_B;
-        EXPECT_LT((drawn - 1000 * (rows[k].bodies[body].X_WB * p_B)).norm(), 1e-4 * scene.unit) << joint.name;
-        ++pins;
+TEST(DrawnProfile, HasItsPinsAndContactsWhereTheMotionSays) {
+  for (const std::string& name : all_shipped()) {
+    SCOPED_TRACE(name);
+    const Model model = shipped(name);
+    const Mechanism& mechanism = model.mechanism();
+    const std::vector<MotionRow> rows = rows_of(model);
+    SceneMaker maker(mechanism, rows);
+    for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 7) {
+      const Scene& scene = maker.at(rows[k]);
+      if (!scene.defined) continue;
+      const Reading picture(draw_svg({&scene, 1}, {}));
+      std::size_t pins = 0, touches = 0;
+      for (const Element& element : picture.elements) {
+        if (element.tag != "circle") continue;
+        const Vector2d drawn = picture.mm(element.number("cx"), element.number("cy"));
+        for (const Joint& joint : mechanism.joints) {
+          if (element.role != "joint" || element.name != joint.name || joint.type != JointType::kRevolute)
+            continue;
+          const auto body = static_cast<std::size_t>(joint.second.body);
+          const Vector2d p_B = mechanism.bodies[body].points[joint.second.point].p_B;
+          EXPECT_LT((drawn - 1000 * (rows[k].bodies[body].X_WB * p_B)).norm(), 1e-4 * scene.unit)
+              << joint.name;
+          ++pins;
+        }
+        for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
+          if (element.role != "contact" || element.name != mechanism.contacts[i].name) continue;
+          EXPECT_LT((drawn - 1000 * rows[k].contacts[i].at.p_W()).norm(), 1e-4 * scene.unit);
+          ++touches;
+        }
       }
-      for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
-        if (element.role != "contact" || element.name != mechanism.contacts[i].name) continue;
-        EXPECT_LT((drawn - 1000 * rows[k].contacts[i].at.p_W()).norm(), 1e-4 * scene.unit);
-        ++touches;
-      }
+      const auto revolute =
+          std::count_if(mechanism.joints.begin(), mechanism.joints.end(),
+                        [](const Joint& joint) { return joint.type == JointType::kRevolute; });
+      EXPECT_EQ(pins, static_cast<std::size_t>(revolute));
+      const auto closed = std::count_if(rows[k].contacts.begin(), rows[k].contacts.end(),
+                                        [](const ContactMotion& contact) { return contact.touches; });
+      EXPECT_EQ(touches, static_cast<std::size_t>(closed));
     }
-    const auto revolute =
-        std::count_if(mechanism.joints.begin(), mechanism.joints.end(),
-                      [](const Joint& joint) { return joint.type == JointType::kRevolute; });
-    EXPECT_EQ(pins, static_cast<std::size_t>(revolute));
-    const auto closed = std::count_if(rows[k].contacts.begin(), rows[k].contacts.end(),
-                                      [](const ContactMotion& contact) { return contact.touches; });
-    EXPECT_EQ(touches, static_cast<std::size_t>(closed));
   }
 }
 
 // Symbols, bodies and names stay within the frame over the whole motion; no name covers another.
-TEST_P(DrawnProfile, FitsIntoItsFrame) {
-  const Model model = shipped(GetParam());
-  const std::vector<MotionRow> rows = rows_of(model);
-  SceneMaker maker(model.mechanism(), rows);
-  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 13) {
-    const Scene& scene = maker.at(rows[k]);
-    if (!scene.defined) continue;
-    const Reading picture(draw_svg({&scene, 1}, {}));
-    const double width = picture.elements.front().number("width"),
-                 height = picture.elements.front().number("height");
-    struct TextBox {
-      double x, y, half;
-    };
-    std::vector<TextBox> names;
-    for (const Element& element : picture.elements) {
-      if (element.tag == "circle" && (element.role == "body" || element.role == "joint")) {
-        const double x = element.number("cx"), y = element.number("cy"), r = element.number("r");
-        EXPECT_GT(x - r, -0.5) << element.name;
-        EXPECT_LT(x + r, width + 0.5) << element.name;
-        EXPECT_GT(y - r, -0.5) << element.name;
-        EXPECT_LT(y + r, height + 0.5) << element.name;
+TEST(DrawnProfile, FitsIntoItsFrame) {
+  for (const std::string& name : all_shipped()) {
+    SCOPED_TRACE(name);
+    const Model model = shipped(name);
+    const std::vector<MotionRow> rows = rows_of(model);
+    SceneMaker maker(model.mechanism(), rows);
+    for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 13) {
+      const Scene& scene = maker.at(rows[k]);
+      if (!scene.defined) continue;
+      const Reading picture(draw_svg({&scene, 1}, {}));
+      const double width = picture.elements.front().number("width"),
+                   height = picture.elements.front().number("height");
+      struct TextBox {
+        double x, y, half;
+      };
+      std::vector<TextBox> names;
+      for (const Element& element : picture.elements) {
+        if (element.tag == "circle" && (element.role == "body" || element.role == "joint")) {
+          const double x = element.number("cx"), y = element.number("cy"), r = element.number("r");
+          EXPECT_GT(x - r, -0.5) << element.name;
+          EXPECT_LT(x + r, width + 0.5) << element.name;
+          EXPECT_GT(y - r, -0.5) << element.name;
+          EXPECT_LT(y + r, height + 0.5) << element.name;
+        }
+        if (element.role != "label") continue;
+        const TextBox box{element.number("x"), element.number("y"),
+                          3.5 * static_cast<double>(element.text.size())};
+        EXPECT_GT(box.x - box.half, 0) << element.text;
+        EXPECT_LT(box.x + box.half, width) << element.text;
+        for (const TextBox& other : names) {
+          EXPECT_FALSE(std::abs(box.x - other.x) < box.half + other.half && std::abs(box.y - other.y) < 12)
+              << element.text << " at row " << k;
+        }
+        names.push_back(box);
       }
-      if (element.role != "label") continue;
-      const TextBox box{element.number("x"), element.number("y"),
-                        3.5 * static_cast<double>(element.text.size())};
-      EXPECT_GT(box.x - box.half, 0) << element.text;
-      EXPECT_LT(box.x + box.half, width) << element.text;
-      for (const TextBox& other : names) {
-        EXPECT_FALSE(std::abs(box.x - other.x) < box.half + other.half && std::abs(box.y - other.y) < 12)
-            << element.text << " at row " << k;
-      }
-      names.push_back(box);
     }
   }
 }
@@ -138,32 +143,32 @@ std::vector<double> path_numbers(const Element& element) {
 }
 
 // No arrow loses its head, unless it is out of all proportion; longer ones than the longest were not scaled.
-TEST_P(DrawnProfile, HasRoomForItsArrows) {
-  const Model model = shipped(GetParam());
-  const std::vector<MotionRow> rows = rows_of(model);
-  SceneMaker maker(model.mechanism(), rows);
-  DrawSettings settings;
-  settings.layers = {Role::kLink, Role::kVelocity, Role::kAcceleration};
-  for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 37) {
-    const Scene& scene = maker.at(rows[k]);
-    if (!scene.defined) continue;
-    const Reading picture(draw_svg({&scene, 1}, settings));
-    const double longest = 14.001 * scene.unit * picture.scale;
-    const double width = picture.elements.front().number("width"),
-                 height = picture.elements.front().number("height");
-    for (const Element& element : picture.elements) {
-      if (element.role != "velocity" && element.role != "acceleration") continue;
-      const auto n = path_numbers(element);
-      ASSERT_EQ(n.size(), 4U);
-      if (std::hypot(n[2] - n[0], n[3] - n[1]) > longest) continue;
-      EXPECT_TRUE(n[2] > 0 && n[2] < width && n[3] > 0 && n[3] < height)
-          << element.role << " of " << element.name << " at row " << k;
+TEST(DrawnProfile, HasRoomForItsArrows) {
+  for (const std::string& name : all_shipped()) {
+    SCOPED_TRACE(name);
+    const Model model = shipped(name);
+    const std::vector<MotionRow> rows = rows_of(model);
+    SceneMaker maker(model.mechanism(), rows);
+    DrawSettings settings;
+    settings.layers = {Role::kLink, Role::kVelocity, Role::kAcceleration};
+    for (std::size_t k = 0; k < rows.size(); k += 1 + rows.size() / 37) {
+      const Scene& scene = maker.at(rows[k]);
+      if (!scene.defined) continue;
+      const Reading picture(draw_svg({&scene, 1}, settings));
+      const double longest = 14.001 * scene.unit * picture.scale;
+      const double width = picture.elements.front().number("width"),
+                   height = picture.elements.front().number("height");
+      for (const Element& element : picture.elements) {
+        if (element.role != "velocity" && element.role != "acceleration") continue;
+        const auto n = path_numbers(element);
+        ASSERT_EQ(n.size(), 4U);
+        if (std::hypot(n[2] - n[0], n[3] - n[1]) > longest) continue;
+        EXPECT_TRUE(n[2] > 0 && n[2] < width && n[3] > 0 && n[3] < height)
+            << element.role << " of " << element.name << " at row " << k;
+      }
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Shipped, DrawnProfile, ::testing::ValuesIn(all_shipped()),
-                         [](const auto& tested) { return tested.param; });
 
 TEST(Scenes, OfAPositionThatCannotBeReachedShowTheLimitBeforeIt) {
   SceneSettings settings;

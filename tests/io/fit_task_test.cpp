@@ -95,46 +95,42 @@ struct WrongFit {
   const char* message;
 };
 
-class WrongFits : public ::testing::TestWithParam<WrongFit> {};
+const WrongFit kWrongFits[] = {
+    WrongFit{"fit = 3", "fit"},
+    WrongFit{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
+    WrongFit{"[fit]\nconfidence = 95", "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
+    WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected an integer from 1 to 1000000000"},
+    WrongFit{"[fit]\nseed = -1", "fit.seed = -1: must be >= 0"},
+    WrongFit{"[fit]\nlos = \"huber\"", "fit.los"},
+    WrongFit{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
+    WrongFit{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
+    WrongFit{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
+    WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
+             "fit.columns.0.deviation = 0: must be > 0"},
+    WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = \"1 deg\"",
+             "fit.columns.0.deviation = \"1 deg\": deg is an angle, expected a length, such as mm"},
+    WrongFit{"[[fit.columns]]\ncolumn = \"crank.*\"\ndeviation = \"1 mm\"",
+             "the unit of `crank.*` is not known here: write a plain number, in the unit of tables"},
+    WrongFit{"[fit]\nconfidence = \"95 mm\"", "this has no unit: write a plain number"},
+    WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1", "fit.columns.0.weight = -1: must be > 0"},
+    WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]",
+             "body `crank` has no point `B`; did you mean `O` or `A`?"},
+    WrongFit{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]", "a point of ground does not move"},
+    WrongFit{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
+    WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []", "expected a list of \"position\", \"turn\""},
+    WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turm\"]", "did you mean `turn`"},
+    WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turn\"]\n[[fit.frames]]\npoint = "
+             "\"crank.A\"\nfree = "
+             "[\"turn\"]",
+             "this point has a frame already"},
+    WrongFit{"[fit.variables]\nr = 3", "the numbers to be found are the variables of [design]"}};
 
-TEST_P(WrongFits, AreSaidWithPlaceAndRule) {
-  EXPECT_TRUE(contains(mistake_in(GetParam().text), GetParam().message));
+TEST(WrongFits, AreSaidWithPlaceAndRule) {
+  for (const WrongFit& wrong : kWrongFits) {
+    SCOPED_TRACE(wrong.text);
+    EXPECT_TRUE(contains(mistake_in(wrong.text), wrong.message));
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    FitTask, WrongFits,
-    ::testing::Values(
-        WrongFit{"fit = 3", "fit"}, WrongFit{"[fit]\nloss = \"hubert\"", "did you mean `huber`"},
-        WrongFit{"[fit]\nconfidence = 95",
-                 "fit.confidence = 95: expected a share between 0 and 1, such as 0.95"},
-        WrongFit{"[fit]\nstarts = 0", "fit.starts = 0: expected an integer from 1 to 1000000000"},
-        WrongFit{"[fit]\nseed = -1", "fit.seed = -1: must be >= 0"},
-        WrongFit{"[fit]\nlos = \"huber\"", "fit.los"},
-        WrongFit{"[fit]\nuse = \"crank.x\"", "expected a list of names or globs of columns"},
-        WrongFit{"[fit]\ncolumns = 3", "expected a list of tables, [[fit.columns]]"},
-        WrongFit{"[[fit.columns]]\noffset = true", "fit.columns.0.column is missing"},
-        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = 0",
-                 "fit.columns.0.deviation = 0: must be > 0"},
-        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\ndeviation = \"1 deg\"",
-                 "fit.columns.0.deviation = \"1 deg\": deg is an angle, expected a length, such as mm"},
-        WrongFit{"[[fit.columns]]\ncolumn = \"crank.*\"\ndeviation = \"1 mm\"",
-                 "the unit of `crank.*` is not known here: write a plain number, in the unit of tables"},
-        WrongFit{"[fit]\nconfidence = \"95 mm\"", "this has no unit: write a plain number"},
-        WrongFit{"[[fit.columns]]\ncolumn = \"crank.x\"\nweight = -1",
-                 "fit.columns.0.weight = -1: must be > 0"},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.B\"\nfree = [\"turn\"]",
-                 "body `crank` has no point `B`; did you mean `O` or `A`?"},
-        WrongFit{"[[fit.frames]]\npoint = \"ground.O\"\nfree = [\"turn\"]",
-                 "a point of ground does not move"},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"", "fit.frames.0.free is missing"},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = []",
-                 "expected a list of \"position\", \"turn\""},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turm\"]", "did you mean `turn`"},
-        WrongFit{"[[fit.frames]]\npoint = \"crank.A\"\nfree = [\"turn\"]\n[[fit.frames]]\npoint = "
-                 "\"crank.A\"\nfree = "
-                 "[\"turn\"]",
-                 "this point has a frame already"},
-        WrongFit{"[fit.variables]\nr = 3", "the numbers to be found are the variables of [design]"}));
 
 MeasuredTable measured(const std::string& text) {
   return read_measured_text(text, "m.csv").value();
