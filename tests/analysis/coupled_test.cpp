@@ -2,18 +2,20 @@
 #include "analysis/random_mechanism.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/joint_motion.hpp"
+#include "support/texts.hpp"
 
 #include <chrono>
 #include <cstdio>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
+using testing::contains;
+
 using namespace higherpair::testing;
-using ::testing::HasSubstr;
 
 Vector2d vector_at(double angle, double length) {
   return {length * std::cos(angle), length * std::sin(angle)};
@@ -120,21 +122,19 @@ void compare_ways(const TwoWays& ways, unsigned seed, Worst& worst, int& compare
   }
 }
 
-class CoupledBodiesDrivenTheHardWay : public ::testing::TestWithParam<bool> {};
-
-TEST_P(CoupledBodiesDrivenTheHardWay, MoveLikeTheSameMechanismMadeOfDyads) {
-  Worst worst;
-  int compared = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    Random random(seed);
-    compare_ways(GetParam() ? stephenson(random) : four_bar(random), seed, worst, compared);
+TEST(CoupledBodiesDrivenTheHardWay, MoveLikeTheSameMechanismMadeOfDyads) {
+  for (const bool is_sixbar : {false, true}) {
+    SCOPED_TRACE(is_sixbar ? "Stephenson's six-bar" : "four-bar");
+    Worst worst;
+    int compared = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      Random random(seed);
+      compare_ways(is_sixbar ? stephenson(random) : four_bar(random), seed, worst, compared);
+    }
+    EXPECT_GT(compared, 700);
+    EXPECT_AT_MOST(worst.value(), 1e-12);
   }
-  EXPECT_GT(compared, 700);
-  EXPECT_AT_MOST(worst.value(), 1e-12);
 }
-
-INSTANTIATE_TEST_SUITE_P(SixBarAndFourBar, CoupledBodiesDrivenTheHardWay, ::testing::Bool(),
-                         [](const auto& test) { return test.param ? "Stephenson" : "FourBar"; });
 
 // Three equal cranks on one coupler: a structure by the mobility formula, yet it moves.
 Builder three_cranks(const Vector2d& third) {
@@ -175,7 +175,7 @@ TEST(RedundantMembers, ThatDoNotFitAreRefused) {
   b.mechanism.bodies[4].points[1].p_B *= 1.01;
   const auto run = start_run(b.mechanism, {0.9});
   ASSERT_FALSE(run);
-  EXPECT_THAT(run.error().reason, HasSubstr("remove drivers.d0"));
+  EXPECT_TRUE(contains(run.error().reason, "remove drivers.d0"));
 }
 
 TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
@@ -183,7 +183,7 @@ TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
   // A four-bar without a driver.
   const auto still = start_run(four_bar(random).builder.mechanism, {});
   ASSERT_FALSE(still);
-  EXPECT_THAT(still.error().reason, HasSubstr("1 driver needed, 0 given"));
+  EXPECT_TRUE(contains(still.error().reason, "1 driver needed, 0 given"));
   // A link that is attached to the crank by one pin only.
   TwoWays ways = four_bar(random);
   const int flag = ways.builder.body("flag", {0.2, 0.3}, 0.4);
@@ -191,13 +191,13 @@ TEST(LooseMechanisms, AreRefusedWithTheNamesOfWhatIsLoose) {
   ways.builder.drive(ways.easy);
   const auto hanging = start_run(ways.builder.mechanism, {ways.builder.coordinate(ways.easy)});
   ASSERT_FALSE(hanging);
-  EXPECT_THAT(hanging.error().reason, HasSubstr("2 drivers needed, 1 given"));
-  EXPECT_THAT(hanging.error().reason, HasSubstr("in which flag can move"));
+  EXPECT_TRUE(contains(hanging.error().reason, "2 drivers needed, 1 given"));
+  EXPECT_TRUE(contains(hanging.error().reason, "in which flag can move"));
   // A body that is attached to nothing.
   ways.builder.body("stone", {2, 1}, 0);
   const auto apart = start_run(ways.builder.mechanism, {0});
   ASSERT_FALSE(apart);
-  EXPECT_THAT(apart.error().reason, HasSubstr("stone"));
+  EXPECT_TRUE(contains(apart.error().reason, "stone"));
 }
 
 TEST(TooManyDrivers, AreRefused) {
@@ -208,7 +208,7 @@ TEST(TooManyDrivers, AreRefused) {
   const double easy = ways.builder.coordinate(ways.easy), hard = ways.builder.coordinate(ways.hard);
   const auto run = start_run(ways.builder.mechanism, {easy, hard});
   ASSERT_FALSE(run);
-  EXPECT_THAT(run.error().reason, HasSubstr("driver"));
+  EXPECT_TRUE(contains(run.error().reason, "driver"));
 }
 
 // A row of parallelograms, each driven by the one before; every crank turns like the first.

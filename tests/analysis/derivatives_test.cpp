@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {
@@ -38,25 +39,32 @@ std::size_t body_index(const Run& run, const std::string& name) {
   return i;
 }
 
-// A sinusoidal lift at a constant rate: y = 30 + 10 sin(u) mm.
-TEST(Derivatives, OfAFlatFollowerOnAnEccentricDiscAreThoseOfASine) {
-  const Profile profile = testing::read(R"([bodies.ground]
+// A cam that turns about the origin and lifts a flat-faced follower, which starts at a height.
+Profile flat_follower_on(const std::string& curve, int height, const std::string& units = "") {
+  return testing::read(fmt::format(R"({}[bodies.ground]
 points.O = [0, 0]
 [bodies.cam]
-points.O    = [0, 0]
-curves.disc = { type = "circle", center = [10, 0], radius = 30 }
+points.O   = [0, 0]
+curves.cam = {}
 [bodies.follower]
-pose        = { x = 0, y = 30 }
+pose        = {{ y = {} }}
 points.P    = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
+curves.face = {{ type = "line", point = [0, 0], normal = [0, -1] }}
 [joints]
-cam_pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
-guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
+cam_pivot = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+guide = {{ type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }}
 [contacts.touch]
-between = ["cam.disc", "follower.face"]
+between = ["cam.cam", "follower.face"]
 [driver]
 joint = "cam_pivot"
-)");
+)",
+                                   units, curve, height));
+}
+
+// A sinusoidal lift at a constant rate: y = 30 + 10 sin(u) mm.
+TEST(Derivatives, OfAFlatFollowerOnAnEccentricDiscAreThoseOfASine) {
+  const Profile profile = flat_follower_on(R"({ type = "circle", center = [10, 0], radius = 30 })", 30);
+
   auto run = started(profile);
   const double w = 3;
   for (const double u : {0.2, 1.9, 4.4}) {
@@ -76,24 +84,9 @@ joint = "cam_pivot"
 // The ellipse 2 x 1 about its centre under a flat follower: s = sqrt(4 sin^2 u + cos^2 u). Its derivatives
 // from a power series, by hand: s^2 = g gives s s_k = (g_k - sum of products)/2.
 TEST(Derivatives, OfAFlatFollowerOnAnEllipseAreThoseOfItsSupport) {
-  const Profile profile = testing::read(R"(units = { length = "m", angle = "rad" }
-[bodies.ground]
-points.O = [0, 0]
-[bodies.cam]
-points.O    = [0, 0]
-curves.edge = { type = "ellipse", center = [0, 0], semi_axes = [2, 1] }
-[bodies.follower]
-pose        = { x = 0, y = 1 }
-points.P    = [0, 0]
-curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints]
-cam_pivot = { type = "revolute", between = ["ground.O", "cam.O"] }
-guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
-[contacts.touch]
-between = ["cam.edge", "follower.face"]
-[driver]
-joint = "cam_pivot"
-)");
+  const Profile profile = flat_follower_on(R"({ type = "ellipse", center = [0, 0], semi_axes = [2, 1] })", 1,
+                                           "units = { length = \"m\", angle = \"rad\" }\n");
+
   auto run = started(profile);
   for (const double u : {kPi / 12, 1.0, 2.6}) {
     const std::vector<DriverMotion> drivers{{u, 1, 0}};

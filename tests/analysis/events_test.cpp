@@ -350,18 +350,11 @@ points.C = [70, 0]
 pose = { x = 70 }
 points.D = [0, 0]
 points.C = [31, 0]
-[joints.a]
-type = "revolute"
-between = ["ground.A", "crank.A"]
-[joints.b]
-type = "revolute"
-between = ["crank.B", "coupler.B"]
-[joints.c]
-type = "revolute"
-between = ["coupler.C", "rocker.C"]
-[joints.d]
-type = "revolute"
-between = ["ground.D", "rocker.D"]
+[joints]
+a = { type = "revolute", between = ["ground.A", "crank.A"] }
+b = { type = "revolute", between = ["crank.B", "coupler.B"] }
+c = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+d = { type = "revolute", between = ["ground.D", "rocker.D"] }
 [driver]
 joint = "a"
 )" + driver;

@@ -293,12 +293,9 @@ curves.disc = { type = "ellipse", center = [8, 3], semi_axes = [24, 17], rotatio
 pose       = { x = 80, y = 0, angle = -35 }
 points.O   = [0, 0]
 curves.rim = { type = "circle", center = [-60, 0], radius = 15 }
-[joints.cam_pivot]
-type    = "revolute"
-between = ["ground.O1", "cam.O"]
-[joints.arm_pivot]
-type    = "revolute"
-between = ["ground.O2", "arm.O"]
+[joints]
+cam_pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm_pivot = { type = "revolute", between = ["ground.O2", "arm.O"] }
 [contacts.touch]
 between = ["cam.disc", "arm.rim"]
 [driver]

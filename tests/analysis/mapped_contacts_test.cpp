@@ -2,6 +2,7 @@
 
 #include "analysis/mechanism_builder.hpp"
 #include "higherpair/contact/contact_map.hpp"
+#include "support/texts.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +10,7 @@ namespace higherpair {
 namespace {
 
 using testing::Builder;
-using ::testing::HasSubstr;
+using testing::contains;
 using ::testing::IsEmpty;
 
 // A disc on a crank pushes the disc of an arm; the crank is driven.
@@ -60,7 +61,7 @@ TEST(MappedContacts, OfRollingBodiesAreRefused) {
   pair.builder.mechanism.contacts.front().rolling = true;
   const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_TRUE(mapped);
-  EXPECT_THAT(mapped->contacts.at(0).refusal, HasSubstr("rolls"));
+  EXPECT_TRUE(contains(mapped->contacts.at(0).refusal, "rolls"));
 }
 
 // A cam on the planet of a planetary gear with a fixed ring: gears join it to ground, but it turns on the
@@ -84,8 +85,8 @@ TEST(MappedContacts, OfABodyThatGearsAloneJoinToGroundAreRefused) {
   builder.contact(builder.circle(planet, {0.029, 0}, 0.009), builder.circle(follower, {0.043, 0}, 0.005));
   const auto mapped = mapped_contacts(builder.mechanism, {0}, kDefaultClosure);
   ASSERT_TRUE(mapped) << mapped.error();
-  EXPECT_THAT(mapped->contacts.at(0).refusal,
-              HasSubstr("planet has no revolute or prismatic joint to ground"));
+  EXPECT_TRUE(
+      contains(mapped->contacts.at(0).refusal, "planet has no revolute or prismatic joint to ground"));
 }
 
 TEST(MappedContacts, OfAMechanismThatLacksADriverSayWhatIsMissing) {
@@ -94,7 +95,7 @@ TEST(MappedContacts, OfAMechanismThatLacksADriverSayWhatIsMissing) {
   (void)pair.builder.revolute(0, loose, {0.3, 0});
   const auto mapped = mapped_contacts(pair.builder.mechanism, {0.2}, kDefaultClosure);
   ASSERT_FALSE(mapped);
-  EXPECT_THAT(mapped.error(), HasSubstr("driver"));
+  EXPECT_TRUE(contains(mapped.error(), "driver"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "higherpair/contact/certify.hpp"
 #include "io/cam_lever_tappet.hpp"
 #include "program_testing.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -14,6 +15,7 @@
 
 namespace {
 
+using higherpair::testing::contains;
 using higherpair::testing::shipped_profile;
 
 // Standard output of `branches`.
@@ -83,8 +85,8 @@ TEST(Branches, AreCertifiedByIntervalsInTheUnitsOfTheProfile) {
 
 TEST(Branches, SayWhatIsCertified) {
   if (!higherpair::has_exact_arithmetic()) GTEST_SKIP() << "this build has no exact arithmetic";
-  EXPECT_THAT(output_of(shipped_profile("disc_in_ring.toml") + " --certify"),
-              ::testing::HasSubstr("certified: exactly these contacts exist"));
+  EXPECT_TRUE(contains(output_of(shipped_profile("disc_in_ring.toml") + " --certify"),
+                       "certified: exactly these contacts exist"));
 }
 
 TEST(Branches, AreNotCertifiedByABuildWithoutExactArithmetic) {
@@ -104,8 +106,8 @@ TEST(Branches, AreNotCertifiedByABuildWithoutExactArithmetic) {
 
 TEST(Branches, AreTextWithUnitsWhereNoFileIsAskedFor) {
   const std::string text = output_of(shipped_profile("knife_edge.toml"));
-  EXPECT_THAT(text, ::testing::HasSubstr("slide [mm]"));
-  EXPECT_THAT(text, ::testing::HasSubstr("28.2842712475"));
+  EXPECT_TRUE(contains(text, "slide [mm]"));
+  EXPECT_TRUE(contains(text, "28.2842712475"));
 }
 
 TEST(Branches, AsCsvHaveAHeadWithUnits) {
@@ -136,8 +138,8 @@ TEST(Branches, OfCurvesInPartsAreProven) {
     EXPECT_EQ(json.at("lists"),
               nlohmann::json::parse(R"([{"contact": "touch", "complete": true, "undecided": []}])"));
   }
-  EXPECT_THAT(output_of(shipped_profile("tangent_cam.toml")),
-              ::testing::HasSubstr("proven: there are no other contacts of opposed normals"));
+  EXPECT_TRUE(contains(output_of(shipped_profile("tangent_cam.toml")),
+                       "proven: there are no other contacts of opposed normals"));
 }
 
 using OpenBranches = higherpair::testing::ProgramTest;
@@ -156,13 +158,9 @@ curves.flank = { type = "chain", closed = true, spans = [
 pose = { x = 0, y = 20 }
 points.P = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "tappet.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "tappet.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.flank", "tappet.face"]
 [driver]
@@ -183,7 +181,7 @@ joint = "O"
 // Willis' equation is linear: no other assembly can exist.
 TEST(Branches, OfAGearTrainAreComplete) {
   const std::string text = output_of(shipped_profile("planetary_gear.toml"));
-  EXPECT_THAT(text, ::testing::HasSubstr("assemblies: 1\n"));
+  EXPECT_TRUE(contains(text, "assemblies: 1\n"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "higherpair/front/model.hpp"
 #include "program_testing.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -15,12 +16,12 @@
 
 namespace {
 
+using higherpair::testing::contains;
 using higherpair::testing::Outcome;
 using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
 using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 class Program : public ProgramTest {
@@ -38,7 +39,7 @@ TEST_F(Program, RunsEveryShippedProfile) {
     const Outcome outcome = run("analyze " + entry.path().string());
     const bool locks_up = entry.path().stem() == "lock_up";
     EXPECT_EQ(outcome.code, locks_up ? 4 : 0) << entry.path() << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr(locks_up ? "not_assemblable" : ",ok,"));
+    EXPECT_TRUE(contains(outcome.out, locks_up ? "not_assemblable" : ",ok,"));
   }
 }
 
@@ -46,8 +47,8 @@ TEST_F(Program, IsNotContentWithRowsWhereTheirPathIsNot) {
   // Both rows can be assembled, but the follower locks between them.
   const Outcome outcome = run("analyze " + profile("lock_up.toml") + " --set 'driver.positions=[0,359]'");
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("limit_position"));
-  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("not_assemblable")));
+  EXPECT_TRUE(contains(outcome.err, "limit_position"));
+  EXPECT_FALSE(contains(outcome.out, "not_assemblable"));
 }
 
 TEST_F(Program, StopsWithinALongRow) {
@@ -115,32 +116,31 @@ TEST_F(Program, SeesWhatADriverPassesAndPassesBackBetweenTwoRows) {
 TEST_F(Program, SummarisesARunWithJerk) {
   const Outcome outcome = run("analyze " + profile("ellipse_cam_roller.toml") + " --jerk --summary");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("rows: 361 ok"));
-  EXPECT_THAT(outcome.out, HasSubstr("\nfollower\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n  jerk "));
+  EXPECT_TRUE(contains(outcome.out, "rows: 361 ok"));
+  EXPECT_TRUE(contains(outcome.out, "\nfollower\n"));
+  EXPECT_TRUE(contains(outcome.out, "\n  jerk "));
 }
 
 // Where all columns of a unit ought to be 0, what they are worked out from tells their rounding.
 TEST_F(Program, SummarisesRoundingOfRatesAsZero) {
   for (const char* name : {"parallelogram.toml", "gear_teeth.toml", "involute_pair.toml"}) {
     const Outcome outcome = run("analyze " + profile(name) + " --summary --quiet");
-    EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("deg/s^2"))) << name;
-    EXPECT_THAT(outcome.out, HasSubstr("always 0: ")) << name;
+    EXPECT_FALSE(contains(outcome.out, "deg/s^2")) << name;
+    EXPECT_TRUE(contains(outcome.out, "always 0: ")) << name;
   }
   const Outcome rolling = run("analyze " + profile("rolling_ellipses.toml") + " --summary --quiet");
-  EXPECT_THAT(rolling.out, ::testing::Not(HasSubstr("  sliding ")));
-  EXPECT_THAT(rolling.out, HasSubstr("\n  alpha                   -11254.59"));
+  EXPECT_FALSE(contains(rolling.out, "  sliding "));
+  EXPECT_TRUE(contains(rolling.out, "\n  alpha                   -11254.59"));
   const Outcome slow = run("analyze " + profile("four_bar.toml") +
                            " --set driver.velocity='\"1e-9 rad/s\"' --summary --quiet");
-  EXPECT_THAT(slow.out, HasSubstr("  alpha "));
-  EXPECT_THAT(slow.out, HasSubstr("deg/s^2"));
+  EXPECT_TRUE(contains(slow.out, "  alpha "));
+  EXPECT_TRUE(contains(slow.out, "deg/s^2"));
 }
 
 TEST_F(Program, WritesRoundingOfPlacesAsZero) {
-  EXPECT_THAT(run("branches " + profile("tangent_cam.toml") + " --quiet").out,
-              ::testing::Not(HasSubstr("e-1")));
-  EXPECT_THAT(run("mobility " + profile("double_rocker.toml") + " --quiet").out,
-              HasSubstr("left_arm, right_arm: (65637.68, 0)"));
+  EXPECT_FALSE(contains(run("branches " + profile("tangent_cam.toml") + " --quiet").out, "e-1"));
+  EXPECT_TRUE(contains(run("mobility " + profile("double_rocker.toml") + " --quiet").out,
+                       "left_arm, right_arm: (65637.68, 0)"));
 }
 
 // Largest and smallest angle of the demo's follower: where crank and coupler are in line, at 47.92 and 211.10
@@ -148,12 +148,12 @@ TEST_F(Program, WritesRoundingOfPlacesAsZero) {
 TEST_F(Program, SummarisesWhatChangesAndWhereItIsExtreme) {
   const Outcome outcome =
       run("analyze " + profile("eccentric_disc_oscillating_roller.toml") + " --summary --quiet");
-  EXPECT_THAT(outcome.out,
-              HasSubstr("\n  angle                   -33.82627        48     -12.42927       211  deg\n"));
-  EXPECT_THAT(outcome.out,
-              HasSubstr("constant: driver.velocity 60 deg/s, cam.omega 60 deg/s, follower.x 80 mm,\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("\nalways 0: 25 columns\n"));
-  EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("-0 ")));
+  EXPECT_TRUE(contains(outcome.out,
+                       "\n  angle                   -33.82627        48     -12.42927       211  deg\n"));
+  EXPECT_TRUE(
+      contains(outcome.out, "constant: driver.velocity 60 deg/s, cam.omega 60 deg/s, follower.x 80 mm,\n"));
+  EXPECT_TRUE(contains(outcome.out, "\nalways 0: 25 columns\n"));
+  EXPECT_FALSE(contains(outcome.out, "-0 "));
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) {
     EXPECT_LE(line.size(), 80U) << line;
@@ -176,23 +176,23 @@ TEST_F(Program, WritesEventsAsATableOfTheirOwn) {
   std::getline(file, second);
   EXPECT_EQ(header, "type,driver[deg],time[s],item,row,cause");
   EXPECT_EQ(first.substr(0, 24), "stroke_end,47.9222147823");
-  EXPECT_THAT(second, HasSubstr(",,follower_pivot,212,\"the motion of this joint reverses\""));
+  EXPECT_TRUE(contains(second, ",,follower_pivot,212,\"the motion of this joint reverses\""));
   EXPECT_FALSE(std::getline(file, end));
   const Outcome shared = run(command + " --events " + table);
   EXPECT_EQ(shared.code, 2);
-  EXPECT_THAT(shared.err, HasSubstr("--csv and --events: both name"));
+  EXPECT_TRUE(contains(shared.err, "--csv and --events: both name"));
 }
 
 TEST_F(Program, EndsWithExitCodeFourWhereThePathIsNotGoodBetweenRowsThatAre) {
   const Outcome lock_up =
       run("analyze " + profile("lock_up.toml") + " --set driver.positions=[0,359] --json - --summary");
   EXPECT_EQ(lock_up.code, 4);
-  EXPECT_THAT(lock_up.out, HasSubstr("\"ok\": false}"));
-  EXPECT_THAT(lock_up.out, HasSubstr("rows: 2 ok\npath: not ok, 2 limit_position"));
+  EXPECT_TRUE(contains(lock_up.out, "\"ok\": false}"));
+  EXPECT_TRUE(contains(lock_up.out, "rows: 2 ok\npath: not ok, 2 limit_position"));
   const Outcome opens = run("forces " + profile("cam_with_return_spring.toml") +
                             " --set driver.velocity='\"900 rpm\"' --samples 3");
   EXPECT_EQ(opens.code, 4);
-  EXPECT_THAT(opens.err, HasSubstr("contact_open at driver = "));
+  EXPECT_TRUE(contains(opens.err, "contact_open at driver = "));
   const Outcome good = run("analyze " + profile("lock_up.toml") + " --set driver.positions=[0,30] --json -");
   EXPECT_EQ(good.code, 0);
   EXPECT_EQ(nlohmann::json::parse(good.out).at("ok"), true);
@@ -205,17 +205,18 @@ TEST_F(Program, WritesTheColumnsAskedFor) {
   EXPECT_EQ(csv.out.substr(0, csv.out.find('\n')),
             "driver[deg],follower.angle[deg],follower.ax[mm/s^2],follower.ay[mm/s^2],follower.alpha[deg/s^2],"
             "touch.linkage,status");
-  EXPECT_THAT(csv.out, HasSubstr(",four-bar,ok\n"));
+  EXPECT_TRUE(contains(csv.out, ",four-bar,ok\n"));
   const Outcome json = run(command + "--columns driver,status --json -");
   EXPECT_EQ(nlohmann::json::parse(json.out).at("rows").at(0), nlohmann::json::parse("[0, \"ok\"]"));
   const Outcome summary = run(command + "--columns follower.omega --summary");
-  EXPECT_THAT(summary.out, HasSubstr("\n  omega "));
-  EXPECT_THAT(summary.out, ::testing::Not(HasSubstr("  alpha")));
-  EXPECT_THAT(summary.out, HasSubstr("rows: 3 ok"));
+  EXPECT_TRUE(contains(summary.out, "\n  omega "));
+  EXPECT_FALSE(contains(summary.out, "  alpha"));
+  EXPECT_TRUE(contains(summary.out, "rows: 3 ok"));
   const Outcome wrong = run(command + "--columns driver,folower.omega --csv " + (folder_ / "table").string());
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("--columns folower.omega: no column of this run has such a name; did you "
-                                   "mean `follower.omega`"));
+  EXPECT_TRUE(contains(wrong.err,
+                       "--columns folower.omega: no column of this run has such a name; did you "
+                       "mean `follower.omega`"));
   EXPECT_FALSE(fs::exists(folder_ / "table"));
 }
 
@@ -224,7 +225,7 @@ TEST_F(Program, SaysWhereTheFileIsWrongAndWritesNothing) {
   const Outcome outcome = run("analyze " + profile("knife_edge.toml") +
                               " --set bodies.cam.curves.disc.radius=-12 --csv " + table.string());
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("must be > 0"));
+  EXPECT_TRUE(contains(outcome.err, "must be > 0"));
   EXPECT_FALSE(fs::exists(table));
   EXPECT_EQ(run("analyze no_such_file.toml").code, 2);
   EXPECT_EQ(run("analyze " + profile("knife_edge.toml") + " --no-such-option").code, 2);
@@ -236,14 +237,14 @@ TEST_F(Program, SaysThatThereIsNoContact) {
   const Outcome outcome =
       run("analyze " + profile("lock_up.toml") + " --set driver.start=180 --csv " + table.string());
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("do not touch"));
+  EXPECT_TRUE(contains(outcome.err, "do not touch"));
   EXPECT_FALSE(fs::exists(table));
 }
 
 TEST_F(Program, RefusesAnOverlapAtThePoseWhenTheFollowerIsToBeMovedUntilItTouches) {
   const Outcome outcome = run("analyze " + profile("knife_edge.toml") + " --set bodies.follower.pose.y=10");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("overlap"));
+  EXPECT_TRUE(contains(outcome.err, "overlap"));
 }
 
 TEST_F(Program, FailsWhereItCannotWrite) {
@@ -254,10 +255,10 @@ TEST_F(Program, FailsWhereItCannotWrite) {
 }
 
 TEST_F(Program, SaysThatANumberHasToBeWhole) {
-  EXPECT_THAT(run("analyze " + profile("four_bar.toml") + " --derivatives 3.5").err,
-              HasSubstr("--derivatives 3.5: must be an integer from 3 to 6"));
-  EXPECT_THAT(run("map " + profile("ellipse_cam_roller.toml") + " --samples 1").err,
-              HasSubstr("--samples 1: must be an integer from 2 to 10000000"));
+  EXPECT_TRUE(contains(run("analyze " + profile("four_bar.toml") + " --derivatives 3.5").err,
+                       "--derivatives 3.5: must be an integer from 3 to 6"));
+  EXPECT_TRUE(contains(run("map " + profile("ellipse_cam_roller.toml") + " --samples 1").err,
+                       "--samples 1: must be an integer from 2 to 10000000"));
 }
 
 // Events, notes, messages and errors of arguments.
@@ -299,7 +300,7 @@ TEST_F(Program, SaysBeforeALongRunThatItsEventsCannotBeWritten) {
                                           profile("knife_edge.toml"));
   const Outcome outcome = run_script(command + " --csv /dev/null --events none/e.csv");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("none/e.csv: there is no folder none"));
+  EXPECT_TRUE(contains(outcome.err, "none/e.csv: there is no folder none"));
 }
 
 TEST_F(Program, MakesTheFileThatALinkNames) {
@@ -307,7 +308,7 @@ TEST_F(Program, MakesTheFileThatALinkNames) {
   fs::create_symlink("file", link);
   EXPECT_EQ(run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + link.string()).code, 0);
   EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_THAT(read_file(folder_ / "file"), HasSubstr("driver[deg]"));
+  EXPECT_TRUE(contains(read_file(folder_ / "file"), "driver[deg]"));
   fs::create_symlink("round", folder_ / "round");
   EXPECT_EQ(
       run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + (folder_ / "round").string()).code,
@@ -320,7 +321,7 @@ TEST_F(Program, KeepsWhoMayReadAFileThatItReplaces) {
   const fs::perms owner_only = fs::perms::owner_read | fs::perms::owner_write;
   fs::permissions(table, owner_only);
   EXPECT_EQ(run("analyze " + profile("ellipse_cam_roller.toml") + " --csv " + table.string()).code, 0);
-  EXPECT_THAT(read_file(table), HasSubstr("driver[deg]"));
+  EXPECT_TRUE(contains(read_file(table), "driver[deg]"));
   EXPECT_EQ(fs::status(table).permissions(), owner_only);
 }
 
@@ -394,14 +395,14 @@ TEST_F(Program, SaysHowManyRowsAreNotSolvedToTheTolerance) {
   const std::string rows = "analyze " + profile("four_bar.toml") + " --tolerance 1e-30";
   const Outcome few = run(rows + " --samples 5");
   EXPECT_EQ(few.code, 4);
-  EXPECT_THAT(few.err, HasSubstr(" of 5 rows are `not_converged`, the first at driver = "));
-  EXPECT_THAT(few.err, HasSubstr(" cm, where the tolerance is 4.66e-30\n"));
+  EXPECT_TRUE(contains(few.err, " of 5 rows are `not_converged`, the first at driver = "));
+  EXPECT_TRUE(contains(few.err, " cm, where the tolerance is 4.66e-30\n"));
   // Rows of blocks that are computed on several threads are counted as well.
   const Outcome many = run(rows + " --samples 20001 --columns driver,status --json -");
   std::int64_t count = 0;
   const nlohmann::json table = nlohmann::json::parse(many.out);
   for (const auto& row : table.at("rows")) count += row.at(1) == "not_converged" ? 1 : 0;
-  EXPECT_THAT(many.err, HasSubstr(std::to_string(count) + " of 20001 rows"));
+  EXPECT_TRUE(contains(many.err, std::to_string(count) + " of 20001 rows"));
 }
 
 TEST_F(Program, SaysThatNothingIsDriven) {
@@ -422,7 +423,7 @@ C = { type = "revolute", between = ["a.C", "b.C"] }
        {"analyze ", "step ", "forces ", "branches ", "map ", "plot --y 'a.*' -o p.svg ", "check "}) {
     const Outcome outcome = run(command + still);
     EXPECT_EQ(outcome.code, 3) << command;
-    EXPECT_THAT(outcome.err, HasSubstr("nothing moves this mechanism"));
+    EXPECT_TRUE(contains(outcome.err, "nothing moves this mechanism"));
   }
   EXPECT_EQ(run("mobility " + still).code, 0);
 }
@@ -434,7 +435,7 @@ TEST_F(Program, TellsItsVersionEverywhereAndKnowsItsCommands) {
   }
   const Outcome wrong = run("analyse " + profile("four_bar.toml"));
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("there is no command analyse"));
+  EXPECT_TRUE(contains(wrong.err, "there is no command analyse"));
   EXPECT_EQ(std::system((std::string(HIGHERPAIR_PROGRAM) + " --version >/dev/full 2>/dev/null").c_str()) >> 8,
             1);
 }
@@ -449,7 +450,7 @@ TEST_F(Program, RefusesTwoTablesInOneFile) {
       const Outcome outcome =
           run(fmt::format("{} {} {}", command, profile("cam_with_return_spring.toml"), outputs));
       EXPECT_EQ(outcome.code, 2) << command << " " << outputs;
-      EXPECT_THAT(outcome.err, HasSubstr("give each a file of its own"));
+      EXPECT_TRUE(contains(outcome.err, "give each a file of its own"));
       EXPECT_EQ(outcome.out, "");
       EXPECT_FALSE(fs::exists(table));
     }
@@ -465,22 +466,23 @@ TEST_F(Program, WritesTheSameRowsToFilesAsToStandardOutput) {
   EXPECT_EQ(run("step " + profile("offset_translating_roller.toml") + " --csv " + table.string()).code, 0);
   EXPECT_EQ(read_file(table), direct.out);
   EXPECT_EQ(std::count(direct.out.begin(), direct.out.end(), '\n'), 202);
-  EXPECT_THAT(direct.out, HasSubstr("time[s],driver[deg],driver.velocity[deg/s]"));
+  EXPECT_TRUE(contains(direct.out, "time[s],driver[deg],driver.velocity[deg/s]"));
 }
 
 TEST_F(Program, WritesReactionsBelowTheSpeedOfLiftOff) {
   const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") + " --quiet");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, HasSubstr("guide.m[N*mm],touch.force[N],touch.friction[N],driver.effort[N*mm],"
-                                     "driver.effort_check[N*mm],status,residual[mm]\n"));
+  EXPECT_TRUE(contains(outcome.out,
+                       "guide.m[N*mm],touch.force[N],touch.friction[N],driver.effort[N*mm],"
+                       "driver.effort_check[N*mm],status,residual[mm]\n"));
 }
 
 TEST_F(Program, SaysWhereAContactOpensAndWhatWouldKeepItClosed) {
   const Outcome outcome = run("forces " + profile("cam_with_return_spring.toml") +
                               " --set 'driver.velocity=\"800 rpm\"' --json -");
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("contact_open at driver = 56.951882894546"));
+  EXPECT_TRUE(contains(outcome.err, "contact_open at driver = 56.951882894546"));
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   const auto opens = std::find_if(json.at("events").begin(), json.at("events").end(),
                                   [](const nlohmann::json& one) { return one.at("type") == "contact_open"; });
@@ -492,7 +494,7 @@ TEST_F(Program, SaysWhereAContactOpensAndWhatWouldKeepItClosed) {
   EXPECT_NEAR(event.at("driver").get<double>(), angle, 1e-11);
   EXPECT_EQ(event.at("type"), "contact_open");
   EXPECT_EQ(event.at("item"), "touch");
-  EXPECT_THAT(event.at("cause").get<std::string>(), HasSubstr("springs.return pushes by 2.11216 N more"));
+  EXPECT_TRUE(contains(event.at("cause").get<std::string>(), "springs.return pushes by 2.11216 N more"));
   const auto status = json.at("rows").at(0).size() - 2;
   EXPECT_EQ(json.at("rows").at(56).at(status), "ok");
   EXPECT_EQ(json.at("rows").at(57).at(status), "contact_open");
@@ -504,10 +506,10 @@ TEST_F(Program, SeesAContactOpenBetweenTwoRowsThatAreClosed) {
                                 " --set 'driver.velocity=\"900 rpm\"' --summary --json " +
                                 (folder_ / "forces.json").string() + " --samples " + samples);
     EXPECT_EQ(outcome.code, 4);
-    EXPECT_THAT(outcome.err, HasSubstr("contact_open at driver = 35.931747207774"));
-    EXPECT_THAT(outcome.out, HasSubstr("smallest force of touch: -7.704"));
-    EXPECT_THAT(outcome.out, HasSubstr("N at driver = 90 deg"));
-    EXPECT_THAT(outcome.out, HasSubstr("contacts stay closed up to 0.84312 times the speed"));
+    EXPECT_TRUE(contains(outcome.err, "contact_open at driver = 35.931747207774"));
+    EXPECT_TRUE(contains(outcome.out, "smallest force of touch: -7.704"));
+    EXPECT_TRUE(contains(outcome.out, "N at driver = 90 deg"));
+    EXPECT_TRUE(contains(outcome.out, "contacts stay closed up to 0.84312 times the speed"));
     const nlohmann::json json = nlohmann::json::parse(read_file(folder_ / "forces.json"));
     EXPECT_EQ(std::count_if(json.at("events").begin(), json.at("events").end(),
                             [](const nlohmann::json& one) { return one.at("type") == "contact_open"; }),
@@ -552,8 +554,8 @@ TEST_F(Program, GivesAContactThatOpensItsTime) {
 TEST_F(Program, GivesCurvaturesInTheUnitsOfTheProfile) {
   const Outcome outcome = run("analyze " + profile("four_arc_cam.toml") + " --columns driver");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("the curvature of cam jumps from 0.0263158 to 0.125 1/mm; for a unit rate"));
+  EXPECT_TRUE(
+      contains(outcome.err, "the curvature of cam jumps from 0.0263158 to 0.125 1/mm; for a unit rate"));
 }
 
 // A mechanism without any extent: its travel can only be compared with 1 m.
@@ -568,8 +570,9 @@ driver = { joint = "guide", start = 0, end = 1e12, samples = 2 }
   const Outcome outcome = run("analyze " + file.string());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, HasSubstr("driver goes 1e+12 m in all; at most 1e+07 m, 1e7 times "
-                                     "the size of the mechanism, can be followed"));
+  EXPECT_TRUE(contains(outcome.err,
+                       "driver goes 1e+12 m in all; at most 1e+07 m, 1e7 times "
+                       "the size of the mechanism, can be followed"));
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.end=0.5").code, 0);
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[0,1e12,0]").code, 2);
   EXPECT_EQ(run("analyze " + file.string() + " --set driver.positions=[1e12,1000000000100]").code, 0);
@@ -580,13 +583,13 @@ TEST_F(Program, SaysHowManyTurnsADriverCanMake) {
   const Outcome far = run(analyze + " --samples 2 --set driver.end=1e10");
   EXPECT_EQ(far.code, 2);
   EXPECT_EQ(far.out, "");
-  EXPECT_THAT(far.err,
-              HasSubstr("--set driver.end=1e10: driver goes 2.77778e+07 turns in all; at most 1e7 turns "
-                        "can be followed; change its `end`, `positions` or `duration`"));
+  EXPECT_TRUE(contains(far.err,
+                       "--set driver.end=1e10: driver goes 2.77778e+07 turns in all; at most 1e7 turns "
+                       "can be followed; change its `end`, `positions` or `duration`"));
   const Outcome fast = run("step " + profile("slider_crank.toml") +
                            " --samples 2 --set 'driver.velocity=\"1e9 rad/s\"' --set driver.duration=2");
   EXPECT_EQ(fast.code, 2);
-  EXPECT_THAT(fast.err, HasSubstr("--set driver.duration=2: driver goes 3.1831e+08 turns in all"));
+  EXPECT_TRUE(contains(fast.err, "--set driver.duration=2: driver goes 3.1831e+08 turns in all"));
   // Counted from the start of the path, however far away that is.
   EXPECT_EQ(run(analyze + " --samples 2 --set driver.start=1e10 --set driver.end=10000000360").code, 0);
 }
@@ -605,7 +608,7 @@ TEST_F(Program, SaysWhereARunHasMoreEventsThanItKeeps) {
           "end at driver = 4499[0-9.]+ deg: 250000 events lie between two rows, and this path is "
           "not followed further; let the drivers go less far, or take more rows \\(driver.samples; in "
           "time a shorter driver.time_step\\)\n"));
-  EXPECT_THAT(read_file(table), HasSubstr("1e+09,not_assemblable\n"));
+  EXPECT_TRUE(contains(read_file(table), "1e+09,not_assemblable\n"));
 }
 
 TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {
@@ -614,7 +617,7 @@ TEST_F(Program, CountsOpenRowsInTheSummaryOfForces) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(outcome.err, "");
   // 57 ... 123 degrees.
-  EXPECT_THAT(outcome.out, HasSubstr("67 contact_open"));
+  EXPECT_TRUE(contains(outcome.out, "67 contact_open"));
 }
 
 TEST_F(Program, RunsTheForcesOfEveryShippedProfile) {
@@ -634,7 +637,7 @@ TEST_F(Program, WritesJerkBesideThatOfTheFrozenLinkage) {
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   const nlohmann::json& columns = json.at("columns");
   const std::size_t last = columns.size() - 1;
-  EXPECT_THAT(columns[last].at("name").get<std::string>(), HasSubstr(".jerk_linkage"));
+  EXPECT_TRUE(contains(columns[last].at("name").get<std::string>(), ".jerk_linkage"));
   EXPECT_EQ(columns[last].at("unit"), "mm/s^3");
   // The radius of curvature of a disc is constant.
   for (const nlohmann::json& row : json.at("rows")) {

@@ -1,5 +1,6 @@
 // Designs that are killed, are interrupted or run out of disk space, and are resumed.
 #include "cli/program_testing.hpp"
+#include "support/texts.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -7,14 +8,13 @@
 #include <string>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace higherpair::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 
 constexpr const char* kTask = "design_eighteen_points.toml --starts 48 --best 3 --quiet";
 
@@ -91,9 +91,9 @@ TEST_F(ResumedDesign, InterruptedWritesTheBestSoFarAndGoesOn) {
   for (const std::string signal : {"INT", "TERM"}) {
     const Outcome outcome = run_until(signal, signal);
     EXPECT_EQ(outcome.code, 130) << signal;
-    EXPECT_THAT(
-        outcome.err,
-        HasSubstr(fmt::format("searches are kept in {}.toml.searches: --resume goes on from there", signal)));
+    EXPECT_TRUE(
+        contains(outcome.err,
+                 fmt::format("searches are kept in {}.toml.searches: --resume goes on from there", signal)));
     EXPECT_EQ(run_program(fmt::format("analyze {}.toml --csv -", signal)).code, 0);
     EXPECT_EQ(run(kTask + files(signal) + " --resume").code, 0);
     expect_the_whole(signal);
@@ -104,8 +104,8 @@ TEST_F(ResumedDesign, OnAFullDiskSearchesOnAndSaysWhatIsNotKept) {
   const Outcome full = run_script(
       fmt::format("trap '' XFSZ; ulimit -f 1\n{} design {} -o full.toml", HIGHERPAIR_PROGRAM, kTask));
   EXPECT_EQ(full.code, 1);
-  EXPECT_THAT(full.err, HasSubstr("full.toml.searches: File too large"));
-  EXPECT_THAT(full.err, HasSubstr("searches are kept in full.toml.searches: --resume goes on from there"));
+  EXPECT_TRUE(contains(full.err, "full.toml.searches: File too large"));
+  EXPECT_TRUE(contains(full.err, "searches are kept in full.toml.searches: --resume goes on from there"));
   EXPECT_FALSE(fs::exists(folder_ / "full.toml"));
   EXPECT_EQ(run(kTask + files("full") + " --resume").code, 0);
   expect_the_whole("full");
@@ -143,9 +143,9 @@ TEST_F(InterruptedDesign, WithASearchThatHasChangedGoesOnBeforeIt) {
 TEST_F(InterruptedDesign, IsNotBegunAnewByMistake) {
   const Outcome outcome = run(std::string(kTask) + " -o out.toml");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("out.toml.searches: this holds what an interrupted run of this search has "
-                        "done: --resume goes on from there; remove it to begin anew"));
+  EXPECT_TRUE(contains(outcome.err,
+                       "out.toml.searches: this holds what an interrupted run of this search has "
+                       "done: --resume goes on from there; remove it to begin anew"));
   expect_the_rest();
 }
 
@@ -156,12 +156,12 @@ TEST_F(InterruptedDesign, IsNotGoneOnWithByAnother) {
     EXPECT_FALSE(fs::exists(folder_ / "out.toml"));
     return outcome.err;
   };
-  EXPECT_THAT(refusal("--seed 2"),
-              HasSubstr("out.toml.searches: this is of another search: not the same --seed; "
-                        "remove it to begin anew, or give the output another name"));
+  EXPECT_TRUE(contains(refusal("--seed 2"),
+                       "out.toml.searches: this is of another search: not the same --seed; "
+                       "remove it to begin anew, or give the output another name"));
   const std::string text = file("design_eighteen_points.toml");
   std::ofstream(folder_ / "design_eighteen_points.toml") << text << "\n# another task\n";
-  EXPECT_THAT(refusal(""), HasSubstr("not the same profile;"));
+  EXPECT_TRUE(contains(refusal(""), "not the same profile;"));
   std::ofstream(folder_ / "design_eighteen_points.toml") << text;
   expect_the_rest();
 }
@@ -178,8 +178,8 @@ TEST_F(InterruptedDesign, LeavesAFileAloneThatIsNoJournal) {
   std::ofstream(folder_ / "other.toml.searches") << "my own notes\n";
   const Outcome outcome = run(std::string(kTask) + " -o other.toml --resume");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("this is no journal of a search; move it away, or give the output another name"));
+  EXPECT_TRUE(
+      contains(outcome.err, "this is no journal of a search; move it away, or give the output another name"));
   EXPECT_EQ(file("other.toml.searches"), "my own notes\n");
 }
 
@@ -189,10 +189,10 @@ TEST_F(ResumedDesign, LeavesNothingWhereItDoesNotBegin) {
   EXPECT_FALSE(fs::exists(folder_ / "none.toml.searches"));
   const Outcome direct = run("design_eighteen_points.toml -o - --resume");
   EXPECT_EQ(direct.code, 2);
-  EXPECT_THAT(direct.err, HasSubstr("--resume: needs a regular file as --output"));
+  EXPECT_TRUE(contains(direct.err, "--resume: needs a regular file as --output"));
   const Outcome folder = run(std::string(kTask) + " -o none/b.toml");
   EXPECT_EQ(folder.code, 1);
-  EXPECT_THAT(folder.err, HasSubstr("none/b.toml: there is no folder none; make it first"));
+  EXPECT_TRUE(contains(folder.err, "none/b.toml: there is no folder none; make it first"));
 }
 
 // A journal without a completed search is useless.
@@ -212,8 +212,8 @@ TEST_F(ResumedDesign, RefusesToWriteOverAFileThatTheProfileReads) {
   const std::string points = file("design_film_hook.csv");
   const Outcome outcome = run("design_film_hook.toml -o b.toml --json ./design_film_hook.csv --starts 1");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("--json: ./design_film_hook.csv is the file that is read as part of the profile"));
+  EXPECT_TRUE(contains(outcome.err,
+                       "--json: ./design_film_hook.csv is the file that is read as part of the profile"));
   EXPECT_EQ(file("design_film_hook.csv"), points);
 }
 

@@ -1,4 +1,5 @@
 #include "program_testing.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@
 
 namespace {
 
+using higherpair::testing::contains;
 using higherpair::testing::shipped_profile;
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 struct MapAnswer {
@@ -56,7 +57,9 @@ TEST(Map, EndsTheBranchOfAMechanismThatLocksUpAtItsLimit) {
 TEST(Map, OfAFollowerAtRestHasNoTurningPoints) {
   const auto json =
       json_of(shipped_profile("flat_faced_translating.toml") + " --set bodies.cam.curves.disc.center=[0,0]");
-  for (const nlohmann::json& branch : json.at("contacts").at(0).at("branches")) {
+  const nlohmann::json& branches = json.at("contacts").at(0).at("branches");
+  EXPECT_FALSE(branches.empty());
+  for (const nlohmann::json& branch : branches) {
     EXPECT_EQ(branch.at("extremes").size(), 0U);
   }
 }
@@ -114,10 +117,10 @@ TEST(Map, TakesAsManyRowsAsTheProfile) {
 TEST(Map, AsTextSaysWhichBranchTheMechanismIsOn) {
   const MapAnswer answer = map_of(shipped_profile("lock_up.toml"));
   EXPECT_EQ(answer.code, 0);
-  EXPECT_THAT(answer.text, HasSubstr("contact touch: 6 branches, cam_pivot from 0 to 360 deg"));
-  EXPECT_THAT(answer.text, HasSubstr("* the mechanism is on branch"));
-  EXPECT_THAT(answer.text,
-              HasSubstr("the driver can go back by 65.8344206747 deg and on by 65.8344206747 deg"));
+  EXPECT_TRUE(contains(answer.text, "contact touch: 6 branches, cam_pivot from 0 to 360 deg"));
+  EXPECT_TRUE(contains(answer.text, "* the mechanism is on branch"));
+  EXPECT_TRUE(
+      contains(answer.text, "the driver can go back by 65.8344206747 deg and on by 65.8344206747 deg"));
 }
 
 TEST(Map, OfAChainHasEveryContactOverItsOwnKnownBody) {
@@ -177,33 +180,33 @@ TEST(Map, OfACamWhoseRollerTurnsAboutItsOwnCentreSaysWhyThereIsNone) {
       shipped_profile("spline_cam.toml") +
       " --set bodies.follower.curves.roller.center='[0,0]' --set bodies.follower.curves.roller.radius=45");
   EXPECT_EQ(answer.code, 3);
-  EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
+  EXPECT_TRUE(contains(answer.text, "joint does not change their distance"));
 }
 
 TEST(Map, IsRefusedWhereNoContactHasOne) {
   const MapAnswer rolling = map_of(shipped_profile("rolling_ellipses.toml"));
   EXPECT_EQ(rolling.code, 3);
-  EXPECT_THAT(rolling.text, HasSubstr("contacts.roll: it rolls"));
+  EXPECT_TRUE(contains(rolling.text, "contacts.roll: it rolls"));
   const MapAnswer linkage = map_of(shipped_profile("four_bar.toml"));
   EXPECT_EQ(linkage.code, 3);
-  EXPECT_THAT(linkage.text, HasSubstr("the mechanism has no contact to map"));
+  EXPECT_TRUE(contains(linkage.text, "the mechanism has no contact to map"));
   const MapAnswer coupled = map_of(shipped_profile("roller_body.toml"));
   EXPECT_EQ(coupled.code, 3);
-  EXPECT_THAT(coupled.text, HasSubstr("solved together"));
+  EXPECT_TRUE(contains(coupled.text, "solved together"));
 }
 
 TEST(Map, SaysWhyADistanceThatNeverChangesHasNone) {
   const MapAnswer answer =
       map_of(shipped_profile("lock_up.toml") + " --set bodies.follower.curves.disc.center='[0,0]' --json -");
   EXPECT_EQ(answer.code, 3);
-  EXPECT_THAT(answer.text, HasSubstr("joint does not change their distance"));
+  EXPECT_TRUE(contains(answer.text, "joint does not change their distance"));
 }
 
 TEST(Map, OfAMechanismThatCannotStartIsDrawnAllTheSame) {
   const MapAnswer answer =
       map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null");
   EXPECT_EQ(answer.code, 0);
-  EXPECT_THAT(answer.text, HasSubstr("the mechanism is on no branch"));
+  EXPECT_TRUE(contains(answer.text, "the mechanism is on no branch"));
   EXPECT_EQ(map_of(shipped_profile("lock_up.toml") + " --set driver.start=180 --csv /dev/null --quiet").text,
             "");
 }

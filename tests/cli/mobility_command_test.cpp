@@ -1,4 +1,5 @@
 #include "program_testing.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -11,6 +12,8 @@
 
 namespace {
 
+using higherpair::testing::contains;
+using higherpair::testing::contains_all;
 using higherpair::testing::Outcome;
 using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
@@ -101,10 +104,9 @@ TEST_F(MobilityCommand, SaysHowTeethOfGearsMesh) {
 
 TEST_F(MobilityCommand, SaysWhereTeethInterfere) {
   const Outcome text = run(gear_pair(26.5, "ratio = 0.325\nmodule = 1\n"));
-  EXPECT_THAT(
-      text.out,
-      AllOf(HasSubstr("interference: the tips of wheel go 0.3061573 mm past the base circle of pinion"),
-            HasSubstr("a rack undercuts the teeth of pinion: fewer than 17.0973 are")));
+  EXPECT_TRUE(contains_all(text.out,
+                           {"interference: the tips of wheel go 0.3061573 mm past the base circle of pinion",
+                            "a rack undercuts the teeth of pinion: fewer than 17.0973 are"}));
 }
 
 TEST_F(MobilityCommand, KnowsNoMeshWithoutModuleOrWholeTeeth) {
@@ -123,9 +125,9 @@ TEST_F(MobilityCommand, PrintsCountRankPlanAndLoops) {
   const Outcome outcome = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("3 (4 - 4 - 1) + 4 = 1"), HasSubstr("have rank 8"),
-                                 HasSubstr("1 needed, 1 given"), HasSubstr("1. crank: driven at crank_pivot"),
-                                 HasSubstr("2. coupler, rocker: dyad RRR"), HasSubstr("Instant centres")));
+  EXPECT_TRUE(contains_all(
+      outcome.out, {"3 (4 - 4 - 1) + 4 = 1", "have rank 8", "1 needed, 1 given",
+                    "1. crank: driven at crank_pivot", "2. coupler, rocker: dyad RRR", "Instant centres"}));
 }
 
 TEST_F(MobilityCommand, GivesTheInstantCentresOfAFourBar) {
@@ -159,7 +161,7 @@ TEST_F(MobilityCommand, NamesTheChangePointsOfAParallelogram) {
   std::ostringstream profile;
   profile << std::ifstream(std::string(HIGHERPAIR_SOURCE_DIR) + "/profiles/parallelogram.toml").rdbuf();
   const Outcome text = run(profile.str());
-  EXPECT_THAT(text.out, HasSubstr("turns fully through change points, at 0 deg; 180 deg"));
+  EXPECT_TRUE(contains(text.out, "turns fully through change points, at 0 deg; 180 deg"));
   const auto loop = nlohmann::json::parse(run(profile.str(), "--json -").out).at("four_bars").at(0);
   EXPECT_EQ(loop.at("grashof"), "change point");
   EXPECT_EQ(loop.at("limits").at("crank").size(), 2U);
@@ -174,20 +176,20 @@ TEST_F(MobilityCommand, NamesAChangePointOfARhombusOnce) {
   const Outcome text = run(profile.str(),
                            "--set bodies.left.points.A.0=100 --set bodies.right.points.B.0=100 "
                            "--set bodies.coupler.pose.x=50 --set bodies.coupler.pose.y=86.6");
-  EXPECT_THAT(text.out, HasSubstr("turns fully through change points, at 0 deg; 180 deg\n"));
+  EXPECT_TRUE(contains(text.out, "turns fully through change points, at 0 deg; 180 deg\n"));
 }
 
 // Coupler and rocker do not turn against each other at the start; their pin is their centre all the same.
 TEST_F(MobilityCommand, ACommonPinIsAnInstantCentre) {
   const Outcome text = run_program("mobility " + shipped_profile("four_bar.toml"));
-  EXPECT_THAT(text.out, HasSubstr("coupler, rocker: ("));
-  EXPECT_THAT(text.out, Not(HasSubstr("undefined")));
+  EXPECT_TRUE(contains(text.out, "coupler, rocker: ("));
+  EXPECT_FALSE(contains(text.out, "undefined"));
 }
 
 // The valve's follower starts in a dwell.
 TEST_F(MobilityCommand, TheCentreOfABodyOnASlideIsAtInfinityAlsoAtRest) {
   const Outcome text = run_program("mobility " + shipped_profile("law_cam_roller.toml"));
-  EXPECT_THAT(text.out, HasSubstr("ground, follower: at infinity along (-1, 0)\n"));
+  EXPECT_TRUE(contains(text.out, "ground, follower: at infinity along (-1, 0)\n"));
   const Outcome json = run_program("mobility " + shipped_profile("law_cam_roller.toml") + " --json -");
   const nlohmann::json centers = nlohmann::json::parse(json.out).at("instant_centers");
   for (const nlohmann::json& center : centers) EXPECT_NE(center.at("kind"), "undefined") << center;
@@ -196,9 +198,9 @@ TEST_F(MobilityCommand, TheCentreOfABodyOnASlideIsAtInfinityAlsoAtRest) {
 // The law of the crank starts from rest, at a dead centre of the piston.
 TEST_F(MobilityCommand, InstantCentresAreThoseOfTheMotionThatBeginsAtRest) {
   const Outcome text = run_program("mobility " + shipped_profile("start_stop_crank.toml"));
-  EXPECT_THAT(text.out, HasSubstr("ground, rod: (120, 0)\n"));
-  EXPECT_THAT(text.out, HasSubstr("ground, piston: at infinity along (0, 1)\n"));
-  EXPECT_THAT(text.out, HasSubstr("crank, piston: (0, 0)\n"));
+  EXPECT_TRUE(contains(text.out, "ground, rod: (120, 0)\n"));
+  EXPECT_TRUE(contains(text.out, "ground, piston: at infinity along (0, 1)\n"));
+  EXPECT_TRUE(contains(text.out, "crank, piston: (0, 0)\n"));
 }
 
 TEST_F(MobilityCommand, GivesStrokeAndHarmonicErrorOfASliderCrank) {
@@ -253,16 +255,16 @@ TEST_F(MobilityCommand, NamesThePartsOfAShaperAndItsTimeRatio) {
 TEST_F(MobilityCommand, ExplainsAMissingDriverAndExitsWithThree) {
   const Outcome outcome = run(std::string(kFourBar) + "[drivers]\n");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.out, HasSubstr("3 (4 - 4 - 1) + 4 = 1"));
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("1 driver needed, 0 given"), HasSubstr("add 1 driver"),
-                                 HasSubstr("crank_pivot, crank_pin, rocker_pin, rocker_pivot")));
+  EXPECT_TRUE(contains(outcome.out, "3 (4 - 4 - 1) + 4 = 1"));
+  EXPECT_TRUE(contains_all(outcome.err, {"1 driver needed, 0 given", "add 1 driver",
+                                         "crank_pivot, crank_pin, rocker_pin, rocker_pivot"}));
 }
 
 TEST_F(MobilityCommand, NamesTheDriverThatIsTooManyAndExitsWithThree) {
   const std::string drivers = "[drivers.a]\njoint = \"crank_pivot\"\n[drivers.b]\njoint = \"rocker_pivot\"\n";
   const Outcome outcome = run(std::string(kFourBar) + drivers);
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("remove drivers.b (of rocker_pivot)"));
+  EXPECT_TRUE(contains(outcome.err, "remove drivers.b (of rocker_pivot)"));
   EXPECT_THAT(run(std::string(kFourBar) + drivers, "--quiet").err, IsEmpty());
 }
 
@@ -278,9 +280,8 @@ TEST_F(MobilityCommand, CountsWhatCannotBeAssembled) {
 TEST_F(MobilityCommand, AsCsvHasOneRowAValue) {
   const Outcome table = run(std::string(kFourBar) + "[driver]\njoint = \"crank_pivot\"\n", "--csv -");
   EXPECT_EQ(table.code, 0);
-  EXPECT_THAT(table.out,
-              AllOf(HasSubstr("key,value\nformat,1\n"), HasSubstr("\ncount/bodies,4\n"),
-                    HasSubstr("\nfour_bars/0/grashof,crank-rocker\n"), HasSubstr("\nrank/rank,8\n")));
+  EXPECT_TRUE(contains_all(table.out, {"key,value\nformat,1\n", "\ncount/bodies,4\n",
+                                       "\nfour_bars/0/grashof,crank-rocker\n", "\nrank/rank,8\n"}));
 }
 
 TEST_F(MobilityCommand, RefusesWrongFiles) {

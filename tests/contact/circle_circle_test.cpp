@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,14 +22,6 @@ struct Shapes {
   bool flat2;
   double rho2;
 };
-
-void PrintTo(const Shapes& shapes, std::ostream* out) {
-  *out << shapes.name;
-}
-
-using Arrangement = std::tuple<Shapes, bool, bool, AssemblyMode>;
-
-class CirclesAndFlats : public ::testing::TestWithParam<Arrangement> {};
 
 OneFreedom joint(bool turns, const Vector2d& p_WO, const Vector2d& p_BO, double direction, double theta) {
   OneFreedom freedom;
@@ -73,8 +64,7 @@ double expected_q(const ContactPair& pair, const Exact& exact, double near) {
   return pair.motion2.turns ? nearest_turn(exact.q, near) : exact.q;
 }
 
-TEST_P(CirclesAndFlats, MoveAsTheirEquivalentLinkageOverWholeTurns) {
-  const auto& [shapes, turns1, turns2, mode] = GetParam();
+void expect_motion_of_linkage(const Shapes& shapes, bool turns1, bool turns2, AssemblyMode mode) {
   const auto [one, two] = bodies(shapes, turns1, turns2);
   const ContactPair pair = {one.curve(), one.freedom, two.curve(), two.freedom};
   constexpr int kRows = 720;
@@ -121,17 +111,20 @@ const Shapes kShapes[] = {{"DiscOnDisc", false, 0.31, false, 0.17},
                           {"FaceOnDisc", true, 0, false, 0.12},
                           {"FaceOnPoint", true, 0, false, 0}};
 
-std::string name_of(const ::testing::TestParamInfo<Arrangement>& info) {
-  const auto& [shapes, turns1, turns2, mode] = info.param;
-  return std::string(shapes.name) + (turns1 ? "DriverTurns" : "DriverSlides") +
-         (turns2 ? "FollowerTurns" : "FollowerSlides") + (mode == AssemblyMode::kPlus ? "Plus" : "Minus");
+TEST(CirclesAndFlats, MoveAsTheirEquivalentLinkageOverWholeTurns) {
+  for (const Shapes& shapes : kShapes) {
+    for (const bool turns1 : {false, true}) {
+      for (const bool turns2 : {false, true}) {
+        for (const AssemblyMode mode : {AssemblyMode::kPlus, AssemblyMode::kMinus}) {
+          SCOPED_TRACE(std::string(shapes.name) + (turns1 ? ", driver turns" : ", driver slides") +
+                       (turns2 ? ", follower turns" : ", follower slides") +
+                       (mode == AssemblyMode::kPlus ? ", plus" : ", minus"));
+          expect_motion_of_linkage(shapes, turns1, turns2, mode);
+        }
+      }
+    }
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(AllArrangements, CirclesAndFlats,
-                         ::testing::Combine(::testing::ValuesIn(kShapes), ::testing::Bool(),
-                                            ::testing::Bool(),
-                                            ::testing::Values(AssemblyMode::kPlus, AssemblyMode::kMinus)),
-                         name_of);
 
 }  // namespace
 }  // namespace higherpair

@@ -17,29 +17,27 @@ namespace {
 using testing::kDegree;
 using testing::OracleCase;
 
-class ContactsOracle : public ::testing::TestWithParam<OracleCase> {};
-
-TEST_P(ContactsOracle, FindsEveryListedContact) {
-  const OracleCase& reference = GetParam();
-  const nlohmann::json& start = reference.data.at("start");
-  const double u = reference.data.at("th1_start_deg").get<double>() * kDegree;
-  const CurveContacts found = find_curve_contacts(reference.pair, u);
-  ASSERT_EQ(found.status, ContactsStatus::kComplete);
-  for (const nlohmann::json& listed : start.at("all_contacts_at_start")) {
-    const double q = listed.at("q2");
-    const Vector2d p = testing::vector_of(listed.at("P"));
-    const auto same = std::find_if(found.contacts.begin(), found.contacts.end(), [&](const CurveContact& c) {
-      return std::abs(c.q - q) <= 1e-9 * std::max(1.0, std::abs(q)) &&
-             (c.p_W - p).norm() <= 1e-8 * (1 + p.norm());
-    });
-    ASSERT_NE(same, found.contacts.end()) << q;
-    EXPECT_TRUE(same->opposed);
-    EXPECT_EQ(same->free, listed.at("separated_elsewhere").get<bool>());
+TEST(ContactsOracle, FindsEveryListedContact) {
+  for (const OracleCase& reference : testing::oracle_cases()) {
+    SCOPED_TRACE(reference.id);
+    const nlohmann::json& start = reference.data.at("start");
+    const double u = reference.data.at("th1_start_deg").get<double>() * kDegree;
+    const CurveContacts found = find_curve_contacts(reference.pair, u);
+    ASSERT_EQ(found.status, ContactsStatus::kComplete);
+    for (const nlohmann::json& listed : start.at("all_contacts_at_start")) {
+      const double q = listed.at("q2");
+      const Vector2d p = testing::vector_of(listed.at("P"));
+      const auto same =
+          std::find_if(found.contacts.begin(), found.contacts.end(), [&](const CurveContact& c) {
+            return std::abs(c.q - q) <= 1e-9 * std::max(1.0, std::abs(q)) &&
+                   (c.p_W - p).norm() <= 1e-8 * (1 + p.norm());
+          });
+      ASSERT_NE(same, found.contacts.end()) << q;
+      EXPECT_TRUE(same->opposed);
+      EXPECT_EQ(same->free, listed.at("separated_elsewhere").get<bool>());
+    }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Conics, ContactsOracle, ::testing::ValuesIn(testing::oracle_cases()),
-                         [](const auto& test) { return test.param.id; });
 
 // The properties of a contact, by the boundary points with given normals.
 void expect_contact(const ContactPair& pair, double u, const CurveContact& c) {
@@ -74,62 +72,66 @@ bool scanned_as_well(const std::vector<testing::ScannedContact>& scan, const Cur
   return std::any_of(scan.begin(), scan.end(), [&](const auto& s) { return listed(one, s, turns); });
 }
 
-class RandomContacts : public ::testing::TestWithParam<int> {};
-
-TEST_P(RandomContacts, AreThoseThatAScanOfBothCurvesFinds) {
-  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
-  SCOPED_TRACE(random.text);
-  const CurveContacts found = find_curve_contacts(random.pair, random.u);
-  ASSERT_EQ(found.status, ContactsStatus::kComplete);
-  const auto scan = testing::ContactScan(random.pair, random.u).run();
-  const bool turns = random.pair.motion2.turns;
-  for (const testing::ScannedContact& s : scan) {
-    EXPECT_TRUE(listed(found, s, turns)) << "not listed: q = " << s.q << " p = " << s.p_W.transpose();
-  }
-  for (const CurveContact& c : found.contacts) {
-    expect_contact(random.pair, random.u, c);
-    const bool in_reach = c.p_W.norm() < 100;
-    EXPECT_TRUE(!in_reach || scanned_as_well(scan, c, turns)) << "not scanned: q = " << c.q;
+TEST(RandomContacts, AreThoseThatAScanOfBothCurvesFinds) {
+  for (unsigned number = 0; number < 120; ++number) {
+    const testing::RandomPair random = testing::random_pair(number);
+    SCOPED_TRACE(random.text);
+    const CurveContacts found = find_curve_contacts(random.pair, random.u);
+    ASSERT_EQ(found.status, ContactsStatus::kComplete);
+    const auto scan = testing::ContactScan(random.pair, random.u).run();
+    const bool turns = random.pair.motion2.turns;
+    for (const testing::ScannedContact& s : scan) {
+      EXPECT_TRUE(listed(found, s, turns)) << "not listed: q = " << s.q << " p = " << s.p_W.transpose();
+    }
+    for (const CurveContact& c : found.contacts) {
+      expect_contact(random.pair, random.u, c);
+      const bool in_reach = c.p_W.norm() < 100;
+      EXPECT_TRUE(!in_reach || scanned_as_well(scan, c, turns)) << "not scanned: q = " << c.q;
+    }
   }
 }
 
-TEST_P(RandomContacts, AreFreeWhereTheSignedDistanceOfTheBodiesIsZero) {
-  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
-  SCOPED_TRACE(random.text);
-  const ContactPair& pair = random.pair;
-  for (const CurveContact& c : find_curve_contacts(pair, random.u).contacts) {
-    EXPECT_TRUE(c.opposed || !c.free);
-    const bool outside1 = pair.curve1.side == Side::kOutside;
-    const bool outside2 = pair.curve2.side == Side::kOutside;
-    const bool face = pair.curve1.kind == CurveKind::kLine || pair.curve2.kind == CurveKind::kLine;
-    if ((outside1 && outside2) || (face && (outside1 || outside2))) {
-      EXPECT_FALSE(c.free);
-      continue;
+TEST(RandomContacts, AreFreeWhereTheSignedDistanceOfTheBodiesIsZero) {
+  for (unsigned number = 0; number < 120; ++number) {
+    const testing::RandomPair random = testing::random_pair(number);
+    SCOPED_TRACE(random.text);
+    const ContactPair& pair = random.pair;
+    for (const CurveContact& c : find_curve_contacts(pair, random.u).contacts) {
+      EXPECT_TRUE(c.opposed || !c.free);
+      const bool outside1 = pair.curve1.side == Side::kOutside;
+      const bool outside2 = pair.curve2.side == Side::kOutside;
+      const bool face = pair.curve1.kind == CurveKind::kLine || pair.curve2.kind == CurveKind::kLine;
+      if ((outside1 && outside2) || (face && (outside1 || outside2))) {
+        EXPECT_FALSE(c.free);
+        continue;
+      }
+      if (!c.opposed) {
+        continue;
+      }
+      const Separation apart = separation(pair.curve1, pose_at(pair.motion1, random.u), pair.curve2,
+                                          pose_at(pair.motion2, c.q), 1e-11);
+      EXPECT_EQ(c.free, apart.gap >= -1e-8) << "q = " << c.q << " gap = " << apart.gap;
     }
-    if (!c.opposed) {
-      continue;
-    }
-    const Separation apart = separation(pair.curve1, pose_at(pair.motion1, random.u), pair.curve2,
-                                        pose_at(pair.motion2, c.q), 1e-11);
-    EXPECT_EQ(c.free, apart.gap >= -1e-8) << "q = " << c.q << " gap = " << apart.gap;
   }
 }
 
-TEST_P(RandomContacts, FollowAChangeOfScale) {
-  const testing::RandomPair random = testing::random_pair(static_cast<unsigned>(GetParam()));
-  SCOPED_TRACE(random.text);
-  const CurveContacts plain = find_curve_contacts(random.pair, random.u);
-  for (const double scale : {1e-6, 1e6}) {
-    const CurveContacts scaled = find_curve_contacts(testing::scaled(random.pair, scale), random.u);
-    ASSERT_EQ(scaled.contacts.size(), plain.contacts.size());
-    for (std::size_t i = 0; i < plain.contacts.size(); ++i) {
-      const CurveContact& a = plain.contacts[i];
-      const CurveContact& b = scaled.contacts[i];
-      const double q = b.q / (random.pair.motion2.turns ? 1 : scale);
-      EXPECT_LE(std::abs(q - a.q), 1e-10 * (1 + std::abs(a.q)));
-      EXPECT_LE((b.p_W / scale - a.p_W).norm(), 1e-8 * (1 + a.p_W.norm()));
-      EXPECT_EQ(a.opposed, b.opposed);
-      EXPECT_EQ(a.free, b.free);
+TEST(RandomContacts, FollowAChangeOfScale) {
+  for (unsigned number = 0; number < 120; ++number) {
+    const testing::RandomPair random = testing::random_pair(number);
+    SCOPED_TRACE(random.text);
+    const CurveContacts plain = find_curve_contacts(random.pair, random.u);
+    for (const double scale : {1e-6, 1e6}) {
+      const CurveContacts scaled = find_curve_contacts(testing::scaled(random.pair, scale), random.u);
+      ASSERT_EQ(scaled.contacts.size(), plain.contacts.size());
+      for (std::size_t i = 0; i < plain.contacts.size(); ++i) {
+        const CurveContact& a = plain.contacts[i];
+        const CurveContact& b = scaled.contacts[i];
+        const double q = b.q / (random.pair.motion2.turns ? 1 : scale);
+        EXPECT_LE(std::abs(q - a.q), 1e-10 * (1 + std::abs(a.q)));
+        EXPECT_LE((b.p_W / scale - a.p_W).norm(), 1e-8 * (1 + a.p_W.norm()));
+        EXPECT_EQ(a.opposed, b.opposed);
+        EXPECT_EQ(a.free, b.free);
+      }
     }
   }
 }
@@ -137,33 +139,32 @@ TEST_P(RandomContacts, FollowAChangeOfScale) {
 // Contacts of two circles, one of which turns about the origin: the distance of their centres is r1 + r2
 // (opposed normals) or |r1 - r2|. With the follower's centre on an arm e and the driver's at the distance L
 // from the pivot, cos(angle between) = (L² + e² - distance²)/(2 L e).
-class TwoCircles : public ::testing::TestWithParam<double> {};
-
-TEST_P(TwoCircles, TouchAtTheAnglesOfTheirTriangles) {
-  const double lever = GetParam();
-  const double r1 = 0.731;
-  const double r2 = 0.447;
-  ContactPair pair;
-  pair.curve1 = make_circle({0, 0}, r1).value();
-  pair.curve2 = make_circle({lever, 0}, r2).value();
-  const double L = lever + 0.6;
-  pair.motion2.p_WO = {L, 0};
-  const CurveContacts found = find_curve_contacts(pair, 0.3);
-  ASSERT_EQ(found.contacts.size(), 2U);
-  // The driver lies in direction π from the pivot. 1 - cos without cancellation: ((r1+r2)² - (L-e)²)/(2 L e).
-  const double sum = r1 + r2;
-  const double one_minus_cos = (sum - 0.6) * (sum + 0.6) / (2 * L * lever);
-  const double angle = 2 * std::asin(std::sqrt(one_minus_cos / 2));
-  // L - lever is 0.6 up to the rounding of L; q is within rounding of π.
-  const double tolerance = 4 * kPi * 2.3e-16 + 1e-15 / (lever * angle);
-  EXPECT_NEAR(found.contacts[0].q, -(kPi - angle), tolerance);
-  EXPECT_NEAR(found.contacts[1].q, kPi - angle, tolerance);
-  EXPECT_TRUE(found.contacts[0].free && found.contacts[1].free);
-  EXPECT_EQ(found.contacts[0].branch, 1);
-  EXPECT_EQ(found.contacts[1].branch, -1);
+TEST(TwoCircles, TouchAtTheAnglesOfTheirTriangles) {
+  for (const double lever : {1.3, 17.0, 1e3, 1e6}) {
+    SCOPED_TRACE(lever);
+    const double r1 = 0.731;
+    const double r2 = 0.447;
+    ContactPair pair;
+    pair.curve1 = make_circle({0, 0}, r1).value();
+    pair.curve2 = make_circle({lever, 0}, r2).value();
+    const double L = lever + 0.6;
+    pair.motion2.p_WO = {L, 0};
+    const CurveContacts found = find_curve_contacts(pair, 0.3);
+    ASSERT_EQ(found.contacts.size(), 2U);
+    // The driver lies in direction π from the pivot. 1 - cos without cancellation: ((r1+r2)² - (L-e)²)/(2 L
+    // e).
+    const double sum = r1 + r2;
+    const double one_minus_cos = (sum - 0.6) * (sum + 0.6) / (2 * L * lever);
+    const double angle = 2 * std::asin(std::sqrt(one_minus_cos / 2));
+    // L - lever is 0.6 up to the rounding of L; q is within rounding of π.
+    const double tolerance = 4 * kPi * 2.3e-16 + 1e-15 / (lever * angle);
+    EXPECT_NEAR(found.contacts[0].q, -(kPi - angle), tolerance);
+    EXPECT_NEAR(found.contacts[1].q, kPi - angle, tolerance);
+    EXPECT_TRUE(found.contacts[0].free && found.contacts[1].free);
+    EXPECT_EQ(found.contacts[0].branch, 1);
+    EXPECT_EQ(found.contacts[1].branch, -1);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(Levers, TwoCircles, ::testing::Values(1.3, 17.0, 1e3, 1e6));
 
 TEST(Contacts, OfACircleInARingAreOpposedInsideAndNotOutside) {
   ContactPair pair;
@@ -386,8 +387,6 @@ TEST(Contacts, OfHyperbolasThatSlideAlongACommonAsymptoteAreNotListed) {
   pair.motion2.direction_W = {1, 1};
   EXPECT_EQ(find_curve_contacts(pair, 0).status, ContactsStatus::kTangentAtInfinity);
 }
-
-INSTANTIATE_TEST_SUITE_P(Pairs, RandomContacts, ::testing::Range(0, 120));
 
 }  // namespace
 }  // namespace higherpair

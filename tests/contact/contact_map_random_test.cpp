@@ -41,10 +41,8 @@ void expect_all_contacts(const ContactMap& map, double u) {
   }
 }
 
-class RandomMaps : public ::testing::TestWithParam<unsigned> {};
-
-TEST_P(RandomMaps, HoldEveryContactAtAnyDriverPosition) {
-  for (unsigned number = 18 * GetParam(); number < 18 * (GetParam() + 1); ++number) {
+TEST(RandomMaps, HoldEveryContactAtAnyDriverPosition) {
+  for (unsigned number = 0; number < 108; ++number) {
     const RandomPair random = mapped_pair(number);
     SCOPED_TRACE(random.text);
     const ContactMap map = map_contacts(random.pair, range_of(random));
@@ -56,8 +54,6 @@ TEST_P(RandomMaps, HoldEveryContactAtAnyDriverPosition) {
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(AllKinds, RandomMaps, ::testing::Range(0U, 6U));
 
 TEST(RandomMap, FoldsAreTheLimitPositionsThatATrackRunsInto) {
   int compared = 0;
@@ -144,6 +140,7 @@ TEST(RandomMap, DoesNotDependOnTheUnitOfLength) {
 }
 
 TEST(RandomMap, CountsTwoContactsMoreOnOneSideOfEveryFold) {
+  int folds = 0;
   for (unsigned number = 0; number < 36; number += 3) {
     const RandomPair random = random_pair(number);
     SCOPED_TRACE(random.text);
@@ -162,8 +159,10 @@ TEST(RandomMap, CountsTwoContactsMoreOnOneSideOfEveryFold) {
       // Near a cusp the two are separated only by the power 3/2 of the distance.
       const double beside = event.at.type == CriticalType::kConforming ? 1e-4 : 1e-6;
       EXPECT_EQ(std::abs(count(event.at.u + beside) - count(event.at.u - beside)), 2) << event.at.u;
+      ++folds;
     }
   }
+  EXPECT_GT(folds, 12);
 }
 
 }  // namespace

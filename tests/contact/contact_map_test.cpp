@@ -103,6 +103,7 @@ TEST(ContactMap, CarriesABranchOverTheStartOfTheTurn) {
 TEST(ContactMap, LiesOnTheFourBarBetweenItsFolds) {
   const Discs discs;
   const ContactMap map = map_contacts(discs.pair(), range(0.2));
+  ASSERT_FALSE(map.branches.empty());
   for (const MapBranch& branch : map.branches) {
     const double coupler = branch.opposed ? discs.rho1 + discs.rho2 : discs.rho1 - discs.rho2;
     for (const MapPoint& point : branch.points) {

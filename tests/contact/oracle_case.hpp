@@ -2,7 +2,6 @@
 
 #include "higherpair/contact/contact_pair.hpp"
 
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,6 @@ struct OracleCase {
   std::string id;
   ContactPair pair;
   nlohmann::json data;
-
-  friend void PrintTo(const OracleCase& reference, std::ostream* out) { *out << reference.id; }
 };
 
 /// How much the rounding of a row's inputs may change a value, as given by the reference where it is known.

@@ -98,50 +98,55 @@ void run_one(const RandomCase& one, Counts& counts) {
   }
 }
 
-class RandomSeeds : public ::testing::TestWithParam<int> {};
-
-TEST_P(RandomSeeds, GiveContactsThatObeyTheLawsOrAreFlagged) {
-  RandomPairs random(static_cast<unsigned>(GetParam()));
-  Counts counts;
-  for (int i = 0; i < 400; ++i) {
-    const RandomCase one = random.next();
-    SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
-    run_one(one, counts);
+TEST(RandomSeeds, GiveContactsThatObeyTheLawsOrAreFlagged) {
+  for (int seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomPairs random(static_cast<unsigned>(seed));
+    Counts counts;
+    for (int i = 0; i < 400; ++i) {
+      const RandomCase one = random.next();
+      SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
+      run_one(one, counts);
+    }
+    RecordProperty("pairs", counts.pairs);
+    RecordProperty("found", counts.found);
+    RecordProperty("rows", counts.rows);
+    RecordProperty("flagged", counts.flagged);
+    RecordProperty("compared", counts.compared);
+    EXPECT_GT(counts.found, counts.pairs / 3);
+    EXPECT_LT(counts.flagged, counts.rows / 2);
+    EXPECT_GT(counts.compared, counts.found);
   }
-  RecordProperty("pairs", counts.pairs);
-  RecordProperty("found", counts.found);
-  RecordProperty("rows", counts.rows);
-  RecordProperty("flagged", counts.flagged);
-  RecordProperty("compared", counts.compared);
-  EXPECT_GT(counts.found, counts.pairs / 3);
-  EXPECT_LT(counts.flagged, counts.rows / 2);
-  EXPECT_GT(counts.compared, counts.found);
 }
 
 // With few rows the result is the same as with many: the same contact, or a lost one.
-TEST_P(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
-  RandomPairs random(static_cast<unsigned>(GetParam()) + 1000);
-  for (int i = 0; i < 400; ++i) {
-    const RandomCase one = random.next();
-    SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
-    const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
-    if (found.status != FindStatus::kFound) continue;
-    FollowedContact rows = start_track(one.pair, found.at, found.branch);
-    FollowedContact leap = rows;
-    bool held = true;
-    for (int k = 1; k <= 40 && held; ++k) {
-      held = follow_to(rows, one.u + k * step_of(one) / 2).status == TrackStatus::kOk;
+TEST(RandomSeeds, GiveTheSameInOneLeapAsInManyRows) {
+  for (int seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RandomPairs random(static_cast<unsigned>(seed) + 1000);
+    int compared = 0;
+    for (int i = 0; i < 400; ++i) {
+      const RandomCase one = random.next();
+      SCOPED_TRACE("pair " + std::to_string(i) + ": " + describe(one));
+      const FindResult found = find_nearest_contact(one.pair, one.u, one.q);
+      if (found.status != FindStatus::kFound) continue;
+      FollowedContact rows = start_track(one.pair, found.at, found.branch);
+      FollowedContact leap = rows;
+      bool held = true;
+      for (int k = 1; k <= 40 && held; ++k) {
+        held = follow_to(rows, one.u + k * step_of(one) / 2).status == TrackStatus::kOk;
+      }
+      const bool leapt = follow_to(leap, one.u + 20 * step_of(one)).status == TrackStatus::kOk;
+      EXPECT_EQ(held, leapt);
+      if (held && leapt) {
+        const double unit = one.pair.motion2.turns ? 1 : one.size;
+        EXPECT_LE(std::abs(rows.at.q - leap.at.q), 1e-9 * (unit + std::abs(rows.at.q)));
+        ++compared;
+      }
     }
-    const bool leapt = follow_to(leap, one.u + 20 * step_of(one)).status == TrackStatus::kOk;
-    EXPECT_EQ(held, leapt);
-    if (held && leapt) {
-      const double unit = one.pair.motion2.turns ? 1 : one.size;
-      EXPECT_LE(std::abs(rows.at.q - leap.at.q), 1e-9 * (unit + std::abs(rows.at.q)));
-    }
+    EXPECT_GT(compared, 100);
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(AllKinds, RandomSeeds, ::testing::Range(1, 13));
 
 }  // namespace
 }  // namespace higherpair

@@ -267,12 +267,9 @@ curves.disc = { type = "circle", center = [0.02, 0], radius = 0.035 }
 pose = { x = 0.08, y = 0, angle = -0.9 }
 points.Q = [0, 0]
 curves.roller = { type = "circle", center = [-0.04, 0], radius = 0.025 }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.Q]
-type = "revolute"
-between = ["ground.Q", "follower.Q"]
+[joints]
+O = { type = "revolute", between = ["ground.O", "cam.O"] }
+Q = { type = "revolute", between = ["ground.Q", "follower.Q"] }
 [contacts.touch]
 between = ["cam.disc", "follower.roller"]
 [driver]
@@ -304,12 +301,9 @@ curves.disc = { type = "circle", center = [-0.04, 0], radius = 0.015 }
 mass = 0.2
 center_of_mass = [-0.02, 0]
 inertia = 3e-5
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.Q]
-type = "revolute"
-between = ["ground.Q", "follower.Q"]
+[joints]
+O = { type = "revolute", between = ["ground.O", "cam.O"] }
+Q = { type = "revolute", between = ["ground.Q", "follower.Q"] }
 [contacts.touch]
 between = ["cam.disc", "follower.disc"]
 [driver]
@@ -532,10 +526,8 @@ points.P = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
 mass = 0.17
 center_of_mass = [0, 0]
-[joints.second_guide]
-type = "prismatic"
-between = ["ground.O", "second.P"]
-direction = [0, 1]
+[joints]
+second_guide = { type = "prismatic", between = ["ground.O", "second.P"], direction = [0, 1] }
 [contacts.second]
 between = ["follower.knob", "second.face"]
 )";
@@ -609,15 +601,10 @@ curves.roller = {{ type = "circle", center = [0.05, 0], radius = 0.009 }}
 mass = 0.2
 center_of_mass = [0.02, 0]
 inertia = 1e-4
-[joints.cam_pivot]
-type = "revolute"
-between = ["ground.O1", "cam.O"]
-[joints.arm_pivot]
-type = "revolute"
-between = ["ground.O2", "arm.O"]
-[joints.second_pivot]
-type = "revolute"
-between = ["ground.O3", "second_arm.O"]
+[joints]
+cam_pivot    = {{ type = "revolute", between = ["ground.O1", "cam.O"] }}
+arm_pivot    = {{ type = "revolute", between = ["ground.O2", "arm.O"] }}
+second_pivot = {{ type = "revolute", between = ["ground.O3", "second_arm.O"] }}
 [contacts.first]
 between = ["cam.disc", "arm.in"]
 [contacts.second]

@@ -78,11 +78,11 @@ TEST(Gears, TransformTheTorqueByTheirRatio) {
   }
 }
 
-// Input by the sun, ring held, output by the arm: the arm's torque is (1 + z_ring/z_sun) times the sun's, and
-// the ring carries the difference.
-TEST(Gears, OfAPlanetaryGearMultiplyTheTorque) {
-  const double sun = 23, planet = 17, ring = sun + 2 * planet;
-  Analysis gear(fmt::format(R"([bodies.ground]
+constexpr double kSun = 23, kPlanet = 17, kRing = kSun + 2 * kPlanet;  // numbers of teeth
+
+// Input by the sun, ring held, output by the arm; with further keys of the planet and of both meshes.
+Analysis planetary_gear(const std::string& planet, const std::string& at_sun, const std::string& at_ring) {
+  return Analysis(fmt::format(R"([bodies.ground]
 points.O = [0, 0]
 [bodies.sun]
 points.O = [0, 0]
@@ -91,40 +91,34 @@ points.O = [0, 0]
 points.P = [0.04, 0]
 [bodies.planet]
 points.P = [0.04, 0]
-mass = 0.3
-center_of_mass = [0.04, 0]
-inertia = 2e-5
-[joints.sun_pivot]
-type = "revolute"
-between = ["ground.O", "sun.O"]
-[joints.arm_pivot]
-type = "revolute"
-between = ["ground.O", "arm.O"]
-[joints.planet_pivot]
-type = "revolute"
-between = ["arm.P", "planet.P"]
-[joints.sun_planet]
-type = "gears"
-between = ["sun.O", "planet.P"]
-ratio = {}
-[joints.planet_ring]
-type = "gears"
-between = ["ground.O", "planet.P"]
-internal = true
-ratio = {}
+{}[joints]
+sun_pivot    = {{ type = "revolute", between = ["ground.O", "sun.O"] }}
+arm_pivot    = {{ type = "revolute", between = ["ground.O", "arm.O"] }}
+planet_pivot = {{ type = "revolute", between = ["arm.P", "planet.P"] }}
+sun_planet   = {{ type = "gears", between = ["sun.O", "planet.P"], ratio = {}{} }}
+planet_ring  = {{ type = "gears", between = ["ground.O", "planet.P"], internal = true, ratio = {}{} }}
 [driver]
 joint = "sun_pivot"
 [loads]
 brake = {{ body = "arm", torque = -7 }}
 )",
-                            sun / planet, ring / planet));
+                              planet, kSun / kPlanet, at_sun, kRing / kPlanet, at_ring));
+}
+
+// The arm's torque is (1 + z_ring/z_sun) times the sun's, and the ring carries the difference.
+void expect_effort_of_planetary_gear(const Reactions& reactions) {
+  ASSERT_TRUE(reactions.defined);
+  EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + kRing / kSun), kGearRounding);
+  EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + kRing / kSun), kGearRounding);
+}
+
+TEST(Gears, OfAPlanetaryGearMultiplyTheTorque) {
+  Analysis gear = planetary_gear("mass = 0.3\ncenter_of_mass = [0.04, 0]\ninertia = 2e-5\n", "", "");
   for (const double theta : {0.0, 2.2, 9.1}) {
     const Reactions& reactions = gear.at(theta, 3, 0);
-    ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kGearRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kGearRounding);
+    expect_effort_of_planetary_gear(reactions);
     // The centripetal force of the planet, which acts on the arm's pin only.
-    const double arm_rate = 3 * sun / (sun + ring);
+    const double arm_rate = 3 * kSun / (kSun + kRing);
     const JointReaction& pin = gear.dynamics.solve(gear.run).joints[gear.joint("planet_pivot")];
     EXPECT_NEAR(std::hypot(pin.fx.value(), pin.fy.value()), 0.3 * 0.04 * arm_rate * arm_rate, kGearRounding);
   }
@@ -186,52 +180,14 @@ TEST(GearTeeth, OfARingPushItOut) {
 
 // Each body of a planetary gear is in equilibrium, with the forces applied at their actual points.
 TEST(GearTeeth, HoldAPlanetaryGearInEquilibrium) {
-  const double sun = 23, planet = 17, ring = sun + 2 * planet;
-  Analysis gear(fmt::format(R"([bodies.ground]
-points.O = [0, 0]
-[bodies.sun]
-points.O = [0, 0]
-[bodies.arm]
-points.O = [0, 0]
-points.P = [0.04, 0]
-[bodies.planet]
-points.P = [0.04, 0]
-[joints.sun_pivot]
-type = "revolute"
-between = ["ground.O", "sun.O"]
-[joints.arm_pivot]
-type = "revolute"
-between = ["ground.O", "arm.O"]
-[joints.planet_pivot]
-type = "revolute"
-between = ["arm.P", "planet.P"]
-[joints.sun_planet]
-type = "gears"
-between = ["sun.O", "planet.P"]
-ratio = {}
-pressure_angle = 0.349
-carrier = "arm"
-[joints.planet_ring]
-type = "gears"
-between = ["ground.O", "planet.P"]
-internal = true
-ratio = {}
-pressure_angle = 0.4
-carrier = "arm"
-[driver]
-joint = "sun_pivot"
-[loads]
-brake = {{ body = "arm", torque = -7 }}
-)",
-                            sun / planet, ring / planet));
+  Analysis gear = planetary_gear("", ", pressure_angle = 0.349, carrier = \"arm\"",
+                                 ", pressure_angle = 0.4, carrier = \"arm\"");
   for (const double theta : {0.0, 2.2, 9.1}) {
     const Reactions& reactions = gear.at(theta, 3, 0);
-    ASSERT_TRUE(reactions.defined);
-    EXPECT_NEAR(reactions.drivers[0].effort.value(), 7 / (1 + ring / sun), kGearRounding);
-    EXPECT_NEAR(reactions.drivers[0].by_power.value(), 7 / (1 + ring / sun), kGearRounding);
-    const Vector2d P = 0.04 * unit_vector(theta * sun / (sun + ring));
+    expect_effort_of_planetary_gear(reactions);
+    const Vector2d P = 0.04 * unit_vector(theta * kSun / (kSun + kRing));
     const Vector2d u = P.normalized();
-    const double r_planet = 0.04 * planet / (sun + planet);
+    const double r_planet = 0.04 * kPlanet / (kSun + kPlanet);
     const Vector2d by_sun = force_of(reactions, gear.joint("sun_planet"));
     const Vector2d by_ring = force_of(reactions, gear.joint("planet_ring"));
     const Vector2d by_arm = force_of(reactions, gear.joint("planet_pivot"));

@@ -28,9 +28,8 @@ points.P = [0.53, 0]
 mass = 1.7
 center_of_mass = [0.31, 0]
 inertia = 0.023
-[joints.pivot]
-type = "revolute"
-between = ["ground.O", "bar.O"]
+[joints]
+pivot = { type = "revolute", between = ["ground.O", "bar.O"] }
 [driver]
 joint = "pivot"
 )" + more;
@@ -123,10 +122,8 @@ points.T = [0, 0.05]
 mass = 2.3
 center_of_mass = [0.04, 0]
 inertia = 0.1
-[joints.slide]
-type = "prismatic"
-between = ["ground.O", "block.P"]
-direction = {}
+[joints]
+slide = {{ type = "prismatic", between = ["ground.O", "block.P"], direction = {} }}
 [driver]
 joint = "slide"
 end = 1
@@ -183,16 +180,10 @@ points.A = [0.06, 0]
 [bodies.lever]
 pose = { x = 0, y = -0.2, angle = 1.3 }
 points.Q = [0, 0]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.Q]
-type = "revolute"
-between = ["ground.Q", "lever.Q"]
-[joints.slot]
-type = "slot"
-between = ["lever.Q", "crank.A"]
-direction = [1, 0]
+[joints]
+O    = { type = "revolute", between = ["ground.O", "crank.O"] }
+Q    = { type = "revolute", between = ["ground.Q", "lever.Q"] }
+slot = { type = "slot", between = ["lever.Q", "crank.A"], direction = [1, 0] }
 [driver]
 joint = "O"
 [loads]
@@ -233,13 +224,9 @@ inertia = 2e-4
          (pinned ? "mass = 0.1\ncenter_of_mass = [0, 0]\ninertia = 3e-5\n[joints.axle]\ntype = \"revolute\"\n"
                    "between = [\"follower.P\", \"roller.P\"]\n"
                  : std::string()) +
-         R"([joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.G", "follower.P"]
-direction = [0, 1]
+         R"([joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.G", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.c", ")" +
          (pinned ? "roller" : "follower") + ".c\"]\n[driver]\njoint = \"O\"\n";
@@ -279,13 +266,9 @@ curves.disc = { type = "circle", center = [0.01, 0], radius = 0.03 }
 pose = { y = 0.03 }
 points.P = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.disc", "follower.face"]
 [driver]

@@ -18,9 +18,8 @@ points.O = [0, 0]
 [bodies.crank]
 points.O = [0, 0]
 points.A = [0.1, 0]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "crank.O"]
+[joints]
+O = { type = "revolute", between = ["ground.O", "crank.O"] }
 [driver]
 joint = "O"
 )";

@@ -30,12 +30,9 @@ curves.c = {{ type = "circle", center = [0, 0], radius = 0.1 }}
 mass = 3
 center_of_mass = [0, 0]
 inertia = 0.02
-[joints.A]
-type = "revolute"
-between = ["ground.A", "small.A"]
-[joints.B]
-type = "revolute"
-between = ["ground.B", "large.B"]
+[joints]
+A = {{ type = "revolute", between = ["ground.A", "small.A"] }}
+B = {{ type = "revolute", between = ["ground.B", "large.B"] }}
 [contacts.touch]
 between = ["small.c", "large.c"]
 rolling = true
@@ -103,24 +100,13 @@ points.R = [0.5, 0]
 mass = 4
 center_of_mass = [0.21, 0.02]
 inertia = 0.1
-[joints.A]
-type = "revolute"
-between = ["ground.A", "a.A"]
-[joints.B]
-type = "revolute"
-between = ["ground.B", "b.B"]
-[joints.C]
-type = "revolute"
-between = ["ground.C", "c.C"]
-[joints.P]
-type = "revolute"
-between = ["a.P", "platform.P"]
-[joints.Q]
-type = "revolute"
-between = ["b.Q", "platform.Q"]
-[joints.R]
-type = "revolute"
-between = ["c.R", "platform.R"]
+[joints]
+A = { type = "revolute", between = ["ground.A", "a.A"] }
+B = { type = "revolute", between = ["ground.B", "b.B"] }
+C = { type = "revolute", between = ["ground.C", "c.C"] }
+P = { type = "revolute", between = ["a.P", "platform.P"] }
+Q = { type = "revolute", between = ["b.Q", "platform.Q"] }
+R = { type = "revolute", between = ["c.R", "platform.R"] }
 [driver]
 joint = "A"
 start = 0.9
@@ -198,18 +184,11 @@ points.C = [0.2, 0]
 pose = { x = 0.2, y = 0, angle = 1 }
 points.D = [0, 0]
 points.C = [0.1, 0]
-[joints.A]
-type = "revolute"
-between = ["ground.A", "crank.A"]
-[joints.B]
-type = "revolute"
-between = ["crank.B", "coupler.B"]
-[joints.C]
-type = "revolute"
-between = ["coupler.C", "rocker.C"]
-[joints.D]
-type = "revolute"
-between = ["ground.D", "rocker.D"]
+[joints]
+A = { type = "revolute", between = ["ground.A", "crank.A"] }
+B = { type = "revolute", between = ["crank.B", "coupler.B"] }
+C = { type = "revolute", between = ["coupler.C", "rocker.C"] }
+D = { type = "revolute", between = ["ground.D", "rocker.D"] }
 [driver]
 joint = "A"
 start = 1

@@ -25,12 +25,9 @@ curves.disc = {{ type = "circle", center = {}, radius = {} }}
 points.Q = {}
 points.P = {}
 curves.roller = {{ type = "circle", center = {}, radius = {} }}
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.Q]
-type = "revolute"
-between = ["ground.Q", "follower.Q"]
+[joints]
+O = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+Q = {{ type = "revolute", between = ["ground.Q", "follower.Q"] }}
 [contacts.touch]
 between = ["cam.disc", "follower.roller"]
 [driver]

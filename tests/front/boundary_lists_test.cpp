@@ -1,5 +1,6 @@
 #include "cam_profile.hpp"
 #include "higherpair/front/contacts.hpp"
+#include "support/texts.hpp"
 
 #include <atomic>
 #include <cmath>
@@ -13,9 +14,9 @@
 namespace higherpair {
 namespace {
 
+using testing::contains;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Model tangent_cam() {
@@ -35,7 +36,7 @@ TEST(BoundaryLists, HaveTheContactsOfCurvesInParts) {
     EXPECT_TRUE(entry.free);
     EXPECT_FALSE(entry.certified);
   }
-  EXPECT_THAT(touch.certificate, HasSubstr("not decided exactly"));
+  EXPECT_TRUE(contains(touch.certificate, "not decided exactly"));
   EXPECT_TRUE(touch.complete);
   EXPECT_THAT(touch.undecided, IsEmpty());
   EXPECT_EQ(touch.proof, "proven: there are no other contacts of opposed normals");
@@ -54,13 +55,9 @@ curves.flank = {1}
 pose = {{ x = {0:.17g}, y = 30 }}
 points.P = [0, 0]
 curves.tip = {2}
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.G", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = {{ type = "revolute", between = ["ground.O", "cam.O"] }}
+guide = {{ type = "prismatic", between = ["ground.G", "follower.P"], direction = [0, 1] }}
 [contacts.touch]
 between = ["cam.flank", "follower.tip"]
 [driver]
@@ -125,9 +122,9 @@ TEST(BoundaryLists, WholeGearsHaveNoMap) {
   ASSERT_TRUE(gears);
   const auto map = map_of(*gears);
   ASSERT_FALSE(map);
-  EXPECT_THAT(to_string(map.error()),
-              HasSubstr("too many parts for a map, more than 10,000 pairs: give each body a curve of "
-                        "those alone that may touch, of gears one flank"));
+  EXPECT_TRUE(contains(to_string(map.error()),
+                       "too many parts for a map, more than 10,000 pairs: give each body a curve of "
+                       "those alone that may touch, of gears one flank"));
 }
 
 TEST(BoundaryLists, OfAMapThatIsStoppedHaveNothing) {
@@ -185,12 +182,12 @@ TEST(BoundaryLists, NeedAToleranceAboveZero) {
   for (const double tolerance : {-1.0, 0.0, double(NAN)}) {
     const auto branches = branches_of(tangent_cam(), {false, tolerance});
     ASSERT_FALSE(branches) << tolerance;
-    EXPECT_THAT(to_string(branches.error()), HasSubstr("setting tolerance"));
+    EXPECT_TRUE(contains(to_string(branches.error()), "setting tolerance"));
     MapSettings settings;
     settings.tolerance = tolerance;
     const auto map = map_of(tangent_cam(), settings);
     ASSERT_FALSE(map) << tolerance;
-    EXPECT_THAT(to_string(map.error()), HasSubstr("setting tolerance"));
+    EXPECT_TRUE(contains(to_string(map.error()), "setting tolerance"));
   }
 }
 

@@ -192,72 +192,56 @@ INSTANTIATE_TEST_SUITE_P(OfDiscs, OfADisc,
                                   (one.param.second == kTwoArcs ? "TwoArcs" : "Offset");
                          });
 
-// A cam of straight edges and an arc with rounded corners.
-constexpr const char* kFillets = R"(
+// A roller swings on a cam; the keys of the cam's curve are filled in.
+std::string under_a_roller(const std::string& curve) {
+  return std::string(R"(
 [bodies.ground]
 points = { O1 = [0, 0], O2 = [70, 5] }
 [bodies.cam]
 points.O = [0, 0]
 [bodies.cam.curves.disc]
-type   = "chain"
+)") + curve +
+         R"([bodies.follower]
+pose = { x = 70, y = 5, angle = 150 }
+points.O = [0, 0]
+curves.roller = { type = "circle", center = [51, 2], radius = 9 }
+[joints]
+pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
+arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
+[contacts.touch]
+between = ["cam.disc", "follower.roller"]
+[driver]
+joint    = "pivot"
+end      = 360
+samples  = 50
+velocity = "3 rad/s"
+)";
+}
+
+// A cam of straight edges and an arc with rounded corners.
+const std::string kFillets = under_a_roller(R"(type   = "chain"
 fillet = 6
 spans  = [ { type = "segment", from = [-25, -20], to = [28, -18] },
            { type = "segment", from = [28, -18], to = [20, 24] },
            { type = "segment", from = [20, 24], to = [-22, 27] },
            { type = "segment", from = [-22, 27], to = [-25, -20] } ]
-[bodies.follower]
-pose = { x = 70, y = 5, angle = 150 }
-points.O = [0, 0]
-curves.roller = { type = "circle", center = [51, 2], radius = 9 }
-[joints]
-pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
-arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
-[contacts.touch]
-between = ["cam.disc", "follower.roller"]
-[driver]
-joint    = "pivot"
-end      = 360
-samples  = 50
-velocity = "3 rad/s"
-)";
+)");
 
-constexpr const char* kPoints = R"(
-[bodies.ground]
-points = { O1 = [0, 0], O2 = [70, 5] }
-[bodies.cam]
-points.O = [0, 0]
-[bodies.cam.curves.disc]
-type   = "spline"
+const std::string kPoints = under_a_roller(R"(type   = "spline"
 points = [[30, 0], [25, 17], [8, 29], [-9, 27], [-22, 15], [-26, -1], [-21, -16], [-8, -25], [8, -26], [23, -17]]
-[bodies.follower]
-pose = { x = 70, y = 5, angle = 150 }
-points.O = [0, 0]
-curves.roller = { type = "circle", center = [51, 2], radius = 9 }
-[joints]
-pivot = { type = "revolute", between = ["ground.O1", "cam.O"] }
-arm   = { type = "revolute", between = ["ground.O2", "follower.O"] }
-[contacts.touch]
-between = ["cam.disc", "follower.roller"]
-[driver]
-joint    = "pivot"
-end      = 360
-samples  = 50
-velocity = "3 rad/s"
-)";
+)");
 
 struct Shape {
   const char* name;
-  const char* text;  // null: a shipped profile
+  std::string text;  // empty: a shipped profile
   std::vector<std::string> numbers;
   std::vector<std::string> overrides = {};
 };
 
 Model model_of(const Shape& shape) {
-  return shape.text != nullptr ? model_of(shape.text, shape.overrides)
-                               : shipped_model(shape.name, shape.overrides);
+  return !shape.text.empty() ? model_of(shape.text, shape.overrides)
+                             : shipped_model(shape.name, shape.overrides);
 }
-
-class OfShapes : public ::testing::TestWithParam<Shape> {};
 
 // Differences of the sixth order between runs with other numbers, with an estimate of their error.
 void expect_differences_of_runs(const Shape& shape, const std::vector<std::string>& columns,
@@ -310,45 +294,47 @@ void expect_differences_of_runs(const Shape& shape, const std::vector<std::strin
   ::testing::Test::RecordProperty("worst", std::to_string(worst));
 }
 
-TEST_P(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
-  expect_differences_of_runs(GetParam(), {"*"}, {}, 2e-7, 300);
+const Shape kShapesOfCams[] = {
+    Shape{"Fillets", kFillets, {"bodies.cam.curves.disc.fillet", "bodies.ground.points.O2.0"}},
+    Shape{"Points",
+          kPoints,
+          {"bodies.cam.curves.disc.points.2.0", "bodies.cam.curves.disc.points.7.1",
+           "bodies.follower.curves.roller.radius"}},
+    Shape{"law_cam_roller",
+          "",
+          {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius", "bodies.ground.points.rail.0"},
+          {"driver.samples=41"}},
+    Shape{"law_cam_flat", "", {"bodies.follower.pose.y"}, {"driver.samples=41"}},
+    Shape{"spline_cam",
+          "",
+          {"bodies.ground.points.O2.0", "bodies.follower.curves.roller.center.0"},
+          {"driver.samples=41"}},
+    Shape{"tangent_cam",
+          "",
+          {"bodies.ground.points.rail.0", "bodies.follower.curves.roller.radius"},
+          {"driver.samples=41"}},
+    Shape{"groove_cam", "", {"bodies.lever.curves.roller.radius"}, {"driver.samples=41"}},
+    Shape{"valve_train",
+          "",
+          {"bodies.finger.curves.pad.radius", "bodies.finger.curves.nose.center.0"},
+          {"driver.samples=41"}},
+    Shape{"involute_pair", "", {"bodies.ground.points.O2.0"}, {"driver.samples=21"}}};
+
+TEST(OfShapes, AreTheDifferencesBetweenRunsWithOtherNumbers) {
+  for (const Shape& shape : kShapesOfCams) {
+    SCOPED_TRACE(shape.name);
+    expect_differences_of_runs(shape, {"*"}, {}, 2e-7, 300);
+  }
 }
 
-TEST_P(OfShapes, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
-  RunSettings settings;
-  settings.jerk = true;
-  expect_differences_of_runs(GetParam(), {"*.jerk", "*.j?"}, settings, 2e-6, 15);
+TEST(OfShapes, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
+  for (const Shape& shape : kShapesOfCams) {
+    SCOPED_TRACE(shape.name);
+    RunSettings settings;
+    settings.jerk = true;
+    expect_differences_of_runs(shape, {"*.jerk", "*.j?"}, settings, 2e-6, 15);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    OfKinds, OfShapes,
-    ::testing::Values(
-        Shape{"Fillets", kFillets, {"bodies.cam.curves.disc.fillet", "bodies.ground.points.O2.0"}},
-        Shape{"Points",
-              kPoints,
-              {"bodies.cam.curves.disc.points.2.0", "bodies.cam.curves.disc.points.7.1",
-               "bodies.follower.curves.roller.radius"}},
-        Shape{
-            "law_cam_roller",
-            nullptr,
-            {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius", "bodies.ground.points.rail.0"},
-            {"driver.samples=41"}},
-        Shape{"law_cam_flat", nullptr, {"bodies.follower.pose.y"}, {"driver.samples=41"}},
-        Shape{"spline_cam",
-              nullptr,
-              {"bodies.ground.points.O2.0", "bodies.follower.curves.roller.center.0"},
-              {"driver.samples=41"}},
-        Shape{"tangent_cam",
-              nullptr,
-              {"bodies.ground.points.rail.0", "bodies.follower.curves.roller.radius"},
-              {"driver.samples=41"}},
-        Shape{"groove_cam", nullptr, {"bodies.lever.curves.roller.radius"}, {"driver.samples=41"}},
-        Shape{"valve_train",
-              nullptr,
-              {"bodies.finger.curves.pad.radius", "bodies.finger.curves.nose.center.0"},
-              {"driver.samples=41"}},
-        Shape{"involute_pair", nullptr, {"bodies.ground.points.O2.0"}, {"driver.samples=21"}}),
-    [](const auto& one) { return std::string(one.param.name); });
 
 // A closed spline with a waist, and an offset of it.
 constexpr const char* kWaist = R"(
@@ -376,8 +362,6 @@ joint = "pivot"
 velocity = "3 rad/s"
 positions = [0]
 )";
-
-class OfInflections : public ::testing::TestWithParam<Shape> {};
 
 Motion motion_at(const Shape& shape, const std::vector<double>& positions) {
   std::string list;
@@ -423,57 +407,64 @@ Shape near_inflection(const Shape& shape) {
   return near;
 }
 
+const Shape kShapesWithInflections[] = {
+    Shape{"Spline",
+          kWaist,
+          {"bodies.cam.curves.core.points.2.1", "bodies.follower.curves.roller.radius",
+           "bodies.ground.points.P.0"}},
+    Shape{"Offset",
+          kWaist,
+          {"bodies.cam.curves.grown.by", "bodies.cam.curves.core.points.3.0"},
+          {"contacts.touch.between=[\"cam.grown\", \"follower.roller\"]"}},
+    Shape{"law_cam_roller",
+          "",
+          {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius", "bodies.ground.points.rail.0"},
+          {"bodies.follower.pose.y=25"}}};
+
 // Radii have a pole there, but not what moves.
-TEST_P(OfInflections, AreTheDifferencesBetweenRunsWithOtherNumbers) {
-  expect_differences_of_runs(
-      near_inflection(GetParam()),
-      {"follower.*", "touch.x", "touch.y", "touch.normal", "touch.sliding", "touch.pressure"}, {}, 2e-7, 150);
+TEST(OfInflections, AreTheDifferencesBetweenRunsWithOtherNumbers) {
+  for (const Shape& shape : kShapesWithInflections) {
+    SCOPED_TRACE(shape.name + std::string(" ") + shape.numbers[0]);
+    expect_differences_of_runs(
+        near_inflection(shape),
+        {"follower.*", "touch.x", "touch.y", "touch.normal", "touch.sliding", "touch.pressure"}, {}, 2e-7,
+        150);
+  }
 }
 
 // dκ/dp = -(dρ/dp)/ρ² is the same on either side, however large ρ is.
-TEST_P(OfInflections, OfRadiiAreThoseOfTheCurvature) {
-  const Shape near = near_inflection(GetParam());
-  const Slopes found = slopes_of(model_of(near), {"touch.rho1"}, near.numbers);
-  const auto c = static_cast<std::size_t>(
-      std::find_if(found.columns.begin(), found.columns.end(),
-                   [](const Column& column) { return column.name == "touch.rho1"; }) -
-      found.columns.begin());
-  for (std::size_t i = 0; i < found.numbers.size(); ++i) {
-    const auto by_number = [&](std::size_t row) {
-      const double rho = found.values[row][c];
-      return -found.slopes[row][i * found.columns.size() + c] / (rho * rho);
-    };
-    const double expected = (by_number(3) + by_number(4)) / 2;  // at 1e-3 degrees
-    for (std::size_t row = 5; row < found.values.size() - 2; ++row) {
-      EXPECT_NEAR(by_number(row), expected, 1e-4 * std::abs(expected) + 1e-9)
-          << found.numbers[i].name << ", row " << row;
+TEST(OfInflections, OfRadiiAreThoseOfTheCurvature) {
+  for (const Shape& shape : kShapesWithInflections) {
+    SCOPED_TRACE(shape.name + std::string(" ") + shape.numbers[0]);
+    const Shape near = near_inflection(shape);
+    const Slopes found = slopes_of(model_of(near), {"touch.rho1"}, near.numbers);
+    const auto c = static_cast<std::size_t>(
+        std::find_if(found.columns.begin(), found.columns.end(),
+                     [](const Column& column) { return column.name == "touch.rho1"; }) -
+        found.columns.begin());
+    for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+      const auto by_number = [&](std::size_t row) {
+        const double rho = found.values[row][c];
+        return -found.slopes[row][i * found.columns.size() + c] / (rho * rho);
+      };
+      const double expected = (by_number(3) + by_number(4)) / 2;  // at 1e-3 degrees
+      for (std::size_t row = 5; row < found.values.size() - 2; ++row) {
+        EXPECT_NEAR(by_number(row), expected, 1e-4 * std::abs(expected) + 1e-9)
+            << found.numbers[i].name << ", row " << row;
+      }
     }
   }
 }
 
-TEST_P(OfInflections, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
-  RunSettings settings;
-  settings.jerk = true;
-  expect_differences_of_runs(near_inflection(GetParam()), {"follower.jerk", "follower.*.j?"}, settings, 2e-5,
-                             10);
+TEST(OfInflections, OfJerksAreTheDifferencesBetweenRunsWithOtherNumbers) {
+  for (const Shape& shape : kShapesWithInflections) {
+    SCOPED_TRACE(shape.name + std::string(" ") + shape.numbers[0]);
+    RunSettings settings;
+    settings.jerk = true;
+    expect_differences_of_runs(near_inflection(shape), {"follower.jerk", "follower.*.j?"}, settings, 2e-5,
+                               10);
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    OfKinds, OfInflections,
-    ::testing::Values(Shape{"Spline",
-                            kWaist,
-                            {"bodies.cam.curves.core.points.2.1", "bodies.follower.curves.roller.radius",
-                             "bodies.ground.points.P.0"}},
-                      Shape{"Offset",
-                            kWaist,
-                            {"bodies.cam.curves.grown.by", "bodies.cam.curves.core.points.3.0"},
-                            {"contacts.touch.between=[\"cam.grown\", \"follower.roller\"]"}},
-                      Shape{"law_cam_roller",
-                            nullptr,
-                            {"bodies.follower.pose.y", "bodies.follower.curves.roller.radius",
-                             "bodies.ground.points.rail.0"},
-                            {"bodies.follower.pose.y=25"}}),
-    [](const auto& one) { return std::string(one.param.text == nullptr ? "Law" : one.param.name); });
 
 // A closed spline whose points are off a circle by little: its curvature has many extremes.
 std::string rippled_cam(int count, double ripple) {

@@ -19,13 +19,9 @@ curves.disc = { type = "circle", center = [10, 0], radius = 30 }
 pose = { x = 0, y = 30 }
 points.P = [0, 0]
 curves.face = { type = "line", point = [0, 0], normal = [0, -1] }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.disc", "follower.face"]
 [driver]

@@ -3,6 +3,7 @@
 #include "front/sliding_cam.hpp"
 #include "higherpair/cam/hertz.hpp"
 #include "higherpair/numeric/special_values.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <functional>
@@ -16,8 +17,8 @@
 namespace higherpair {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
+using testing::contains;
+using testing::contains_all;
 using ::testing::IsEmpty;
 using testing::model_of;
 using testing::profile_of;
@@ -88,16 +89,10 @@ points.O = [0, 0]
 [bodies.wheel]
 pose = { x = 60 }
 points.P = [0, 0]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.P]
-type = "revolute"
-between = ["ground.P", "wheel.P"]
-[joints.mesh]
-type = "gears"
-between = ["crank.O", "wheel.P"]
-ratio = 0.5
+[joints]
+O    = { type = "revolute", between = ["ground.O", "crank.O"] }
+P    = { type = "revolute", between = ["ground.P", "wheel.P"] }
+mesh = { type = "gears", between = ["crank.O", "wheel.P"], ratio = 0.5 }
 [driver]
 joint = "O"
 samples = 3
@@ -152,8 +147,8 @@ TEST(Check, OfThousandsOfTurnsEndsAndLeavesOpenWhatIsNotExamined) {
   const Event& end = report.events.back();
   EXPECT_EQ(end.type, EventType::kEnd);
   EXPECT_NEAR(end.driver, 500'000, 1);
-  EXPECT_THAT(end.cause,
-              HasSubstr("the path is too long to look for extremes beyond; let the drivers go less far"));
+  EXPECT_TRUE(
+      contains(end.cause, "the path is too long to look for extremes beyond; let the drivers go less far"));
   EXPECT_EQ(figure(report, "joints.P", "acceleration").verdict, Verdict::kUndecided);
   EXPECT_EQ(figure(report, "joints.P", "acceleration").remark, "not examined beyond 500000 deg");
 }
@@ -196,8 +191,8 @@ TEST(Check, HoldsTheReturnToALimitOfItsOwn) {
   const std::string limits = "[limits]\nmax_pressure_angle = 30\nmax_return_pressure_angle = 45\n";
   const CheckReport report = checked(four_quarters(kRoller, 2, limits));
   EXPECT_NEAR(value(report, "cam.flank", "prime_circle_with_offset"), 1.225614472, 5e-10);
-  EXPECT_THAT(figure(report, "cam.flank", "prime_circle_with_offset").remark,
-              HasSubstr("0.3293225193 mm to the side"));
+  EXPECT_TRUE(contains(figure(report, "cam.flank", "prime_circle_with_offset").remark,
+                       "0.3293225193 mm to the side"));
   // Radial and symmetric: both strokes have the same angle.
   EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"),
               value(report, "contacts.touch", "return_pressure_angle"), 1e-10);
@@ -258,7 +253,7 @@ TEST(Check, FailsWhereAContactOpens) {
   EXPECT_NEAR(least.at.value(), 90, 1e-6);
   EXPECT_EQ(least.verdict, Verdict::kExceeded);
   EXPECT_EQ(least.limit, 0);
-  EXPECT_THAT(least.remark, HasSubstr("opens"));
+  EXPECT_TRUE(contains(least.remark, "opens"));
   EXPECT_NEAR(value(report, "mechanism", "speed_factor"), 100.0 / 110, 1e-12);
   EXPECT_FALSE(report.good);
   EXPECT_THAT(report.events, ::testing::Contains(::testing::Field(&Event::type, EventType::kContactOpen)));
@@ -276,7 +271,7 @@ TEST(Check, DoesNotDecideALimitOfTheSpeedThatDampersHide) {
   const CheckFigure& factor = figure(report, "mechanism", "speed_factor");
   EXPECT_FALSE(factor.value);
   EXPECT_EQ(factor.verdict, Verdict::kUndecided);
-  EXPECT_THAT(factor.remark, HasSubstr("not known"));
+  EXPECT_TRUE(contains(factor.remark, "not known"));
   EXPECT_FALSE(report.good);
 }
 
@@ -288,7 +283,7 @@ TEST(Check, SaysThatAContactOpensAtRest) {
     const CheckFigure& factor = figure(report, "mechanism", "speed_factor");
     EXPECT_EQ(factor.value, 0);
     EXPECT_EQ(factor.verdict, Verdict::kExceeded);
-    EXPECT_THAT(factor.remark, HasSubstr("opens at rest"));
+    EXPECT_TRUE(contains(factor.remark, "opens at rest"));
   }
 }
 
@@ -322,13 +317,9 @@ curves.disc = { type = "circle", center = [6, 0], radius = 20 }
 pose = { x = 0, y = 29 }
 points.P = [0, 0]
 curves.roller = { type = "circle", center = [0, 0], radius = 10 }
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.disc", "follower.roller"]
 [loads]
@@ -393,16 +384,16 @@ TEST(Check, NamesALimitOfAProgramThatMakesNoSense) {
     return check(model, settings);
   };
   const auto refusal = [&](LimitKey key, double value) { return to_string(with(key, value).error()); };
-  EXPECT_THAT(refusal(LimitKey::kWidth, std::nan("")),
-              HasSubstr("CheckLimits::all: width = nan: must be finite"));
-  EXPECT_THAT(refusal(LimitKey::kElasticModulus, 0), HasSubstr("elastic_modulus = 0: must be > 0"));
-  EXPECT_THAT(refusal(LimitKey::kPoissonRatio, 0.6), HasSubstr("poisson_ratio = 0.6: Poisson's ratio is"));
-  EXPECT_THAT(refusal(LimitKey::kMaxPressureAngle, -1), HasSubstr("a pressure angle is limited to"));
+  EXPECT_TRUE(
+      contains(refusal(LimitKey::kWidth, std::nan("")), "CheckLimits::all: width = nan: must be finite"));
+  EXPECT_TRUE(contains(refusal(LimitKey::kElasticModulus, 0), "elastic_modulus = 0: must be > 0"));
+  EXPECT_TRUE(contains(refusal(LimitKey::kPoissonRatio, 0.6), "poisson_ratio = 0.6: Poisson's ratio is"));
+  EXPECT_TRUE(contains(refusal(LimitKey::kMaxPressureAngle, -1), "a pressure angle is limited to"));
   const auto unused = with(LimitKey::kMaxContactForce, 1);
   ASSERT_TRUE(unused);
   ASSERT_EQ(unused->notes.size(), 1U);
-  EXPECT_THAT(note_text(unused->notes[0]),
-              HasSubstr("ellipse_cam_roller.toml: note: max_contact_force: nothing in this mechanism has"));
+  EXPECT_TRUE(contains(note_text(unused->notes[0]),
+                       "ellipse_cam_roller.toml: note: max_contact_force: nothing in this mechanism has"));
 }
 
 // A search for better numbers works on mechanisms of a model: their limits and materials remain.
@@ -429,13 +420,9 @@ center_of_mass = [0, 0]
 [laws.lift]
 segments = [ { over = 120, law = "cycloidal", rise = 10 }, { over = 60, law = "dwell" },
              { over = 120, law = "cycloidal", rise = -10 }, { over = 60, law = "dwell" } ]
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "follower.P"]
-direction = [0, 1]
+[joints]
+O     = { type = "revolute", between = ["ground.O", "cam.O"] }
+guide = { type = "prismatic", between = ["ground.O", "follower.P"], direction = [0, 1] }
 [contacts.touch]
 between = ["cam.flank", "follower.face"]
 [springs]
@@ -525,10 +512,12 @@ curves.roller = { type = "circle", center = [0, 0], radius = 10 })",
   }
 }
 
-TEST(Check, OfAMirroredAndTurnedCamIsTheSame) {
+TEST(Check, OfACamThatTurnsBackwardsIsTheSame) {
   const CheckReport forward = checked(shipped_model("checked_cam"));
   const CheckReport backward = checked(
       shipped_model("checked_cam", {"driver.start=360", "driver.end=0", "driver.velocity=\"-600 rpm\""}));
+  EXPECT_FALSE(forward.figures.empty());
+  EXPECT_EQ(backward.figures.size(), forward.figures.size());
   for (const CheckFigure& one : forward.figures) {
     EXPECT_NEAR(std::abs(value(backward, one.item, one.quantity, one.of)), std::abs(one.value.value()),
                 1e-8 * std::abs(one.value.value()))
@@ -552,11 +541,11 @@ poisson_ratio = 0.3
   for (const Diagnostic& note : report.notes) {
     notes += to_string(note) + "\n";
   }
-  EXPECT_THAT(notes, AllOf(HasSubstr("limits.max_face_width: nothing in this mechanism has this"),
-                           HasSubstr("limits.max_driving_force"), HasSubstr("limits.min_speed_factor"),
-                           HasSubstr("limits.contacts.touch.max_contact_force"),
-                           HasSubstr("limits.bodies.cam.poisson_ratio"), HasSubstr("test.toml:")));
-  EXPECT_THAT(notes, ::testing::Not(HasSubstr("min_concave_radius")));
+  EXPECT_TRUE(contains_all(
+      notes, {"limits.max_face_width: nothing in this mechanism has this", "limits.max_driving_force",
+              "limits.min_speed_factor", "limits.contacts.touch.max_contact_force",
+              "limits.bodies.cam.poisson_ratio", "test.toml:"}));
+  EXPECT_FALSE(contains(notes, "min_concave_radius"));
 }
 
 TEST(Check, TakesLimitsOfAProgram) {
@@ -592,14 +581,14 @@ TEST(Check, OfALinkageHasAccelerationsAlone) {
   const CheckReport report = checked(shipped_model("slider_crank"));
   EXPECT_FALSE(report.figures.empty());
   for (const CheckFigure& one : report.figures) {
-    EXPECT_THAT(one.item, HasSubstr("joints."));
+    EXPECT_TRUE(contains(one.item, "joints."));
   }
 }
 
 TEST(Check, SaysWhatStillGrowsTowardsALimitPosition) {
   const CheckReport report = checked(shipped_model("lock_up"));
   EXPECT_FALSE(report.good);
-  EXPECT_THAT(figure(report, "contacts.touch", "sliding_speed").remark, HasSubstr("still grows"));
+  EXPECT_TRUE(contains(figure(report, "contacts.touch", "sliding_speed").remark, "still grows"));
 }
 
 // The follower's load asks for a torque that goes to -∞ at the limit position, the cam's for 500 N mm: the
@@ -613,8 +602,8 @@ TEST(Check, SaysWhatGrowsWithTheOtherSignThanItsLargestValue) {
   EXPECT_NEAR(torque.value.value(), 500 + 500 / 3.0, 1e-9);
   EXPECT_EQ(torque.at, 0);
   EXPECT_EQ(torque.verdict, Verdict::kUndecided);
-  EXPECT_THAT(torque.remark, AllOf(HasSubstr("with the other sign it still grows at 65."),
-                                   HasSubstr("deg, towards a limit position or dead point")));
+  EXPECT_TRUE(contains_all(torque.remark, {"with the other sign it still grows at 65.",
+                                           "deg, towards a limit position or dead point"}));
 }
 
 // Beginning next to the one limit position, where the acceleration is large already, it is not yet as large
@@ -626,9 +615,9 @@ TEST(Check, DoesNotDecideWhatGrowsFarFromItsLargestValue) {
   const CheckFigure acceleration = figure(report, "joints.follower_pivot", "acceleration");
   EXPECT_NEAR(acceleration.at.value(), 294.168, 1e-9);
   EXPECT_EQ(acceleration.verdict, Verdict::kUndecided);
-  EXPECT_THAT(acceleration.remark, AllOf(HasSubstr("it still grows at 425."),
-                                         HasSubstr("deg, towards a limit position or dead point")));
-  EXPECT_THAT(figure(report, "contacts.touch", "pressure_angle").remark, HasSubstr("it still grows at 425."));
+  EXPECT_TRUE(contains_all(acceleration.remark,
+                           {"it still grows at 425.", "deg, towards a limit position or dead point"}));
+  EXPECT_TRUE(contains(figure(report, "contacts.touch", "pressure_angle").remark, "it still grows at 425."));
 }
 
 // A parallelogram passes its change points smoothly.
@@ -655,7 +644,7 @@ TEST(Check, HoldsADrivenJointToItsLimits) {
   EXPECT_NEAR(std::abs(jerk.value.value()), 60 * 80 / 0.008, 1e-2);
   EXPECT_EQ(jerk.verdict, Verdict::kKept);
   EXPECT_FALSE(report.good);
-  for (const Diagnostic& note : report.notes) EXPECT_THAT(note.message, Not(HasSubstr("nothing")));
+  for (const Diagnostic& note : report.notes) EXPECT_FALSE(contains(note.message, "nothing"));
 }
 
 TEST(Check, InTimeNeedsNoTimeBetweenRows) {
@@ -687,8 +676,8 @@ TEST(Check, DoesNotDecideALimitThatAFigureStillGrowsTowards) {
   const CheckFigure pressure = figure(report, "contacts.touch", "pressure_angle");
   EXPECT_LT(pressure.value, 85);
   EXPECT_EQ(pressure.verdict, Verdict::kUndecided);
-  EXPECT_THAT(pressure.remark, HasSubstr("still grows"));
-  EXPECT_THAT(figure(report, "contacts.touch", "pressure_angle_at_contact").remark, HasSubstr("still grows"));
+  EXPECT_TRUE(contains(pressure.remark, "still grows"));
+  EXPECT_TRUE(contains(figure(report, "contacts.touch", "pressure_angle_at_contact").remark, "still grows"));
   EXPECT_EQ(figure(report, "contacts.touch", "sliding_speed").verdict, Verdict::kUndecided);
   EXPECT_EQ(figure(report, "contacts.touch", "convex_radius", "cam.disc").verdict, Verdict::kKept);
   EXPECT_EQ(figure(checked(shipped_model("lock_up", {"limits.max_pressure_angle=70"})), "contacts.touch",
@@ -722,7 +711,7 @@ TEST(Check, FailsAsARunDoes) {
   CheckSettings settings;
   settings.tolerance = -1;
   const Model model = model_of(four_quarters(kRoller, 2));
-  EXPECT_THAT(to_string(check(model, settings).error()), HasSubstr("setting tolerance -1: must be > 0"));
+  EXPECT_TRUE(contains(to_string(check(model, settings).error()), "setting tolerance -1: must be > 0"));
   const auto limited = [&](const std::function<void(CheckLimits&)>& change) {
     CheckLimits limits;
     change(limits);
@@ -733,10 +722,10 @@ TEST(Check, FailsAsARunDoes) {
   };
   const GivenLimit none{kNoValue, {}, "limits.max_pressure_angle", {}};
   EXPECT_EQ(limited([](CheckLimits& limits) { limits.contacts.resize(1); }), "");
-  EXPECT_THAT(limited([&](CheckLimits& limits) { limits.all[0] = none; }),
-              HasSubstr("CheckLimits::all: max_pressure_angle = nan: must be finite"));
-  EXPECT_THAT(limited([](CheckLimits& limits) { limits.contacts.resize(9); }),
-              HasSubstr("CheckLimits::contacts: there are 9 for 1"));
+  EXPECT_TRUE(contains(limited([&](CheckLimits& limits) { limits.all[0] = none; }),
+                       "CheckLimits::all: max_pressure_angle = nan: must be finite"));
+  EXPECT_TRUE(contains(limited([](CheckLimits& limits) { limits.contacts.resize(9); }),
+                       "CheckLimits::contacts: there are 9 for 1"));
 }
 
 TEST(Check, EndsWhereItIsStopped) {

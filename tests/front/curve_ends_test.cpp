@@ -1,20 +1,18 @@
 #include "mirrored.hpp"
 #include "sliding_cam.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 // The ends of open curves are edges, on which a contact continues.
 
 namespace higherpair::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 // Position, velocity and acceleration of a tappet at dθ/dt = 1.
 struct Lift {
@@ -80,10 +78,10 @@ TEST(EndsOfFaces, AreEdgesOnWhichAnEccentricDiscGoesOnInClosedForm) {
     expect_events(ends, {120, 240, 300, 420}, 1e-10);
     EXPECT_EQ(ends[0].item, "touch");
     // On the edge -s - d'²/R with d' = s = 8.66.
-    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower and goes on at the edge"));
-    EXPECT_THAT(ends[0].cause, HasSubstr("jumps from -0.00263806 to -0.00378038 mm/deg^2"));
-    EXPECT_THAT(ends[1].cause, HasSubstr("leaves the edge at the end of the curve of follower"));
-    EXPECT_THAT(ends[1].cause, HasSubstr("jumps from 0.00149575 to 0.00263806 mm/deg^2"));
+    EXPECT_TRUE(contains(ends[0].cause, "reaches the end of the curve of follower and goes on at the edge"));
+    EXPECT_TRUE(contains(ends[0].cause, "jumps from -0.00263806 to -0.00378038 mm/deg^2"));
+    EXPECT_TRUE(contains(ends[1].cause, "leaves the edge at the end of the curve of follower"));
+    EXPECT_TRUE(contains(ends[1].cause, "jumps from 0.00149575 to 0.00263806 mm/deg^2"));
     EXPECT_TRUE(events_of(motion, EventType::kCorner).empty());
   }
 }
@@ -161,7 +159,7 @@ TEST(EndsOfFaces, AreLeftWhereTheCurveOfTheOtherBodyPassesBesideThem) {
     expect_events(
         ends, {180 - off, 180 - slip, 180 + slip, 180 + off, 360 - off, 360 - slip, 360 + slip, 360 + off},
         1e-9);
-    EXPECT_THAT(ends[1].cause, HasSubstr("slips off the edge at the end of the curve of follower here"));
+    EXPECT_TRUE(contains(ends[1].cause, "slips off the edge at the end of the curve of follower here"));
     const auto driver = motion.column("driver");
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const double c = std::abs(std::cos(driver[k] * kDegree));
@@ -180,7 +178,7 @@ TEST(EndsOfFaces, AreWhereAContactThatMayPartDoesSoInTheEnd) {
     const auto released = events_of(motion, EventType::kRelease);
     ASSERT_GE(released.size(), 1U);
     EXPECT_NEAR(released[0].driver, 180 - slip, 1e-9) << samples;
-    EXPECT_THAT(released[0].cause, HasSubstr("slips off the edge at the end of a curve"));
+    EXPECT_TRUE(contains(released[0].cause, "slips off the edge at the end of a curve"));
     // The edge then rests at the height of the disc's centre; going down the disc never comes back to it.
     const double rest = 10 * std::sin(slip * kDegree);
     const auto driver = motion.column("driver");
@@ -243,7 +241,7 @@ TEST(EndsOfFaces, AreGoneOntoWhereTheCornerOfTheOtherBodyReachesThem) {
     const auto ends = events_of(motion, EventType::kEnd);
     ASSERT_EQ(ends.size(), 1U);
     EXPECT_NEAR(ends[0].driver, 90 + std::asin(0.3) / kDegree, 1e-9);
-    EXPECT_THAT(ends[0].cause, HasSubstr("reaches the end of the curve of follower and goes on at the edge"));
+    EXPECT_TRUE(contains(ends[0].cause, "reaches the end of the curve of follower and goes on at the edge"));
     const auto driver = motion.column("driver");
     const auto y = motion.column("follower.y");
     for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -407,8 +405,8 @@ void expect_struck(const Motion& motion) {
   expect_events(engaged, {begins}, 1e-9);
   expect_events(released, {180 - begins}, 1e-9);
   expect_events(ends, {face, 180 - face}, 1e-9);
-  EXPECT_THAT(engaged[0].cause, HasSubstr("touch at the edge at the end of the curve of tappet; for a unit"));
-  EXPECT_THAT(released[0].cause, HasSubstr("comes to the end of its guide"));
+  EXPECT_TRUE(contains(engaged[0].cause, "touch at the edge at the end of the curve of tappet; for a unit"));
+  EXPECT_TRUE(contains(released[0].cause, "comes to the end of its guide"));
   EXPECT_TRUE(events_of(motion, EventType::kOverlap).empty());
 }
 
@@ -463,8 +461,8 @@ curves.flank = { type = "involute", center = [0, -6], base_radius = 10, start = 
     }
     const auto struck = events_of(motion, EventType::kOverlap);
     ASSERT_EQ(struck.size(), 1U);
-    EXPECT_THAT(struck[0].cause, HasSubstr("strike each other at the end of a curve"));
-    EXPECT_THAT(struck[0].cause, HasSubstr("cannot hold follower"));
+    EXPECT_TRUE(contains(struck[0].cause, "strike each other at the end of a curve"));
+    EXPECT_TRUE(contains(struck[0].cause, "cannot hold follower"));
   }
 }
 

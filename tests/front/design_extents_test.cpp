@@ -1,18 +1,19 @@
 // The extent of a mechanism's motion as a requirement of a design, compared with closed forms.
 #include "front/cam_profile.hpp"
 #include "front/slider_profile.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::contains;
 using testing::kCam;
 using testing::kSlider;
 using testing::model_of;
@@ -100,9 +101,8 @@ points.O = [0, 0]
 [bodies.cam]
 points.O = [0, 0]
 curves.oval = )" + curve + R"(
-[joints.O]
-type = "revolute"
-between = ["ground.O", "cam.O"]
+[joints]
+O = { type = "revolute", between = ["ground.O", "cam.O"] }
 [driver]
 joint   = "O"
 samples = 361
@@ -135,18 +135,18 @@ TEST(DesignExtents, SayWhatIsWrong) {
     const auto model = Model::open(HIGHERPAIR_SOURCE_DIR "/profiles/design_five_points.toml", overrides);
     return model ? "" : to_string(model.error());
   };
-  EXPECT_THAT(says(R"(size = "wide")"), HasSubstr("did you mean `width`"));
-  EXPECT_THAT(says(R"(size = "width", bodies = [])"), HasSubstr("expected a list of bodies"));
-  EXPECT_THAT(says(R"(size = "width", bodies = ["crnk"])"), HasSubstr("did you mean `crank`"));
-  EXPECT_THAT(says(R"(size = "width", from = "ground.O")"), HasSubstr("belongs to a reach"));
-  EXPECT_THAT(says(R"(size = "width", of = "max")"), HasSubstr("an extent is the largest already"));
-  EXPECT_THAT(says(R"(size = "width", column = "crank.angle")"), HasSubstr("make an entry of its own"));
-  EXPECT_THAT(says(R"(reach = "coupler.E")"), HasSubstr("from is missing"));
-  EXPECT_THAT(says(R"(reach = "coupler.X", from = "coupler.E")"),
-              HasSubstr("body `coupler` has no point `X`"));
-  EXPECT_THAT(says(R"(reach = "coupler.A", from = "coupler.E")"), HasSubstr("both points are of one body"));
-  EXPECT_THAT(says(R"(reach = "coupler.A", size = "width", from = "ground.O2")"),
-              HasSubstr("make an entry of its own of the size"));
+  EXPECT_TRUE(contains(says(R"(size = "wide")"), "did you mean `width`"));
+  EXPECT_TRUE(contains(says(R"(size = "width", bodies = [])"), "expected a list of bodies"));
+  EXPECT_TRUE(contains(says(R"(size = "width", bodies = ["crnk"])"), "did you mean `crank`"));
+  EXPECT_TRUE(contains(says(R"(size = "width", from = "ground.O")"), "belongs to a reach"));
+  EXPECT_TRUE(contains(says(R"(size = "width", of = "max")"), "an extent is the largest already"));
+  EXPECT_TRUE(contains(says(R"(size = "width", column = "crank.angle")"), "make an entry of its own"));
+  EXPECT_TRUE(contains(says(R"(reach = "coupler.E")"), "from is missing"));
+  EXPECT_TRUE(
+      contains(says(R"(reach = "coupler.X", from = "coupler.E")"), "body `coupler` has no point `X`"));
+  EXPECT_TRUE(contains(says(R"(reach = "coupler.A", from = "coupler.E")"), "both points are of one body"));
+  EXPECT_TRUE(contains(says(R"(reach = "coupler.A", size = "width", from = "ground.O2")"),
+                       "make an entry of its own of the size"));
 }
 
 }  // namespace

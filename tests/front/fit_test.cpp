@@ -4,6 +4,7 @@
 
 #include "front/cam_profile.hpp"
 #include "higherpair/io/design_task.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -21,11 +22,13 @@
 namespace higherpair {
 namespace {
 
-using ::testing::Contains;
+using testing::a_line_contains;
+using testing::contains;
+using testing::contains_all;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::kCam;
+using testing::lines_are;
 using testing::model_of;
 using testing::shipped_model;
 
@@ -159,7 +162,7 @@ TEST(Fit, ExactValuesGiveTheNumbersAndTheirProfile) {
   EXPECT_NEAR(report.columns[0].explained, 1, 1e-12);
   const Model again = model_of(report.text);
   EXPECT_NEAR(again.mechanism().bodies[1].curves[0].curve.semi_latus, 0.0275, 1e-13);
-  EXPECT_THAT(report.text, HasSubstr("points.P = [0, 0]"));
+  EXPECT_TRUE(contains(report.text, "points.P = [0, 0]"));
   EXPECT_THAT(report.notes, IsEmpty());
 }
 
@@ -228,7 +231,7 @@ TEST(Fit, TheShippedTableGivesTheLinkageBehindIt) {
     if (residual.outlier) lines.push_back(residual.line);
   }
   EXPECT_THAT(lines, ElementsAre(32, 63, 79));
-  EXPECT_THAT(report.text, HasSubstr("# The six-bar of sixbar_slider.toml as it was built"));
+  EXPECT_TRUE(contains(report.text, "# The six-bar of sixbar_slider.toml as it was built"));
 }
 
 TEST(Fit, RobustLossesForgetWrongValues) {
@@ -282,7 +285,7 @@ offset = true
   EXPECT_NEAR(report.measurement[0].after, 128.5, 1e-8);
   EXPECT_EQ(report.measurement[1].name, "offset of follower.y");
   EXPECT_NEAR(report.measurement[1].after, -4.25, 1e-9);
-  EXPECT_THAT(report.notes, Contains(HasSubstr("follower.vy has no values")));
+  EXPECT_TRUE(a_line_contains(report.notes, "follower.vy has no values"));
 }
 
 // A crank, and a slide whose zero is not known; a unit that is only presumed is that of its own driver, too.
@@ -297,13 +300,9 @@ points.A = [20, 0]
 pose = { x = 0, y = 50 }
 points.Q = [0, 0]
 points.B = [7, 3]
-[joints.pin]
-type = "revolute"
-between = ["ground.O", "crank.O"]
-[joints.s]
-type = "prismatic"
-between = ["ground.Q", "slide.Q"]
-direction = [1, 0]
+[joints]
+pin = { type = "revolute", between = ["ground.O", "crank.O"] }
+s   = { type = "prismatic", between = ["ground.Q", "slide.Q"], direction = [1, 0] }
 [drivers.pin]
 joint = "pin"
 start = 0
@@ -341,8 +340,8 @@ TEST(Fit, TheZeroOfEachDriverIsInItsOwnUnit) {
 }
 
 TEST(Fit, ASlideThatIsMeasuredInMetresIsRecognisedBesideACrank) {
-  EXPECT_THAT(message_of(kCrankAndSlide, crank_and_slide_table(0, 1e-3)),
-              HasSubstr("write driver.s[m] in the header"));
+  EXPECT_TRUE(contains(message_of(kCrankAndSlide, crank_and_slide_table(0, 1e-3)),
+                       "write driver.s[m] in the header"));
 }
 
 TEST(Fit, APathMeasuredInAFrameOfItsOwnGivesTheFrameAsWell) {
@@ -396,8 +395,8 @@ TEST(Fit, AnglesOfAnInstrumentThatCountsWithinATurnAreUnwrapped) {
   for (double& angle : table.columns[3].values) angle = std::remainder(angle, 360);
   const FitReport report = fitted(bar.guess, table);
   EXPECT_NEAR(report.variables[1].after, kTruth[1], 1e-8);
-  EXPECT_THAT(report.notes,
-              Contains(HasSubstr("link2.angle: 41 of its angles are taken as so many whole turns")));
+  EXPECT_TRUE(
+      a_line_contains(report.notes, "link2.angle: 41 of its angles are taken as so many whole turns"));
 }
 
 TEST(Fit, RowsInTimeMayHaveAnUnknownZero) {
@@ -462,9 +461,8 @@ points.O = [0, 0]
 [bodies.driver]
 points.O = [0, 0]
 points.A = [28, 0]
-[joints.main]
-type = "revolute"
-between = ["ground.O", "driver.O"]
+[joints]
+main = { type = "revolute", between = ["ground.O", "driver.O"] }
 [driver]
 joint = "main"
 [design.variables]
@@ -494,10 +492,9 @@ rocker  = { path = "bodies.link4.points.F.0" }
   const FitReport report =
       fitted(model_of(profile), measured_motion(bar.truth, positions(45, -300, 40), {"link4.angle"}));
   EXPECT_FALSE(report.good);
-  EXPECT_THAT(
+  EXPECT_TRUE(lines_are(
       report.undetermined,
-      ElementsAre(
-          "frame, crank, coupler and rocker cannot be told apart by these columns: only their ratios"));
+      {"frame, crank, coupler and rocker cannot be told apart by these columns: only their ratios"}));
   EXPECT_FALSE(report.variables[0].determined);
   EXPECT_TRUE(std::isnan(report.variables[0].half));
   EXPECT_NEAR(report.variables[1].after / report.variables[0].after, 15.0 / 21, 1e-8);
@@ -515,8 +512,8 @@ TEST(Fit, ANumberThatChangesNothingButRoundingIsRefused) {
     const std::size_t at = profile.find("points.O    = [0, 0]");
     return profile.replace(at, 20, "points.O    = [" + value + ", 0]");
   };
-  EXPECT_THAT(message_of(with("0.3"), measured),
-              HasSubstr("design.variables.q: changes none of the measured columns"));
+  EXPECT_TRUE(contains(message_of(with("0.3"), measured),
+                       "design.variables.q: changes none of the measured columns"));
 }
 
 TEST(Fit, NumbersOfWhichOnlySumOrDifferenceIsKnownAreNamed) {
@@ -528,8 +525,8 @@ f = { path = "bodies.follower.curves.face.point.1" }
 )";
   const FitReport report =
       fitted(model_of(profile), table_of(lift_table("driver,follower.y", eccentric_lift)));
-  EXPECT_THAT(report.undetermined,
-              ElementsAre("r and f cannot be told apart by these columns: only their difference"));
+  EXPECT_TRUE(lines_are(report.undetermined,
+                        {"r and f cannot be told apart by these columns: only their difference"}));
 }
 
 TEST(Fit, ResidualsThatFollowOneAnotherAreNoted) {
@@ -538,7 +535,7 @@ TEST(Fit, ResidualsThatFollowOneAnotherAreNoted) {
                                     return 30 + 10 * std::sin(t) + 0.2 * std::sin(2 * t);
                                   })));
   EXPECT_TRUE(report.columns[0].systematic);
-  EXPECT_THAT(report.notes, Contains(HasSubstr("residuals of follower.y follow one another")));
+  EXPECT_TRUE(a_line_contains(report.notes, "residuals of follower.y follow one another"));
 }
 
 TEST(Fit, ResidualsLargerThanTheDeviationsGivenSayThatTheModelIsWrong) {
@@ -556,8 +553,8 @@ TEST(Fit, ResidualsLargerThanTheDeviationsGivenSayThatTheModelIsWrong) {
 
 TEST(Fit, DeviationsBelowRoundingAreRefused) {
   const std::string lift = lift_table("driver,follower.y", eccentric_lift);
-  EXPECT_THAT(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-200\n", lift),
-              HasSubstr("fit.columns.0.deviation = 1e-200 mm: the rounding of follower.y is more, 4e-12 mm"));
+  EXPECT_TRUE(contains(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-200\n", lift),
+                       "fit.columns.0.deviation = 1e-200 mm: the rounding of follower.y is more, 4e-12 mm"));
   EXPECT_EQ(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"*\"\ndeviation = 1e-11\n", lift), "");
 }
 
@@ -621,21 +618,20 @@ TEST(Fit, UnitsOfTheHeaderAreConverted) {
 }
 
 TEST(Fit, ValuesInAnotherUnitAreRecognised) {
-  EXPECT_THAT(
+  EXPECT_TRUE(contains(
       message_of(kCamFit,
                  lift_table("driver,follower.y", [](double t) { return 0.001 * eccentric_lift(t); })),
-      HasSubstr("measured.csv:1:8: follower.y: these values are far from the motion of the profile in mm, "
-                "but near it if they are in m (a factor of 1000); write follower.y[m] in the header"));
-  EXPECT_THAT(
+      "measured.csv:1:8: follower.y: these values are far from the motion of the profile in mm, "
+      "but near it if they are in m (a factor of 1000); write follower.y[m] in the header"));
+  EXPECT_TRUE(contains(
       message_of(kCamFit, lift_table("driver,follower.y", [](double t) { return eccentric_lift(t) / 25.4; })),
-      HasSubstr("near it if they are in in (a factor of 25.4)"));
+      "near it if they are in in (a factor of 25.4)"));
   std::string radians = "driver,follower.y\n";
   for (int k = 0; k < 40; ++k) radians += fmt::format("{},{}\n", k * 0.15, eccentric_lift(k * 0.15));
-  EXPECT_THAT(
+  EXPECT_TRUE(contains(
       message_of(kCamFit, radians),
-      HasSubstr(
-          "driver: these values are far from the motion of the profile in deg, but near it if they are in "
-          "rad (a factor of 57.2958)"));
+      "driver: these values are far from the motion of the profile in deg, but near it if they are in "
+      "rad (a factor of 57.2958)"));
   // An explicit unit is accepted without a note.
   EXPECT_EQ(message_of(kCamFit,
                        lift_table("driver,follower.y[mm]", [](double t) { return 0.5 * eccentric_lift(t); })),
@@ -652,8 +648,8 @@ TEST(Fit, ATableOfAnglesThatIsWhollyInRadiansIsRecognised) {
   }
   const auto report = fit(model, table_of(text), {});
   ASSERT_FALSE(report);
-  EXPECT_THAT(to_string(report.error()), AllOf(HasSubstr("write driver[rad] in the header"),
-                                               HasSubstr("write rocker.angle[rad] in the header")));
+  EXPECT_TRUE(contains_all(to_string(report.error()),
+                           {"write driver[rad] in the header", "write rocker.angle[rad] in the header"}));
 }
 
 // The eccentricity that it takes is far beyond its bounds.
@@ -670,27 +666,27 @@ TEST(Fit, WhatIsFartherFromItThanFromItsMeanIsNotGood) {
 }
 
 TEST(Fit, WhatIsMeasuredWronglyIsSaidWithItsPlace) {
-  EXPECT_THAT(message_of(kCamFit, "driver,folower.y\n0,30\n"),
-              HasSubstr("measured.csv:1:8: \"folower.y\": there is no "
-                        "such column; did you mean `follower.y`"));
-  EXPECT_THAT(message_of(kCamFit, "angle,follower.y\n0,30\n"),
-              HasSubstr("measured.csv: has no column `driver` and no `time`, which says where each row is"));
-  EXPECT_THAT(message_of(kCamFit, "driver\n0\n1\n"),
-              HasSubstr("has no column with values that a motion could be"));
-  EXPECT_THAT(
-      message_of(kCamFit, "driver,follower.y\n0,30\n10,31\n"),
-      HasSubstr("measured.csv: 2 measured values in 2 rows cannot say what 3 numbers are: measure more, or "
-                "look for fewer"));
-  EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n,31\n3,4\n5,6\n"),
-              HasSubstr("measured.csv:3:1: driver is missing: nothing says where this row is"));
-  EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n1,x\n3,4\n5,6\n"),
-              HasSubstr("measured.csv:3:3: `x` is no number"));
-  EXPECT_THAT(message_of(kCamFit, "driver,follower.y[deg]\n0,30\n1,2\n3,4\n5,6\n"),
-              HasSubstr("follower.y[deg]: deg is an angle, expected a length"));
-  EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n1,2,3\n"),
-              HasSubstr("measured.csv:3:1: expected 2 fields, found 3"));
-  EXPECT_THAT(message_of(kCamFit, "driver,follower.y\n0,30\n0,1e60\n1,1\n2,2\n"),
-              HasSubstr("follower.y: 1e+60 is too large"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,folower.y\n0,30\n"),
+                       "measured.csv:1:8: \"folower.y\": there is no "
+                       "such column; did you mean `follower.y`"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "angle,follower.y\n0,30\n"),
+                       "measured.csv: has no column `driver` and no `time`, which says where each row is"));
+  EXPECT_TRUE(
+      contains(message_of(kCamFit, "driver\n0\n1\n"), "has no column with values that a motion could be"));
+  EXPECT_TRUE(
+      contains(message_of(kCamFit, "driver,follower.y\n0,30\n10,31\n"),
+               "measured.csv: 2 measured values in 2 rows cannot say what 3 numbers are: measure more, or "
+               "look for fewer"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,follower.y\n0,30\n,31\n3,4\n5,6\n"),
+                       "measured.csv:3:1: driver is missing: nothing says where this row is"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,follower.y\n0,30\n1,x\n3,4\n5,6\n"),
+                       "measured.csv:3:3: `x` is no number"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,follower.y[deg]\n0,30\n1,2\n3,4\n5,6\n"),
+                       "follower.y[deg]: deg is an angle, expected a length"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,follower.y\n0,30\n1,2,3\n"),
+                       "measured.csv:3:1: expected 2 fields, found 3"));
+  EXPECT_TRUE(contains(message_of(kCamFit, "driver,follower.y\n0,30\n0,1e60\n1,1\n2,2\n"),
+                       "follower.y: 1e+60 is too large"));
   MeasuredTable table;
   table.source = "lab";
   table.columns = {{"driver", "deg", {0, 10, 20, 30}, {}, {}},
@@ -700,28 +696,28 @@ TEST(Fit, WhatIsMeasuredWronglyIsSaidWithItsPlace) {
 
 TEST(Fit, AProfileThatAsksForNothingOrTooMuchIsRefused) {
   const std::string lift = lift_table("driver,follower.y", eccentric_lift);
-  EXPECT_THAT(message_of(kCam, lift),
-              HasSubstr("no [design.variables]: they say which numbers are to be found"));
-  EXPECT_THAT(message_of(kCamFit + "idle = { path = \"bodies.follower.pose.y\" }\n", lift),
-              HasSubstr("design.variables.idle: changes none of the measured columns"));
-  EXPECT_THAT(
-      message_of(kCamFit + "[[fit.columns]]\ncolumn = \"folower.y\"\noffset = true\n", lift),
-      HasSubstr("fit.columns.0.column: `folower.y` is no measured column; did you mean `follower.y`"));
-  EXPECT_THAT(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"driver\"\ndeviation = 1\n", lift),
-              HasSubstr("driver says where each row is and counts as exact"));
-  EXPECT_THAT(message_of(kCamFit + "[fit]\nuse = [\"follower.vy\"]\n", lift),
-              HasSubstr("no column to be fitted is `follower.vy`; did you mean `follower.y`"));
-  EXPECT_THAT(message_of(kCamFit + "[[fit.frames]]\npoint = \"follower.P\"\nfree = [\"turn\"]\n", lift),
-              HasSubstr("fit.frames.0: both follower.P.x and follower.P.y have to be measured"));
+  EXPECT_TRUE(
+      contains(message_of(kCam, lift), "no [design.variables]: they say which numbers are to be found"));
+  EXPECT_TRUE(contains(message_of(kCamFit + "idle = { path = \"bodies.follower.pose.y\" }\n", lift),
+                       "design.variables.idle: changes none of the measured columns"));
+  EXPECT_TRUE(contains(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"folower.y\"\noffset = true\n", lift),
+                       "fit.columns.0.column: `folower.y` is no measured column; did you mean `follower.y`"));
+  EXPECT_TRUE(contains(message_of(kCamFit + "[[fit.columns]]\ncolumn = \"driver\"\ndeviation = 1\n", lift),
+                       "driver says where each row is and counts as exact"));
+  EXPECT_TRUE(contains(message_of(kCamFit + "[fit]\nuse = [\"follower.vy\"]\n", lift),
+                       "no column to be fitted is `follower.vy`; did you mean `follower.y`"));
+  EXPECT_TRUE(
+      contains(message_of(kCamFit + "[[fit.frames]]\npoint = \"follower.P\"\nfree = [\"turn\"]\n", lift),
+               "fit.frames.0: both follower.P.x and follower.P.y have to be measured"));
   FitSettings settings;
   settings.offsets = {"folower.y"};
-  EXPECT_THAT(message_of(kCamFit, lift, settings),
-              HasSubstr("setting offset folower.y: `folower.y` is no measured column"));
+  EXPECT_TRUE(contains(message_of(kCamFit, lift, settings),
+                       "setting offset folower.y: `folower.y` is no measured column"));
   settings = {};
   settings.confidence = 1;
-  EXPECT_THAT(message_of(kCamFit, lift, settings), HasSubstr("confidence = 1: must be between 0 and 1"));
+  EXPECT_TRUE(contains(message_of(kCamFit, lift, settings), "confidence = 1: must be between 0 and 1"));
   const Model built = Model::from(model_of(kCamFit).mechanism()).value();
-  EXPECT_THAT(to_string(fit(built, table_of(lift)).error()), HasSubstr("was built and has no profile"));
+  EXPECT_TRUE(contains(to_string(fit(built, table_of(lift)).error()), "was built and has no profile"));
 }
 
 TEST(Fit, AsManyValuesAsNumbersLeaveNoIntervals) {
@@ -729,7 +725,7 @@ TEST(Fit, AsManyValuesAsNumbersLeaveNoIntervals) {
   EXPECT_NEAR(report.variables[0].after, 30, 1e-9);
   EXPECT_NEAR(report.variables[1].after, 9, 1e-9);
   EXPECT_TRUE(std::isnan(report.variables[0].half));
-  EXPECT_THAT(report.notes, Contains(HasSubstr("as many values as numbers")));
+  EXPECT_TRUE(a_line_contains(report.notes, "as many values as numbers"));
 }
 
 TEST(Fit, AColumnThatNothingChangesHasNoPart) {
@@ -738,7 +734,7 @@ TEST(Fit, AColumnThatNothingChangesHasNoPart) {
     text += fmt::format("{},{},0\n", 15 * k, 30 + 8 * std::sin(15 * k * kPi / 180));
   const FitReport report = fitted(model_of(kCamFit), table_of(text));
   EXPECT_NEAR(report.variables[1].after, 8, 1e-9);
-  EXPECT_THAT(report.notes, Contains(HasSubstr("follower.x is the same whatever the numbers")));
+  EXPECT_TRUE(a_line_contains(report.notes, "follower.x is the same whatever the numbers"));
 }
 
 TEST(Fit, ARaisedFlagStopsItWithTheBestSoFar) {

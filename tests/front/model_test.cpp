@@ -3,6 +3,7 @@
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
 #include "higherpair/mechanism/plan.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -18,7 +19,7 @@
 namespace higherpair {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::contains;
 using testing::kCam;
 using testing::model_of;
 using testing::shipped_model;
@@ -29,12 +30,12 @@ TEST(Model, ThatCannotBeReadSaysWhatIsWrongAndWhere) {
   const auto missing = Model::open("no/such/file.toml");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().kind, ErrorKind::kInput);
-  EXPECT_THAT(to_string(missing.error()), HasSubstr("no/such/file.toml: cannot be opened"));
+  EXPECT_TRUE(contains(to_string(missing.error()), "no/such/file.toml: cannot be opened"));
   const std::vector<std::string> overrides = {"bodies.cam.curves.disc.radius=-1", "joints.O.type=\"pin\""};
   const auto wrong = Model::from_text(kCam, "cam.toml", overrides);
   ASSERT_FALSE(wrong);
   EXPECT_THAT(wrong.error().diagnostics, SizeIs(::testing::Ge(2U)));
-  EXPECT_THAT(to_string(wrong.error()), HasSubstr("override bodies.cam.curves.disc.radius=-1"));
+  EXPECT_TRUE(contains(to_string(wrong.error()), "override bodies.cam.curves.disc.radius=-1"));
 }
 
 TEST(Model, WithoutADriverCannotBeRun) {
@@ -106,9 +107,10 @@ TEST(Model, WithALinkTooManySaysSoWhereItCannotStart) {
                                  R"(joints.Q={type="revolute",between=["brace.Q","rocker.B"]})"});
   const auto motion = model.run();
   ASSERT_FALSE(motion);
-  EXPECT_THAT(to_string(motion.error()), HasSubstr("joints, contacts and drivers make 1 condition more than "
-                                                   "the bodies can meet, unless the dimensions "
-                                                   "are special: one of them may be too many"));
+  EXPECT_TRUE(contains(to_string(motion.error()),
+                       "joints, contacts and drivers make 1 condition more than "
+                       "the bodies can meet, unless the dimensions "
+                       "are special: one of them may be too many"));
 }
 
 TEST(Model, HasSlots) {
@@ -204,7 +206,7 @@ TEST(Model, ThatIsBuiltWrongNamesTheFault) {
   EXPECT_EQ(refusal([](Mechanism& m) { m.drivers[0].name = "a b"; }), "four-bar: drivers.a b" + rule);
   const auto programs = Model::from(four_bar(), {}, std::vector<DriverProgram>(2));
   ASSERT_FALSE(programs);
-  EXPECT_THAT(to_string(programs.error()), HasSubstr("2 programs for 1 drivers"));
+  EXPECT_TRUE(contains(to_string(programs.error()), "2 programs for 1 drivers"));
   const auto units = Model::from(four_bar(), {.angle = Unit::kMetre});
   ASSERT_FALSE(units);
   EXPECT_EQ(to_string(units.error()),
@@ -287,8 +289,8 @@ TEST(Model, ThatIsBuiltIsHeldToTheRulesOfProfiles) {
     return refusal([&](Mechanism& m) { add_curve(m, 1, name, make_circle({0, 0}, radius).value()); });
   };
   EXPECT_EQ(curve("", 1), "four-bar: bodies.crank.curves[0]: needs a name");
-  EXPECT_THAT(curve("a b", 1), HasSubstr("four-bar: bodies.crank.curves.a b: a name begins"));
-  EXPECT_THAT(curve("disc", 1e51), HasSubstr("bodies.crank.curves.disc: must be finite, and at most 1e50"));
+  EXPECT_TRUE(contains(curve("a b", 1), "four-bar: bodies.crank.curves.a b: a name begins"));
+  EXPECT_TRUE(contains(curve("disc", 1e51), "bodies.crank.curves.disc: must be finite, and at most 1e50"));
   Mechanism geared = gear_pair();
   geared.springs.push_back({"s", 2, {}, {}, 1, 0, 0});
   EXPECT_EQ(to_string(Model::from(geared).error()), "pair: springs.s.joint: gears and belts have no spring");
@@ -643,12 +645,12 @@ TEST(Model, WithAKeyThatIsWrongSaysSo) {
   const Model model = model_of(kCam);
   const auto wrong = model.with({{"bodies.cam.curves.disc.radius", -3}});
   ASSERT_FALSE(wrong);
-  EXPECT_THAT(to_string(wrong.error()), HasSubstr("override bodies.cam.curves.disc.radius=-3"));
-  EXPECT_THAT(to_string(model.with({{"bodies.cam.curves.disc.radios", 3}}).error()),
-              HasSubstr("did you mean `radius`"));
+  EXPECT_TRUE(contains(to_string(wrong.error()), "override bodies.cam.curves.disc.radius=-3"));
+  EXPECT_TRUE(contains(to_string(model.with({{"bodies.cam.curves.disc.radios", 3}}).error()),
+                       "did you mean `radius`"));
   const auto built = Model::from(four_bar()).value().with({{"driver.end", 3}});
   ASSERT_FALSE(built);
-  EXPECT_THAT(to_string(built.error()), HasSubstr("change a copy of its mechanism()"));
+  EXPECT_TRUE(contains(to_string(built.error()), "change a copy of its mechanism()"));
 }
 
 TEST(Model, ThatWasBuiltIsRedimensionedByAnotherMechanism) {
@@ -660,7 +662,7 @@ TEST(Model, ThatWasBuiltIsRedimensionedByAnotherMechanism) {
   longer.drivers.clear();
   const auto refused = model.with_mechanism(longer);
   ASSERT_FALSE(refused);
-  EXPECT_THAT(to_string(refused.error()), HasSubstr("0 drivers instead of 1"));
+  EXPECT_TRUE(contains(to_string(refused.error()), "0 drivers instead of 1"));
 }
 
 // The points are apart by the rounding of a drawing, beside the travel of the slide.
@@ -671,10 +673,8 @@ points.O = [0, 0]
 [bodies.slide]
 pose = { x = 1e-6, y = 0 }
 points.P = [0, 0]
-[joints.guide]
-type = "prismatic"
-between = ["ground.O", "slide.P"]
-direction = [1, 0]
+[joints]
+guide = { type = "prismatic", between = ["ground.O", "slide.P"], direction = [1, 0] }
 [driver]
 joint = "guide"
 start = 10
@@ -772,12 +772,12 @@ TEST(Model, RefusesACurveWhoseSupportIsNoNumber) {
     return model ? "" : to_string(model.error());
   };
   EXPECT_EQ(refusal(0.03, {0.03, 0.03}), "");
-  EXPECT_THAT(refusal(NAN, {0.03, 0.03}),
-              HasSubstr("bodies.cam.curves.edge, piece 0 at 1.178 rad: its support has to "
-                        "be finite"));
+  EXPECT_TRUE(contains(refusal(NAN, {0.03, 0.03}),
+                       "bodies.cam.curves.edge, piece 0 at 1.178 rad: its support has to "
+                       "be finite"));
   for (const Bounds& radius : {Bounds{NAN, NAN}, Bounds{0.031, 0.032}, Bounds{1, -1}}) {
-    EXPECT_THAT(refusal(0.03, radius),
-                HasSubstr("its radius of curvature is not within the bounds that it gives"));
+    EXPECT_TRUE(
+        contains(refusal(0.03, radius), "its radius of curvature is not within the bounds that it gives"));
   }
 }
 

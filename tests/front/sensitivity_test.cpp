@@ -5,6 +5,7 @@
 #include "higherpair/higherpair.hpp"
 #include "io/profile_testing.hpp"
 #include "sliding_cam.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -14,14 +15,16 @@
 #include <vector>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::contains;
+using testing::contains_all;
 using testing::kCam;
 using testing::kSlider;
+using testing::lines_are;
 using testing::model_of;
 using testing::profile_of;
 using testing::replaced;
@@ -250,50 +253,48 @@ struct Case {
   std::vector<std::string> overrides = {};
 };
 
-class SensitivityOfShipped : public ::testing::TestWithParam<Case> {};
+const Case kShippedCases[] = {
+    Case{"RoundCam",
+         "eccentric_disc_oscillating_roller",
+         {"follower.angle:range", "follower.alpha:maxabs", "touch.pressure:max", "touch.sliding:max"}},
+    Case{"EllipseCam", "ellipse_cam_roller", {"follower.angle:max", "follower.alpha:min"}},
+    Case{"SlenderEllipseCam",
+         "ellipse_cam_roller",
+         {"follower.alpha:max", "touch.rho1:min"},
+         {"bodies.cam.curves.oval.semi_axes.1=17", "bodies.cam.curves.oval.rotation=40"}},
+    Case{"HyperbolaCam", "hyperbola_cam", {"follower.angle:min", "follower.omega:range"}},
+    Case{"SixBar", "watt_sixbar", {"link6.angle:range", "link6.alpha:max"}},
+    Case{"ScotchYoke", "scotch_yoke", {"yoke.ax:max"}},
+    Case{"FlankOfALaw", "law_cam_roller", {"touch.pressure:max", "touch.rho1:max"}},
+    Case{"Spline", "spline_cam", {"follower.alpha:max", "touch.pressure:max"}},
+    Case{"SliderCrank", "slider_crank", {"piston.x:max", "slide.acceleration:maxabs"}},
+    Case{"FourBar", "four_bar", {"coupler.E.y:max", "rocker.alpha:max"}},
+    Case{"Gears", "geared_five_bar", {"left_link.T.y:max", "left_link.T.y:range", "T.velocity:max"}}};
 
-TEST_P(SensitivityOfShipped, IsTheDifferenceBetweenRunsWithOtherNumbers) {
-  const Model model = shipped_model(GetParam().profile, GetParam().overrides);
-  const SensitivityReport report = report_of(model, wanted(GetParam().results, {"bodies.*"}));
-  int compared = 0;
-  for (std::size_t i = 0; i < report.numbers.size(); ++i) {
-    const SensitivityNumber& number = report.numbers[i];
-    const double h = 1e-4 * number.scale;
-    std::vector<std::vector<double>> at;
-    for (const double steps : {-2, -1, 1, 2}) at.push_back(dense_results(model, report, number, steps * h));
-    if (std::ranges::any_of(at, [](const auto& results) { return results.empty(); })) continue;
-    for (std::size_t m = 0; m < report.results.size(); ++m) {
-      const Slope& ours = report.results[m].slopes[i];
-      const double one = (at[2][m] - at[1][m]) / (2 * h), two = (at[3][m] - at[0][m]) / (4 * h);
-      ++compared;
-      const double scale = std::abs(report.results[m].value) / number.scale;
-      EXPECT_NEAR(ours.up, (4 * one - two) / 3, 1e-5 * (scale + std::abs(two)) + 2 * std::abs(one - two))
-          << number.name << " " << report.results[m].name << " " << ours.remark;
+TEST(SensitivityOfShipped, IsTheDifferenceBetweenRunsWithOtherNumbers) {
+  for (const Case& shipped : kShippedCases) {
+    SCOPED_TRACE(shipped.name);
+    const Model model = shipped_model(shipped.profile, shipped.overrides);
+    const SensitivityReport report = report_of(model, wanted(shipped.results, {"bodies.*"}));
+    int compared = 0;
+    for (std::size_t i = 0; i < report.numbers.size(); ++i) {
+      const SensitivityNumber& number = report.numbers[i];
+      const double h = 1e-4 * number.scale;
+      std::vector<std::vector<double>> at;
+      for (const double steps : {-2, -1, 1, 2}) at.push_back(dense_results(model, report, number, steps * h));
+      if (std::ranges::any_of(at, [](const auto& results) { return results.empty(); })) continue;
+      for (std::size_t m = 0; m < report.results.size(); ++m) {
+        const Slope& ours = report.results[m].slopes[i];
+        const double one = (at[2][m] - at[1][m]) / (2 * h), two = (at[3][m] - at[0][m]) / (4 * h);
+        ++compared;
+        const double scale = std::abs(report.results[m].value) / number.scale;
+        EXPECT_NEAR(ours.up, (4 * one - two) / 3, 1e-5 * (scale + std::abs(two)) + 2 * std::abs(one - two))
+            << number.name << " " << report.results[m].name << " " << ours.remark;
+      }
     }
+    EXPECT_GT(compared, 4);
   }
-  EXPECT_GT(compared, 4);
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, SensitivityOfShipped,
-    ::testing::Values(
-        Case{"RoundCam",
-             "eccentric_disc_oscillating_roller",
-             {"follower.angle:range", "follower.alpha:maxabs", "touch.pressure:max", "touch.sliding:max"}},
-        Case{"EllipseCam", "ellipse_cam_roller", {"follower.angle:max", "follower.alpha:min"}},
-        Case{"SlenderEllipseCam",
-             "ellipse_cam_roller",
-             {"follower.alpha:max", "touch.rho1:min"},
-             {"bodies.cam.curves.oval.semi_axes.1=17", "bodies.cam.curves.oval.rotation=40"}},
-        Case{"HyperbolaCam", "hyperbola_cam", {"follower.angle:min", "follower.omega:range"}},
-        Case{"SixBar", "watt_sixbar", {"link6.angle:range", "link6.alpha:max"}},
-        Case{"ScotchYoke", "scotch_yoke", {"yoke.ax:max"}},
-        Case{"FlankOfALaw", "law_cam_roller", {"touch.pressure:max", "touch.rho1:max"}},
-        Case{"Spline", "spline_cam", {"follower.alpha:max", "touch.pressure:max"}},
-        Case{"SliderCrank", "slider_crank", {"piston.x:max", "slide.acceleration:maxabs"}},
-        Case{"FourBar", "four_bar", {"coupler.E.y:max", "rocker.alpha:max"}},
-        Case{"Gears", "geared_five_bar", {"left_link.T.y:max", "left_link.T.y:range", "T.velocity:max"}}),
-    [](const auto& name) { return name.param.name; });
 
 TEST(SensitivityOfResults, WhereTwoExtremesAreEqualTheResultHasAKink) {
   const SensitivityReport report = report_of(model_of(kCam, {}), wanted({"follower.vy:maxabs"}));
@@ -607,7 +608,7 @@ TEST(SensitivityOfResults, ANumberThatChangesTheRowsHasNoSlopes) {
   settings.in_time = true;
   const SensitivityReport report = report_of(model, settings);
   EXPECT_EQ(slope(report, 0, "driver.time_step").kind, SlopeKind::kNone);
-  EXPECT_THAT(slope(report, 0, "driver.time_step").remark, HasSubstr("other rows"));
+  EXPECT_TRUE(contains(slope(report, 0, "driver.time_step").remark, "other rows"));
   EXPECT_EQ(report.where_unit, "s");
 }
 
@@ -619,8 +620,8 @@ TEST(SensitivityOfResults, ThatGrowWithTheOtherSignHaveNoSlopes) {
                                           "loads.hold={ body = \"cam\", torque = -500 }"}),
                 wanted({"driver.effort:maxabs"}, {"loads.push.torque"}));
   EXPECT_NEAR(report.results[0].value, 500 + 500 / 3.0, 1e-9);
-  EXPECT_THAT(report.results[0].remark, HasSubstr("with the other sign it still grows"));
-  EXPECT_THAT(slope(report, 0, "loads.push.torque").remark, HasSubstr("without bounds"));
+  EXPECT_TRUE(contains(report.results[0].remark, "with the other sign it still grows"));
+  EXPECT_TRUE(contains(slope(report, 0, "loads.push.torque").remark, "without bounds"));
 }
 
 // The largest sample is the first one, beside another limit position than that towards which it is unbounded.
@@ -628,9 +629,9 @@ TEST(SensitivityOfResults, ThatGrowElsewhereHaveNoSlopes) {
   const SensitivityReport report =
       report_of(shipped_model("lock_up", {"driver.start=294.168", "driver.end=430"}),
                 wanted({"follower_pivot.acceleration:max"}, {"bodies.cam.curves.disc.radius"}));
-  EXPECT_THAT(report.results[0].remark, HasSubstr("it still grows at 425."));
+  EXPECT_TRUE(contains(report.results[0].remark, "it still grows at 425."));
   EXPECT_EQ(slope(report, 0, "bodies.cam.curves.disc.radius").kind, SlopeKind::kNone);
-  EXPECT_THAT(slope(report, 0, "bodies.cam.curves.disc.radius").remark, HasSubstr("without bounds"));
+  EXPECT_TRUE(contains(slope(report, 0, "bodies.cam.curves.disc.radius").remark, "without bounds"));
 }
 
 // What touches a body at rest moves along it: 90 degrees with any numbers. The derivatives are rounding at
@@ -668,8 +669,8 @@ TEST(SensitivityOfResults, DefaultsAreWhatAMechanismIsFor) {
   for (const NamedMeasure& result : default_results(shipped_model("eccentric_disc_oscillating_roller", {}))) {
     names.push_back(result.name);
   }
-  EXPECT_THAT(names, ::testing::ElementsAre("follower_pivot.position:range",
-                                            "follower_pivot.acceleration:maxabs", "touch.pressure:max"));
+  EXPECT_TRUE(lines_are(
+      names, {"follower_pivot.position:range", "follower_pivot.acceleration:maxabs", "touch.pressure:max"}));
 }
 
 TEST(SensitivityOfResults, AreTheSameOnAnyNumberOfThreads) {
@@ -697,22 +698,22 @@ TEST(SensitivityOfResults, StopWhenTold) {
 
 TEST(SensitivityOfResults, SayWhatIsWrong) {
   const Model model = model_of(kCam, {});
-  EXPECT_THAT(refusal(model, wanted({"folower.y:max"})), HasSubstr("did you mean `follower.y`"));
-  EXPECT_THAT(refusal(model, wanted({}, {"bodies.cam.curves.disc.radus"})),
-              ::testing::AllOf(HasSubstr("setting by bodies.cam.curves.disc.radus: no number of the profile"),
-                               HasSubstr("did you mean `bodies.cam.curves.disc.radius`")));
-  EXPECT_THAT(refusal(model, wanted({"follower.y:at=1.5"})), HasSubstr("no row is at 1.5"));
-  EXPECT_THAT(refusal(model_of(kSlider, {"bodies.rod.points.B.0=3"})), HasSubstr("cannot"));
+  EXPECT_TRUE(contains(refusal(model, wanted({"folower.y:max"})), "did you mean `follower.y`"));
+  EXPECT_TRUE(contains_all(refusal(model, wanted({}, {"bodies.cam.curves.disc.radus"})),
+                           {"setting by bodies.cam.curves.disc.radus: no number of the profile",
+                            "did you mean `bodies.cam.curves.disc.radius`"}));
+  EXPECT_TRUE(contains(refusal(model, wanted({"follower.y:at=1.5"})), "no row is at 1.5"));
+  EXPECT_TRUE(contains(refusal(model_of(kSlider, {"bodies.rod.points.B.0=3"})), "cannot"));
   Mechanism built = model.mechanism();
-  EXPECT_THAT(refusal(Model::from(built).value()), HasSubstr("was built"));
+  EXPECT_TRUE(contains(refusal(Model::from(built).value()), "was built"));
   const auto wrong = [&](const std::string& text) { return to_string(measure_from(model, text).error()); };
-  EXPECT_THAT(wrong("follower.y"), HasSubstr("expected COLUMN:OF"));
-  EXPECT_THAT(wrong("follower.y:mx"), HasSubstr("did you mean `max`"));
-  EXPECT_THAT(wrong("follower.y:at"), HasSubstr("expected COLUMN:at=X"));
-  EXPECT_THAT(wrong("follower.y:at=x"), HasSubstr("expected COLUMN:at=X"));
-  EXPECT_THAT(wrong("follower.y:at=3 mm"),
-              HasSubstr("`3 mm`: mm is a length, expected an angle, such as deg"));
-  EXPECT_THAT(wrong("follower.y:max=3"), HasSubstr("only `at` has a place"));
+  EXPECT_TRUE(contains(wrong("follower.y"), "expected COLUMN:OF"));
+  EXPECT_TRUE(contains(wrong("follower.y:mx"), "did you mean `max`"));
+  EXPECT_TRUE(contains(wrong("follower.y:at"), "expected COLUMN:at=X"));
+  EXPECT_TRUE(contains(wrong("follower.y:at=x"), "expected COLUMN:at=X"));
+  EXPECT_TRUE(
+      contains(wrong("follower.y:at=3 mm"), "`3 mm`: mm is a length, expected an angle, such as deg"));
+  EXPECT_TRUE(contains(wrong("follower.y:max=3"), "only `at` has a place"));
 }
 
 TEST(SensitivityOfResults, AreTakenAtAPlaceInAnyUnit) {
@@ -741,7 +742,7 @@ TEST(SensitivityOfResults, OfThousandsOfTurnsLeaveOpenWhatIsNotExamined) {
   const Event& end = report.events.back();
   EXPECT_EQ(end.type, EventType::kEnd);
   EXPECT_NEAR(end.driver, 500'000, 1);
-  EXPECT_THAT(end.cause, HasSubstr("the path is too long to look for extremes beyond"));
+  EXPECT_TRUE(contains(end.cause, "the path is too long to look for extremes beyond"));
   EXPECT_EQ(report.results[0].where, end.driver);  // the rocker turns fully
   EXPECT_EQ(report.results[0].remark, "not examined beyond 500000 deg");
   EXPECT_EQ(report.results[1].remark, "");
@@ -757,7 +758,7 @@ TEST(SensitivityOfResults, NextToAChangePointGrowWithoutBoundsByWhatDoesAwayWith
     const SensitivityReport report = report_of(model, wanted({result}, {length, pose}));
     const Slope& of = slope(report, 0, length);
     EXPECT_EQ(of.kind, SlopeKind::kNone) << result << of.up;
-    EXPECT_THAT(of.remark, HasSubstr("change point")) << result;
+    EXPECT_TRUE(contains(of.remark, "change point")) << result;
     EXPECT_EQ(slope(report, 0, pose).up, 0) << result;
   }
   std::vector<bool> has_slope;
@@ -849,15 +850,18 @@ TEST(SensitivityOfRows, AreTheDifferencesBetweenRowsWithOtherNumbers) {
     };
     const double h = 1e-3;
     const Motion more = at(h), less = at(-h);
+    std::size_t compared = 0;
     for (std::size_t c = 1; c < head.columns.size(); ++c) {
       for (std::size_t k = 0; k < slopes.size(); ++k) {
         const double difference =
             (more.column(head.columns[c].name)[k] - less.column(head.columns[c].name)[k]) / (2 * h);
         if (std::isnan(difference)) continue;
+        ++compared;
         EXPECT_NEAR(slopes[k][c], difference, 1e-5 * (1 + std::abs(difference)))
             << name << " " << head.columns[c].name << " row " << k;
       }
     }
+    EXPECT_GT(compared, slopes.size()) << name;
   }
 }
 

@@ -2,6 +2,7 @@
 // error that is a value.
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <functional>
@@ -9,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
-using ::testing::HasSubstr;
+using testing::contains;
 using testing::kCam;
 using testing::model_of;
 using testing::shipped_model;
@@ -31,18 +32,18 @@ TEST(Settings, OfAMapNeedTwoRowsAndATolerance) {
   for (const std::int64_t samples : {std::int64_t{1}, std::int64_t{0}, std::int64_t{-7}, kMostMapRows + 1}) {
     MapSettings settings;
     settings.samples = samples;
-    EXPECT_THAT(refusal(map_of(model, settings)),
-                HasSubstr("setting samples " + std::to_string(samples) + ": must be from 2 to 10000000"));
+    EXPECT_TRUE(contains(refusal(map_of(model, settings)),
+                         "setting samples " + std::to_string(samples) + ": must be from 2 to 10000000"));
   }
   MapSettings settings;
   settings.samples = 2;
   EXPECT_EQ(refusal(map_of(model, settings)), "");
   settings.tolerance = kNan;
-  EXPECT_THAT(refusal(map_of(model, settings)), HasSubstr("setting tolerance nan: must be > 0"));
+  EXPECT_TRUE(contains(refusal(map_of(model, settings)), "setting tolerance nan: must be > 0"));
 }
 
 TEST(Settings, OfMobilityNeedATolerance) {
-  EXPECT_THAT(refusal(mobility_of(model_of(kCam), kNan)), HasSubstr("tolerance = nan: must be > 0"));
+  EXPECT_TRUE(contains(refusal(mobility_of(model_of(kCam), kNan)), "tolerance = nan: must be > 0"));
 }
 
 TEST(Settings, OfAnExportNeedTwoPointsAndARadius) {
@@ -52,18 +53,18 @@ TEST(Settings, OfAnExportNeedTwoPointsAndARadius) {
   const ExportedCurve disc = exported_curves(model, settings).value().front();
   const auto with_points = [&](int points) { return curve_csv(model, disc, {{}, points}, model.units()); };
   for (const int points : {1, 0, -1}) {
-    EXPECT_THAT(refusal(with_points(points)),
-                HasSubstr("ExportAccuracy::points = " + std::to_string(points) + ": must be >= 2"));
+    EXPECT_TRUE(contains(refusal(with_points(points)),
+                         "ExportAccuracy::points = " + std::to_string(points) + ": must be >= 2"));
   }
   EXPECT_EQ(refusal(with_points(2)), "");
   settings.path = ExportSettings::Path::kCutter;
   for (const double radius : {0.0, -1e-3, kNan}) {
     settings.cutter = radius;
-    EXPECT_THAT(refusal(exported_curves(model, settings)), HasSubstr("setting cutter "));
+    EXPECT_TRUE(contains(refusal(exported_curves(model, settings)), "setting cutter "));
   }
   settings.cutter = 1e-3;
   settings.reach = kNan;
-  EXPECT_THAT(refusal(exported_curves(model, settings)), HasSubstr("setting reach nan: must be > 0"));
+  EXPECT_TRUE(contains(refusal(exported_curves(model, settings)), "setting reach nan: must be > 0"));
 }
 
 TEST(Settings, OfADesignNeedASearch) {
@@ -73,10 +74,10 @@ TEST(Settings, OfADesignNeedASearch) {
     change(settings);
     return refusal(design(model, settings));
   };
-  EXPECT_THAT(refused([](auto& s) { s.starts = 0; }), HasSubstr("setting starts 0: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.evaluations = 0; }), HasSubstr("setting evaluations 0: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.best = -1; }), HasSubstr("setting best -1: must be >= 1"));
-  EXPECT_THAT(refused([](auto& s) { s.seconds = kNan; }), HasSubstr("setting seconds nan: must be >= 0"));
+  EXPECT_TRUE(contains(refused([](auto& s) { s.starts = 0; }), "setting starts 0: must be >= 1"));
+  EXPECT_TRUE(contains(refused([](auto& s) { s.evaluations = 0; }), "setting evaluations 0: must be >= 1"));
+  EXPECT_TRUE(contains(refused([](auto& s) { s.best = -1; }), "setting best -1: must be >= 1"));
+  EXPECT_TRUE(contains(refused([](auto& s) { s.seconds = kNan; }), "setting seconds nan: must be >= 0"));
 }
 
 TEST(Settings, OfToleranceVariantsNeedOne) {
@@ -85,8 +86,8 @@ TEST(Settings, OfToleranceVariantsNeedOne) {
   for (const std::int64_t count : {0, -3}) {
     ToleranceVariantSettings settings;
     settings.count = count;
-    EXPECT_THAT(refusal(tolerance_variants(model, report, settings)),
-                HasSubstr("setting count " + std::to_string(count) + ": must be from 1 to 100000000"));
+    EXPECT_TRUE(contains(refusal(tolerance_variants(model, report, settings)),
+                         "setting count " + std::to_string(count) + ": must be from 1 to 100000000"));
   }
 }
 
@@ -117,13 +118,13 @@ TEST(Settings, OfAFitNeedASearchAndAShare) {
   FitSettings settings;
   for (const int starts : {0, -3}) {
     settings.starts = starts;
-    EXPECT_THAT(refusal(fit(model, lift_table(), settings)),
-                HasSubstr("starts = " + std::to_string(starts) + ": must be >= 1"));
+    EXPECT_TRUE(contains(refusal(fit(model, lift_table(), settings)),
+                         "starts = " + std::to_string(starts) + ": must be >= 1"));
   }
   settings = {};
   settings.confidence = kNan;
-  EXPECT_THAT(refusal(fit(model, lift_table(), settings)),
-              HasSubstr("confidence = nan: must be between 0 and 1"));
+  EXPECT_TRUE(
+      contains(refusal(fit(model, lift_table(), settings)), "confidence = nan: must be between 0 and 1"));
 }
 
 TEST(TablesOfAProgram, NeedNoLinesToBeFitted) {
@@ -165,8 +166,8 @@ TEST(TablesOfAProgram, NeedNoLinesForACurveButAShare) {
   EXPECT_NEAR(report.numbers[2].value, 5, 1e-12);
   EXPECT_EQ(report.points.back().line, 9);
   for (const double confidence : {2.0, 0.0, kNan}) {
-    EXPECT_THAT(refusal(fit_curve(table, FittedCurve::kCircle, confidence)),
-                HasSubstr("must be between 0 and 1"));
+    EXPECT_TRUE(
+        contains(refusal(fit_curve(table, FittedCurve::kCircle, confidence)), "must be between 0 and 1"));
   }
 }
 

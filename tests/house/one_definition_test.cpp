@@ -14,8 +14,8 @@
 namespace higherpair::house {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 // The types that a formatted source defines outside unnamed namespaces, with their namespaces.
 std::set<std::string> shared_types(const std::string& text) {
@@ -59,7 +59,7 @@ TEST(OneDefinition, ATypeOfTheLibraryHasItsNameForItself) {
   }
   EXPECT_GT(places.size(), 100U);
   for (const auto& [type, files] : places) {
-    EXPECT_EQ(files.size(), 1U) << type << " is defined in " << testing::PrintToString(files);
+    EXPECT_EQ(files.size(), 1U) << type << " is defined in " << ::testing::PrintToString(files);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "higherpair/higherpair.hpp"
 #include "higherpair/io/profile_reader.hpp"
 #include "house/tree.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -23,10 +24,10 @@ namespace higherpair::house {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsSupersetOf;
-using testing::SizeIs;
+using ::testing::Contains;
+using testing::contains;
+using ::testing::IsSupersetOf;
+using ::testing::SizeIs;
 
 using Strings = std::vector<std::string>;
 
@@ -129,7 +130,7 @@ TEST(ReferenceOfProfiles, NamesEveryKeyOfTheReader) {
   const std::vector<Strings> tables = all_keys();
   EXPECT_GE(tables.size(), 9U + 7U + 5U);
   for (const Strings& keys : tables) {
-    EXPECT_GE(keys.size(), 2U) << testing::PrintToString(keys);
+    EXPECT_GE(keys.size(), 2U) << ::testing::PrintToString(keys);
     for (const std::string& key : keys) {
       // The list of the top level is longer than what the reader prints of it.
       EXPECT_TRUE(key == "…" || words.contains(key)) << key;
@@ -140,8 +141,8 @@ TEST(ReferenceOfProfiles, NamesEveryKeyOfTheReader) {
 
 TEST(ReferenceOfProfiles, NamesEveryTypeAndUnit) {
   const std::set<std::string> words = words_on("docs/profiles.md");
-  EXPECT_THAT(types_of("bodies.b.curves.c"), SizeIs(testing::Ge(7U)));
-  EXPECT_THAT(types_of("joints.j"), SizeIs(testing::Ge(5U)));
+  EXPECT_THAT(types_of("bodies.b.curves.c"), SizeIs(::testing::Ge(7U)));
+  EXPECT_THAT(types_of("joints.j"), SizeIs(::testing::Ge(5U)));
   for (const std::string thing : {"bodies.b.curves.c", "joints.j"}) {
     EXPECT_THAT(words, IsSupersetOf(types_of(thing)));
   }
@@ -153,7 +154,7 @@ TEST(ReferenceOfProfiles, NamesEveryTypeAndUnit) {
     for (std::size_t i = 1; i < names.size(); ++i) {
       list += ", " + names[i];
     }
-    EXPECT_THAT(page, HasSubstr("# " + list + "\n")) << unit;
+    EXPECT_TRUE(contains(page, "# " + list + "\n")) << unit;
   }
 }
 

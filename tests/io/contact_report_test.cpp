@@ -1,19 +1,19 @@
 #include "higherpair/io/contact_report.hpp"
 
 #include "io/profile_testing.hpp"
+#include "support/texts.hpp"
 
 #include <atomic>
 #include <cmath>
 #include <regex>
 
 #include <fmt/core.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace higherpair {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
+using testing::contains;
 using testing::Overrides;
 
 constexpr double kDegrees = 180 / kPi;
@@ -82,7 +82,7 @@ TEST(ContactForceReport, OfListedPositionsIsThatOfTheWayThroughThem) {
   EXPECT_NEAR(kDegrees * back.openings[1].what.driver, 180 - opening_at(900), 1e-12);
   EXPECT_NEAR(back.openings[1].row, 1 + opening_at(900) / 180, 1e-12);
   profile.programs[0].positions = {90};
-  EXPECT_THAT(report(profile).openings.at(0).cause, HasSubstr("here already"));
+  EXPECT_TRUE(contains(report(profile).openings.at(0).cause, "here already"));
 }
 
 // The driver turns back at 180 degrees. With its acceleration -a the follower's is -e (ω² sin θ + a cos θ).
@@ -142,10 +142,10 @@ TEST(ContactForceReport, AdvisesAnEffortWhereThereIsNoSpring) {
   const double missing = 0.003 * std::pow(30 * kPi, 2) - 2.943;
   const ContactForceReport opened = report(profile, 2);
   ASSERT_EQ(opened.openings.size(), 1U);
-  EXPECT_THAT(opened.openings[0].cause,
-              HasSubstr("; every contact stays closed on the whole path if a constant force of -" +
-                        fmt::format("{:.2f}", missing)));
-  EXPECT_THAT(opened.openings[0].cause, HasSubstr(" N acts on joints.guide"));
+  EXPECT_TRUE(contains(opened.openings[0].cause,
+                       "; every contact stays closed on the whole path if a constant force of -" +
+                           fmt::format("{:.2f}", missing)));
+  EXPECT_TRUE(contains(opened.openings[0].cause, " N acts on joints.guide"));
 }
 
 // Two arms in series. A torsion spring on the second one presses the second contact and lifts the first.
@@ -168,7 +168,7 @@ TEST(ContactForceReport, OfAChainGivesOneAnswerForItsSpringsOrSaysThatThereIsNon
     for (const double second : {-300.0, 0.0, 300.0}) {
       const ContactForceReport opened = report(shipped("cam_chain", arms(first, second)), 5);
       for (const ContactForceReport::Opening& opening : opened.openings) {
-        EXPECT_THAT(opening.cause, Not(HasSubstr("acts on joints")));
+        EXPECT_FALSE(contains(opening.cause, "acts on joints"));
         EXPECT_EQ(opening.cause.substr(opening.cause.find(';')),
                   opened.openings[0].cause.substr(opened.openings[0].cause.find(';')));
         if (opening.cause.find("; no preload of") != std::string::npos) {
@@ -197,7 +197,7 @@ TEST(ContactForceReport, EndsEarlyWhereItIsWantedNoLonger) {
   const std::atomic<bool> stop = true;
   higherpair::Run run = start_run(profile.mechanism, schedule.first_positions()).value();
   run.stop = &stop;
-  (void)report_contacts(profile, schedule, run);
+  (void)report_contacts(profile, schedule, run);  // which would take hours
 }
 
 std::string sentence(const Preload& preload, double addition) {

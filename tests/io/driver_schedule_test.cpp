@@ -2,6 +2,7 @@
 
 #include "higherpair/io/profile_reader.hpp"
 #include "io/profile_testing.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,10 +15,11 @@ namespace {
 
 using testing::crank_profile;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::read;
 using testing::slider_profile;
 using Samples = std::optional<std::int64_t>;
+using testing::lines_are;
+using testing::part;
 
 DriverSchedule analyze(const std::string& text, Samples samples = {}) {
   return DriverSchedule::analyze(read(text), samples).value();
@@ -107,18 +109,17 @@ TEST(AnalyzeSchedule, TheOptionSamplesTakesThePlaceOfTheProfiles) {
   EXPECT_THAT(positions(analyze(crank_profile("start = 0\nend = 30\nsamples = 99\n"), 3)),
               ElementsAre(0, 15, 30));
   EXPECT_EQ(analyze(crank_profile(), 10'000'001).size(), 10'000'001);
-  EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile()), 0)),
-              ElementsAre("setting samples 0: must be an integer from 1 to 2^53"));
+  EXPECT_TRUE(lines_are(lines(DriverSchedule::analyze(read(crank_profile()), 0)),
+                        {"setting samples 0: must be an integer from 1 to 2^53"}));
 }
 
 TEST(AnalyzeSchedule, RefusesWhatHasNoMeaning) {
-  EXPECT_THAT(lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
-              ElementsAre("test.toml:12:13: driver.positions are given one by one, and each is a row: leave "
-                          "--samples out, or give `end` in place of `positions`"));
-  EXPECT_THAT(
+  EXPECT_TRUE(lines_are(lines(DriverSchedule::analyze(read(crank_profile("positions = [1, 2]\n")), 5)),
+                        {"test.toml:12:13: driver.positions are given one by one, and each is a row: leave "
+                         "--samples out, or give `end` in place of `positions`"}));
+  EXPECT_TRUE(lines_are(
       lines(DriverSchedule::analyze(read(slider_profile("samples = 7\n")))),
-      ElementsAre(
-          "test.toml:11:1: driver.end is missing: 7 samples need one (the same as start to stay there)"));
+      {"test.toml:11:1: driver.end is missing: 7 samples need one (the same as start to stay there)"}));
 }
 
 constexpr const char* kTwoDrivers = R"([bodies.ground]
@@ -146,12 +147,13 @@ TEST(AnalyzeSchedule, SeveralDriversHaveEquallyManyPositions) {
   EXPECT_EQ(schedule.state(1, 0).profile.position, 180);
   EXPECT_EQ(schedule.state(1, 1).profile.position, 5);
   EXPECT_EQ(schedule.state(1, 1).si.position, 0.005);
-  EXPECT_THAT(
-      lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
-      ElementsAre("test.toml:21:13: drivers.b.positions are 2 positions where the first driver has 3: "
-                  "all drivers need equally many"));
-  EXPECT_THAT(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "end = 4\nsamples = 2\n"))),
-              ElementsAre(HasSubstr("drivers.b.samples gives 2 positions where the first driver has 3")));
+  EXPECT_TRUE(
+      lines_are(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "positions = [4, 5]\n"))),
+                {"test.toml:21:13: drivers.b.positions are 2 positions where the first driver has 3: "
+                 "all drivers need equally many"}));
+  EXPECT_TRUE(
+      lines_are(lines(DriverSchedule::analyze(read(kTwoDrivers + one + two + "end = 4\nsamples = 2\n"))),
+                {part("drivers.b.samples gives 2 positions where the first driver has 3")}));
 }
 
 TEST(StepSchedule, HasARowAtEveryTimeStepAndAtBothEnds) {
@@ -246,25 +248,24 @@ TEST(StepSchedule, TheOptionSamplesDividesTheDuration) {
 }
 
 TEST(StepSchedule, NeedsADurationAndATimeStep) {
-  EXPECT_THAT(lines(DriverSchedule::step(read(crank_profile()))),
-              ElementsAre("test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
-                          "test.toml:10:1: driver.time_step is missing: give the time between two rows, or "
-                          "the number of rows by --samples"));
+  EXPECT_TRUE(lines_are(lines(DriverSchedule::step(read(crank_profile()))),
+                        {"test.toml:10:1: driver.duration is missing: `step` needs to know how long to run",
+                         "test.toml:10:1: driver.time_step is missing: give the time between two rows, or "
+                         "the number of rows by --samples"}));
 }
 
 TEST(StepSchedule, RefusesAbsurdNumbersOfRowsAndPositions) {
-  EXPECT_THAT(
+  EXPECT_TRUE(lines_are(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e-9\n")))),
-      ElementsAre(
-          "test.toml:13:13: driver.time_step is too small: the duration would have more than 2^53 rows; "
-          "give a longer one"));
-  EXPECT_THAT(lines(DriverSchedule::step(
-                  read(slider_profile("duration = 1e40\ntime_step = 1e39\nacceleration = 1e10\n")))),
-              ElementsAre("test.toml:13:12: driver.duration takes the driver beyond 1e50 m"));
-  EXPECT_THAT(
+      {"test.toml:13:13: driver.time_step is too small: the duration would have more than 2^53 rows; "
+       "give a longer one"}));
+  EXPECT_TRUE(lines_are(lines(DriverSchedule::step(read(
+                            slider_profile("duration = 1e40\ntime_step = 1e39\nacceleration = 1e10\n")))),
+                        {"test.toml:13:12: driver.duration takes the driver beyond 1e50 m"}));
+  EXPECT_TRUE(lines_are(
       lines(DriverSchedule::step(read(crank_profile("duration = 1e9\ntime_step = 1e8\nvelocity = 400\n")))),
-      ElementsAre("test.toml:12:12: driver.duration takes the driver over more than 1e9 turns: its place "
-                  "within the turn is rounding"));
+      {"test.toml:12:12: driver.duration takes the driver over more than 1e9 turns: its place "
+       "within the turn is rounding"}));
   EXPECT_EQ(step(crank_profile("duration = 1e6\ntime_step = 1e-9\n")).size(), 1'000'000'000'000'001);
 }
 
@@ -273,10 +274,10 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
       "[drivers.a]\njoint = \"one\"\nduration = 2\n[drivers.b]\njoint = \"two\"\ntime_step = 1\n";
   EXPECT_THAT(times(step(kTwoDrivers + drivers)), ElementsAre(0, 1, 2));
   EXPECT_EQ(step(kTwoDrivers + drivers).state(2, 1).profile.position, -29);  // its pose is at -31 mm; 1 mm/s
-  EXPECT_THAT(
-      lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
-      ElementsAre("test.toml:21:12: drivers.b.duration differs from that of another driver: all move in the "
-                  "same time; give it to one, or the same to all"));
+  EXPECT_TRUE(
+      lines_are(lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
+                {"test.toml:21:12: drivers.b.duration differs from that of another driver: all move in the "
+                 "same time; give it to one, or the same to all"}));
 }
 
 TEST(OneWay, IsHowASingleDriverGoesBetweenRows) {

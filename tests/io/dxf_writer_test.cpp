@@ -1,6 +1,7 @@
 #include "higherpair/io/dxf_writer.hpp"
 
 #include "io/boundary_testing.hpp"
+#include "support/texts.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,9 +13,8 @@
 namespace higherpair {
 namespace {
 
+using testing::contains;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 // Codes and values, one pair per line.
 std::vector<std::string> pairs_of(const std::string& text) {
@@ -99,7 +99,7 @@ TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
   const auto pairs = pairs_of(text);
   EXPECT_THAT(pairs,
               ::testing::IsSupersetOf({"2 ground-with_a_name_that_is_too_", "2 b", "0 CIRCLE", "8 b"}));
-  EXPECT_THAT(text, Not(HasSubstr("long")));
+  EXPECT_FALSE(contains(text, "long"));
   const auto at = std::find(pairs.begin(), pairs.end(), "0 CIRCLE") - pairs.begin();
   const auto number = [&](std::ptrdiff_t i) { return std::stod(pairs[at + i].substr(3)); };
   EXPECT_NEAR(number(2), 10, 1e-14);
@@ -108,10 +108,10 @@ TEST(DxfWriter, GivesEachOutlineItsLayerAndCirclesTheirType) {
   // Three quarters of a circle are not a circle, nor are four arcs of two circles.
   ArcPolyline open = circle;
   open.closed = false;
-  EXPECT_THAT(dxf_text({{"b", open}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));
+  EXPECT_FALSE(contains(dxf_text({{"b", open}}, Unit::kMillimetre), "CIRCLE"));
   ArcPolyline two = circle;
   two.vertices[0].p_B.x() += 1e-6;
-  EXPECT_THAT(dxf_text({{"b", two}}, Unit::kMillimetre), Not(HasSubstr("CIRCLE")));
+  EXPECT_FALSE(contains(dxf_text({{"b", two}}, Unit::kMillimetre), "CIRCLE"));
 }
 
 TEST(DxfWriter, NumbersLayersThatWouldBeAlike) {

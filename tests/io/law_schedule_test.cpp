@@ -1,6 +1,7 @@
 // Schedules of drivers that follow a law.
 #include "higherpair/io/driver_schedule.hpp"
 #include "io/profile_testing.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 
@@ -10,9 +11,9 @@
 namespace higherpair {
 namespace {
 
+using testing::contains;
 using testing::crank_profile;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::read;
 using testing::slider_profile;
@@ -131,10 +132,9 @@ TEST(LawSchedule, KnowsItsWholeTravelAndItsGreatestSpeed) {
   EXPECT_NEAR(schedule.greatest_speed(0), 0.008, 1e-15);
   const auto many = DriverSchedule::step(read(slider("time_step = 1e7\nduration = 1e8\n", law)));
   ASSERT_FALSE(many);
-  EXPECT_THAT(
-      to_string(many.error().front()),
-      HasSubstr(
-          "driver.duration takes the driver through 1.66667e+07 repetitions of laws.lift; at most 1e6"));
+  EXPECT_TRUE(
+      contains(to_string(many.error().front()),
+               "driver.duration takes the driver through 1.66667e+07 repetitions of laws.lift; at most 1e6"));
 }
 
 TEST(LawSchedule, GivesHigherDerivatives) {
@@ -164,9 +164,9 @@ TEST(LawSchedule, ListedPositionsHaveTheRatesOfTheirFirstTime) {
 }
 
 TEST(LawSchedule, RefusesWhatHasNoMeaning) {
-  EXPECT_THAT(error_of(DriverSchedule::analyze(
-                  read(slider("", "origin = -9\nsegments = [{ over = 2, law = \"uniform\", rise = 8 }]\n")))),
-              HasSubstr("driver.law laws.lift ends at -7, before time 0: nothing moves"));
+  EXPECT_TRUE(contains(error_of(DriverSchedule::analyze(read(slider(
+                           "", "origin = -9\nsegments = [{ over = 2, law = \"uniform\", rise = 8 }]\n")))),
+                       "driver.law laws.lift ends at -7, before time 0: nothing moves"));
   const std::string two = R"([bodies.ground]
 points.A = [0, 0]
 [bodies.a]
@@ -190,12 +190,11 @@ samples = 5
 [drivers.two]
 joint = "two"
 )";
-  EXPECT_THAT(
+  EXPECT_TRUE(contains(
       error_of(DriverSchedule::analyze(read(two + "positions = [1, 2]\n"))),
-      HasSubstr(
-          "drivers.two.positions have no meaning here: another driver follows a law, and all move in time"));
-  EXPECT_THAT(error_of(DriverSchedule::analyze(read(two + "samples = 6\n"))),
-              HasSubstr("drivers.two.samples differs from that of another driver: all have the same rows"));
+      "drivers.two.positions have no meaning here: another driver follows a law, and all move in time"));
+  EXPECT_TRUE(contains(error_of(DriverSchedule::analyze(read(two + "samples = 6\n"))),
+                       "drivers.two.samples differs from that of another driver: all have the same rows"));
   const auto both = DriverSchedule::analyze(read(two + "start = 1\nvelocity = 3\n")).value();
   ASSERT_EQ(both.size(), 5);
   EXPECT_EQ(both.state(4, 0).profile.position, 8);

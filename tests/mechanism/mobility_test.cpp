@@ -1,6 +1,7 @@
 #include "drawn_mechanism.hpp"
 #include "higherpair/mechanism/analyse_mobility.hpp"
 #include "higherpair/mechanism/mobility_text.hpp"
+#include "support/texts.hpp"
 
 #include <cmath>
 #include <string>
@@ -10,11 +11,13 @@
 namespace higherpair {
 namespace {
 
-using testing::AllOf;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using testing::a_line_contains;
+using testing::contains;
+using testing::contains_all;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::lines_are;
+using testing::part;
 
 TEST(Mobility, OfAFourBarIsOneByCountAndRank) {
   const DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
@@ -49,7 +52,7 @@ TEST(Mobility, AtAChangePointIsLargerAtTheStartOnly) {
   EXPECT_EQ(mobility.shaky, 0);
   EXPECT_TRUE(mobility.singular);
   EXPECT_TRUE(mobility.drivers_fit());
-  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("change point")));
+  EXPECT_TRUE(a_line_contains(explanations(drawn.mechanism, mobility), "change point"));
 }
 
 // Equal wheels in a row on fixed pivots, whose pins one rod joins, drawn with all pins on the line of the
@@ -115,7 +118,7 @@ TEST(Mobility, OfAStructureIsNone) {
   EXPECT_EQ(mobility.count.mobility(), 0);
   EXPECT_EQ(mobility.freedom, 0);
   EXPECT_FALSE(mobility.singular);
-  EXPECT_THAT(explanations(drawn.mechanism, mobility), ElementsAre(HasSubstr("statically determinate")));
+  EXPECT_TRUE(lines_are(explanations(drawn.mechanism, mobility), {part("statically determinate")}));
 }
 
 TEST(Mobility, OfAStructureWithAMemberTooManySaysThatItIsIndeterminate) {
@@ -129,7 +132,7 @@ TEST(Mobility, OfAStructureWithAMemberTooManySaysThatItIsIndeterminate) {
   EXPECT_EQ(mobility.conditions - mobility.rank, 1);
   ASSERT_EQ(mobility.redundancies.size(), 1U);
   EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kMember);
-  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("statically indeterminate")));
+  EXPECT_TRUE(a_line_contains(explanations(drawn.mechanism, mobility), "statically indeterminate"));
 }
 
 TEST(Mobility, OfTwoLinksInLineBetweenFixedPinsIsAShakyNone) {
@@ -140,7 +143,7 @@ TEST(Mobility, OfTwoLinksInLineBetweenFixedPinsIsAShakyNone) {
   EXPECT_EQ(mobility.shaky, 1);
   EXPECT_EQ(mobility.freedom, 0);
   EXPECT_TRUE(mobility.singular);
-  EXPECT_THAT(explanations(drawn.mechanism, mobility), Contains(HasSubstr("shaky")));
+  EXPECT_TRUE(a_line_contains(explanations(drawn.mechanism, mobility), "shaky"));
 }
 
 TEST(Mobility, OfAShakyPartOnAMovingBodyIsThatOfTheBody) {
@@ -180,7 +183,7 @@ TEST(Mobility, NamesTheRollerThatSpinsIdly) {
   // Assembled positions are accurate to 1e-10 of the size.
   EXPECT_NEAR((mobility.idle.front().p_W - Vector2d(0.06, 0.04)).norm(), 0, 1e-9);
   EXPECT_TRUE(mobility.drivers_fit());
-  EXPECT_THAT(idle_texts(drawn.mechanism, mobility), ElementsAre(HasSubstr("roller turns freely")));
+  EXPECT_TRUE(lines_are(idle_texts(drawn.mechanism, mobility), {part("roller turns freely")}));
 }
 
 TEST(Mobility, DoesNotTakeARollerOffItsCentreForIdle) {
@@ -270,9 +273,9 @@ TEST(DriverObjection, SaysWhatToAddToAFiveBarWithOneDriver) {
   EXPECT_EQ(mobility.missing_drivers, 1);
   EXPECT_THAT(mobility.loose_bodies, ElementsAre(2, 3, 4));
   EXPECT_THAT(mobility.joints_to_drive, ElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(driver_objection(drawn.mechanism, mobility).value_or(""),
-              AllOf(HasSubstr("2 freedoms by rank"), HasSubstr("2 drivers needed, 1 given"),
-                    HasSubstr("add 1 driver"), HasSubstr("pin1, pin2, pin3, pin4")));
+  EXPECT_TRUE(contains_all(
+      driver_objection(drawn.mechanism, mobility).value_or(""),
+      {"2 freedoms by rank", "2 drivers needed, 1 given", "add 1 driver", "pin1, pin2, pin3, pin4"}));
   drawn.drive(1, "other");
   EXPECT_EQ(driver_objection(drawn.mechanism, std::vector<double>{0, 0}), std::nullopt);
 }
@@ -280,16 +283,16 @@ TEST(DriverObjection, SaysWhatToAddToAFiveBarWithOneDriver) {
 TEST(DriverObjection, NamesTheDriverThatIsTooMany) {
   DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
   drawn.drive(2, "rocker");
-  EXPECT_THAT(driver_objection(drawn.mechanism, analyse_mobility(drawn.mechanism)).value_or(""),
-              AllOf(HasSubstr("1 driver needed, 2 given"), HasSubstr("remove drivers.rocker (of pin2)")));
+  EXPECT_TRUE(contains_all(driver_objection(drawn.mechanism, analyse_mobility(drawn.mechanism)).value_or(""),
+                           {"1 driver needed, 2 given", "remove drivers.rocker (of pin2)"}));
 }
 
 TEST(DriverObjection, SaysThatAStructureCannotBeDriven) {
   DrawnMechanism drawn;
   drawn.dyad("truss", 0, {0, 0}, 0, {0.07, 0.01}, {0.03, 0.05});
   drawn.drive(0);
-  EXPECT_THAT(driver_objection(drawn.mechanism, std::vector<double>{0}).value_or(""),
-              AllOf(HasSubstr("0 drivers needed, 1 given"), HasSubstr("nothing can move")));
+  EXPECT_TRUE(contains_all(driver_objection(drawn.mechanism, std::vector<double>{0}).value_or(""),
+                           {"0 drivers needed, 1 given", "nothing can move"}));
 }
 
 TEST(SurplusObjection, IsThereForADriverTooManyAndNotForAMemberThatFits) {
@@ -298,7 +301,7 @@ TEST(SurplusObjection, IsThereForADriverTooManyAndNotForAMemberThatFits) {
   const auto plan = make_plan(drawn.mechanism);
   ASSERT_TRUE(plan) << plan.error();
   EXPECT_EQ(plan->surplus, 1);
-  EXPECT_THAT(surplus_objection(drawn.mechanism, *plan, {0, 0}).value_or(""), HasSubstr("2 given"));
+  EXPECT_TRUE(contains(surplus_objection(drawn.mechanism, *plan, {0, 0}).value_or(""), "2 given"));
   drawn.mechanism.drivers.pop_back();
   drawn.mechanism.joints.push_back(drawn.mechanism.joints.back());
   const auto fitting = make_plan(drawn.mechanism);
@@ -312,7 +315,7 @@ TEST(Plan, RefusesLooseBodiesInTheSameWords) {
   drawn.mechanism.drivers.clear();
   const auto plan = make_plan(drawn.mechanism);
   ASSERT_FALSE(plan);
-  EXPECT_THAT(plan.error(), AllOf(HasSubstr("1 driver needed, 0 given"), HasSubstr("crank, dyad_a, dyad_b")));
+  EXPECT_TRUE(contains_all(plan.error(), {"1 driver needed, 0 given", "crank, dyad_a, dyad_b"}));
 }
 
 TEST(Mobility, IsCountedOnlyWhereTheMechanismDoesNotClose) {

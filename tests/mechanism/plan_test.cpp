@@ -3,6 +3,7 @@
 
 #include "analysis/mechanism_builder.hpp"
 #include "higherpair/io/profile_reader.hpp"
+#include "support/texts.hpp"
 
 #include <algorithm>
 #include <string>
@@ -14,10 +15,10 @@ namespace higherpair {
 namespace {
 
 using higherpair::testing::Builder;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 using Settings = std::vector<std::string>;
+using higherpair::testing::contains;
+using higherpair::testing::lines_are;
 
 std::string name_of(const GroupKind& kind) {
   static const std::vector<std::string> names = {"driven",  "RRR",      "RRP",  "RPR",    "slides",
@@ -62,19 +63,11 @@ points.P = [40, 0]
 points.O = [0, 0]
 [bodies.planet]
 points.P = [40, 0]
-[joints.mesh]
-type = "gears"
-between = ["sun.O", "planet.P"]
-ratio = 1.5
-[joints.arm_pivot]
-type = "revolute"
-between = ["ground.O", "arm.O"]
-[joints.sun_pivot]
-type = "revolute"
-between = ["arm.O", "sun.O"]
-[joints.planet_pivot]
-type = "revolute"
-between = ["arm.P", "planet.P"]
+[joints]
+mesh         = { type = "gears", between = ["sun.O", "planet.P"], ratio = 1.5 }
+arm_pivot    = { type = "revolute", between = ["ground.O", "arm.O"] }
+sun_pivot    = { type = "revolute", between = ["arm.O", "sun.O"] }
+planet_pivot = { type = "revolute", between = ["arm.P", "planet.P"] }
 [drivers.arm]
 joint = "arm_pivot"
 [drivers.sun]
@@ -82,50 +75,51 @@ joint = "sun_pivot"
 )",
                                          "wheels.toml");
   ASSERT_TRUE(profile) << to_string(profile.error().front());
-  EXPECT_THAT(groups_of(profile->mechanism), ElementsAre("driven: arm", "driven: sun", "geared: planet"));
+  EXPECT_TRUE(lines_are(groups_of(profile->mechanism), {"driven: arm", "driven: sun", "geared: planet"}));
 }
 
 TEST(Plan, SolvesAFourBarAsADriverAndADyad) {
-  EXPECT_THAT(groups_of(shipped("four_bar")), ElementsAre("driven: crank", "RRR: coupler rocker"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("four_bar")), {"driven: crank", "RRR: coupler rocker"}));
 }
 
 TEST(Plan, FollowsTheDriverFromTheOtherSide) {
-  EXPECT_THAT(groups_of(shipped("four_bar", {"driver.joint=rocker_pivot"})),
-              ElementsAre("driven: rocker", "RRR: coupler crank"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("four_bar", {"driver.joint=rocker_pivot"})),
+                        {"driven: rocker", "RRR: coupler crank"}));
 }
 
 TEST(Plan, CouplesAllBodiesOfALoopWhoseInnerJointIsDriven) {
-  EXPECT_THAT(groups_of(shipped("double_rocker")), ElementsAre("coupled: coupler left_arm right_arm"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("double_rocker")), {"coupled: coupler left_arm right_arm"}));
 }
 
 TEST(Plan, KnowsTheGroupsOfSlidersAndSlots) {
-  EXPECT_THAT(groups_of(shipped("slider_crank")), ElementsAre("driven: crank", "RRP: piston rod"));
-  EXPECT_THAT(groups_of(shipped("slider_crank", {"driver={joint = \"slide\"}"})),
-              ElementsAre("driven: piston", "RRR: crank rod"));
-  EXPECT_THAT(groups_of(shipped("scotch_yoke")), ElementsAre("driven: crank", "slides: yoke"));
-  EXPECT_THAT(groups_of(shipped("scotch_yoke", {"driver={joint = \"slide\"}"})),
-              ElementsAre("driven: yoke", "RRP: crank"));
-  EXPECT_THAT(groups_of(shipped("quick_return")), ElementsAre("driven: crank", "RPR: lever"));
-  EXPECT_THAT(groups_of(shipped("quick_return", {"joints.slot.between=[\"crank.O\", \"lever.T\"]"})),
-              ElementsAre("driven: crank", "RRP: lever"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("slider_crank")), {"driven: crank", "RRP: piston rod"}));
+  EXPECT_TRUE(lines_are(groups_of(shipped("slider_crank", {"driver={joint = \"slide\"}"})),
+                        {"driven: piston", "RRR: crank rod"}));
+  EXPECT_TRUE(lines_are(groups_of(shipped("scotch_yoke")), {"driven: crank", "slides: yoke"}));
+  EXPECT_TRUE(lines_are(groups_of(shipped("scotch_yoke", {"driver={joint = \"slide\"}"})),
+                        {"driven: yoke", "RRP: crank"}));
+  EXPECT_TRUE(lines_are(groups_of(shipped("quick_return")), {"driven: crank", "RPR: lever"}));
+  EXPECT_TRUE(
+      lines_are(groups_of(shipped("quick_return", {"joints.slot.between=[\"crank.O\", \"lever.T\"]"})),
+                {"driven: crank", "RRP: lever"}));
 }
 
 TEST(Plan, TakesTheGroupsOfASixBarOneAfterTheOther) {
-  EXPECT_THAT(groups_of(shipped("sixbar_slider")),
-              ElementsAre("driven: link2", "RRR: link3 link4", "RRP: link5 slider"));
-  EXPECT_THAT(groups_of(shipped("watt_sixbar")),
-              ElementsAre("driven: link2", "RRR: link3 link4", "RRR: link5 link6"));
-  EXPECT_THAT(groups_of(shipped("toggle_press")),
-              ElementsAre("driven: crank", "RRR: rod upper", "RRP: lower ram"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("sixbar_slider")),
+                        {"driven: link2", "RRR: link3 link4", "RRP: link5 slider"}));
+  EXPECT_TRUE(lines_are(groups_of(shipped("watt_sixbar")),
+                        {"driven: link2", "RRR: link3 link4", "RRR: link5 link6"}));
+  EXPECT_TRUE(
+      lines_are(groups_of(shipped("toggle_press")), {"driven: crank", "RRR: rod upper", "RRP: lower ram"}));
   // Driven at the other end the Watt chain also consists of dyads; driven at the end of its first loop the
   // list is the same.
-  EXPECT_THAT(groups_of(shipped("watt_sixbar", {"driver.joint=F"})),
-              ElementsAre("driven: link6", "RRR: link4 link5", "RRR: link2 link3"));
+  EXPECT_TRUE(lines_are(groups_of(shipped("watt_sixbar", {"driver.joint=F"})),
+                        {"driven: link6", "RRR: link4 link5", "RRR: link2 link3"}));
 }
 
 TEST(Plan, TracksAContactOnADriverAndPlacesOneOnAnotherBody) {
-  EXPECT_THAT(groups_of(shipped("cam_chain")),
-              ElementsAre("driven: cam", "tracked: arm", "touching: second_arm"));
+  EXPECT_TRUE(
+      lines_are(groups_of(shipped("cam_chain")), {"driven: cam", "tracked: arm", "touching: second_arm"}));
 }
 
 TEST(Plan, NamesTheRollerWhoseTurningIsIdle) {
@@ -134,7 +128,7 @@ TEST(Plan, NamesTheRollerWhoseTurningIsIdle) {
   ASSERT_TRUE(plan) << plan.error();
   ASSERT_EQ(plan->idle_bodies.size(), 1U);
   EXPECT_EQ(mechanism.bodies[plan->idle_bodies[0]].name, "roller");
-  EXPECT_THAT(groups_of(mechanism), ElementsAre("driven: cam", "coupled: arm roller"));
+  EXPECT_TRUE(lines_are(groups_of(mechanism), {"driven: cam", "coupled: arm roller"}));
   const auto rolling = make_plan(shipped("roller_body", {"contacts.touch.rolling=true"}));
   ASSERT_TRUE(rolling) << rolling.error();
   EXPECT_TRUE(rolling->idle_bodies.empty());
@@ -147,8 +141,9 @@ TEST(Plan, RefusesARollerWhoseTurningIsNotIdle) {
        {curve + ".center=[3, 0]", curve + "={type = \"ellipse\", center = [0, 0], semi_axes = [15, 10]}"}) {
     const auto plan = make_plan(shipped("roller_body", {other}));
     ASSERT_FALSE(plan) << other;
-    EXPECT_THAT(plan.error(), HasSubstr("more freedom than drivers: 1 freedom left by the drivers, in which "
-                                        "arm, roller can move"))
+    EXPECT_TRUE(contains(plan.error(),
+                         "more freedom than drivers: 1 freedom left by the drivers, in which "
+                         "arm, roller can move"))
         << other;
     // Where it rolls its angle follows from the way that it has rolled.
     EXPECT_TRUE(make_plan(shipped("roller_body", {other, "contacts.touch.rolling=true"}))) << other;
@@ -227,7 +222,7 @@ TEST(Plan, DoesNotPlaceAYokeByTwoParallelGuides) {
     b.revolute(rod, yoke, {0, 0.4});
     b.prismatic(0, yoke, {0, 0.4}, {0, 1}, 0);
     slot ? b.slot(0, yoke, {0.3, 0.4}, {0, -1}, 0) : b.prismatic(0, yoke, {0.3, 0.4}, {0, -1}, 0);
-    EXPECT_THAT(groups_of(b.mechanism), ElementsAre("driven: crank", "coupled: rod yoke"));
+    EXPECT_TRUE(lines_are(groups_of(b.mechanism), {"driven: crank", "coupled: rod yoke"}));
     EXPECT_EQ(make_plan(b.mechanism)->surplus, slot ? 1 : 2);
   }
 }
@@ -246,8 +241,8 @@ TEST(Plan, DoesNotPlaceThreeParallelCranksOnTheirOwn) {
     b.revolute(index, coupler, {x + 0.6, 0.8});
   }
   b.revolute(rod, cranks[0], {0.6, 0.8});
-  EXPECT_THAT(groups_of(b.mechanism),
-              ElementsAre("driven: crank", "RRR: at0 rod", "RRR: at1 coupler", "coupled: at3"));
+  EXPECT_TRUE(lines_are(groups_of(b.mechanism),
+                        {"driven: crank", "RRR: at0 rod", "RRR: at1 coupler", "coupled: at3"}));
 }
 
 TEST(Plan, SaysWhatIsLoose) {
@@ -257,8 +252,8 @@ TEST(Plan, SaysWhatIsLoose) {
   b.revolute(crank, rod, {0.3, 0});
   const auto plan = make_plan(b.mechanism);
   ASSERT_FALSE(plan);
-  EXPECT_THAT(plan.error(), HasSubstr("2 drivers needed, 1 given"));
-  EXPECT_THAT(plan.error(), HasSubstr("in which rod can move"));
+  EXPECT_TRUE(contains(plan.error(), "2 drivers needed, 1 given"));
+  EXPECT_TRUE(contains(plan.error(), "in which rod can move"));
 }
 
 }  // namespace
