@@ -44,7 +44,7 @@ inline constexpr double kNearEnds = 0.01;
 /// Sweeps of an ellipse count as a whole turn if they are this close to one, or to 0: files give parameters
 /// with a limited number of digits [rad].
 inline constexpr double kWholeTurn = 1e-9;
-/// Relative to the radius: arcs whose centres and radii differ by less form one circle.
+/// Relative to the radius: arcs that meet and whose centres differ by less form one circle.
 inline constexpr double kOneCircle = 1e-12;
 
 // Gears.

@@ -209,8 +209,8 @@ void add_cranks(const PinGraph& graph, const GuideLine& line, const Vector2d& p_
       }
       for (const SharedPin& O : graph.joining(known.guide, crank)) {
         const double r2 = (end.p_B - O.on_two).norm();
-        const double r3 = (p_C - A.p_B).norm();
-        if (O.pin == A.pin || O.pin == pin_C || r2 == 0 || r3 == 0) {
+        const double r3 = (p_C - A.p_B).norm();  // 0 where the point that runs in a slot is the pin A
+        if (O.pin == A.pin || O.pin == pin_C || r3 == 0) {
           continue;
         }
         SliderCrankInMechanism loop = known;

@@ -87,9 +87,7 @@ std::vector<int> carriers_of(const Mechanism& mechanism, const Joint& wheels, co
   const std::vector<int> first = bodies_at(pins, mechanism, wheels.first);
   std::vector<int> common;
   for (const int body : bodies_at(pins, mechanism, wheels.second)) {
-    if (body != wheels.first.body && body != wheels.second.body && contains(first, body)) {
-      common.push_back(body);
-    }
+    if (contains(first, body)) common.push_back(body);
   }
   return common;
 }

@@ -43,7 +43,7 @@ bool is_same_pin_twice(const std::vector<Pin>& pins, const Redundancy& set) {
   return std::any_of(pins.begin(), pins.end(), [&](const Pin& pin) {
     const auto involved = std::count_if(pin.joints.begin(), pin.joints.end(),
                                         [&](int joint) { return contains(set.joints, joint); });
-    return pin.joints.size() >= pin.ends.size() && static_cast<std::size_t>(involved) >= pin.ends.size();
+    return static_cast<std::size_t>(involved) >= pin.ends.size();
   });
 }
 

@@ -530,5 +530,17 @@ TEST(MotionLaw, RefusesWhatIsNoLaw) {
   EXPECT_EQ(fault({.type = LawType::kPolynomial, .over = 1, .start = {2}, .end = {2}}), "none");
 }
 
+// A ratchet's pawl goes on by each of its strokes.
+TEST(MotionLaw, RepeatedGoesOnByItsAdvance) {
+  const MotionLaw law =
+      testing::law_of({{LawType::kDwell, 1}, {LawType::kUniform, 2, 0.5}}, true).repeated(3);
+  EXPECT_EQ(law.end(), 9);
+  EXPECT_EQ(law.advance(), 1.5);
+  for (const auto& [x, value] : {std::pair(3.5, 0.5), std::pair(5.0, 0.75), std::pair(8.0, 1.25)}) {
+    EXPECT_NEAR(law(x), value, 1e-15);
+    EXPECT_NEAR(law(x + 9), value + 1.5, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

@@ -211,6 +211,55 @@ TEST(CamSizing, OfASwingingFaceGivesAFlankThatHasTheRadius) {
   EXPECT_NEAR(1 / curvatures_of(cam).high, 0.15, 1e-6);
 }
 
+// A follower whose coordinate is counted downwards has the lifts of the opposite law; one below the cam moves
+// as one above it, seen after half a turn.
+TEST(CamSizing, DoesNotDependOnWhereTheFollowerIsAndHowItIsCounted) {
+  for (const double rise : {1.0, -1.0}) {
+    const auto law = [](double by) {
+      const double quarter = kPi / 2;
+      return testing::law_of({{LawType::kDwell, quarter},
+                              {LawType::kCycloidal, quarter, by},
+                              {LawType::kDwell, quarter},
+                              {LawType::kCycloidal, quarter, -by}},
+                             true);
+    };
+    const Curve roller = *make_circle({0, 0}, 0.5), face = *make_line({0, 0}, {0, -1});
+    const Curve face_below = *make_line({0, 0}, {0, 1});
+    const double of_roller =
+        smallest_for_pressure(cam_of(sliding(), 1, 3, law(rise), roller), {30 * kDeg, 45 * kDeg})->radius;
+    const double of_face = smallest_for_radius(cam_of(sliding(), 1, 3, law(rise), face), {0.25})->base_radius;
+    for (const auto& [rest, by, below] : {std::tuple(-3, -rise, false), std::tuple(3, rise, true)}) {
+      const auto other =
+          smallest_for_pressure(cam_of(sliding(), -1, rest, law(by), roller), {30 * kDeg, 45 * kDeg});
+      const auto other_face =
+          smallest_for_radius(cam_of(sliding(), -1, rest, law(by), below ? face_below : face), {0.25});
+      ASSERT_TRUE(other && other_face);
+      EXPECT_NEAR(other->radius, of_roller, 1e-12);
+      EXPECT_NEAR(other_face->base_radius, of_face, 1e-12);
+    }
+  }
+}
+
+TEST(CamSizing, OfAMirroredSwingingFaceIsTheSame) {
+  const MotionLaw law = testing::law_of(
+      {{LawType::kDwell, 2}, {LawType::kCycloidal, 1.9, 0.2}, {LawType::kCycloidal, 2 * kPi - 3.9, -0.2}},
+      true);
+  const Curve face = *make_line({0, -0.1}, {0, -1});
+  const FlankOrigin cam = cam_of(turning({4, 0}), -1, 0.35, law, face);
+  const FlankOrigin mirrored{{turning(), -1, turning({-4, 0}), 1, 0.35, law}, face, false};
+  const auto size = smallest_for_radius(cam, {0.15}), other = smallest_for_radius(mirrored, {0.15});
+  ASSERT_TRUE(size && other);
+  EXPECT_NEAR(other->rest, size->rest, 1e-12);
+  EXPECT_NEAR(other->base_radius, size->base_radius, 1e-12);
+}
+
+TEST(CamSizing, OfAnOuterFlankIsBeyondTheRoller) {
+  FlankOrigin cam = roller_cam(four_quarters(LawType::kCycloidal), 2, 0.5);
+  EXPECT_EQ(size_of(cam)->base_radius, 1.5);
+  cam.outer = true;
+  EXPECT_EQ(size_of(cam)->base_radius, 2.5);
+}
+
 TEST(CamSizing, ScalesWithTheCam) {
   for (const double scale : {1e-4, 1e3}) {
     MotionLaw law = testing::law_of({{LawType::kDwell, kPi / 2},

@@ -347,6 +347,10 @@ TEST(Plot, HasTicksAtRoundNumbers) {
                         {"0", "45", "90", "135", "180", "225", "270", "315", "360"}));
   EXPECT_TRUE(lines_are(labels_of_x(plots_svg({line({-7.25, 40}, {0, 1})})),
                         {"−5", "0", "5", "10", "15", "20", "25", "30", "35", "40"}));
+  // Of many turns, at whole ones.
+  EXPECT_TRUE(
+      lines_are(labels_of_x(plots_svg({line({0, 7200}, {0, 1})})),
+                {"0", "720", "1440", "2160", "2880", "3600", "4320", "5040", "5760", "6480", "7200"}));
   PlotData fine = line({0, 0.0031}, {0, 1});
   fine.x.unit = "mm";
   EXPECT_TRUE(contains(plots_svg({fine}), "×10⁻³ mm"));

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
@@ -184,6 +186,41 @@ TEST(Polygon, OfAContactIsThatOfItsEquivalentLink) {
 }
 
 // A moving point O is written "o": the pole has a name of its own.
+// While the roller waits, the centre of the flank is the cam's pivot: what is left of its motion is rounding.
+TEST(Polygon, InADwellHasNoArrows) {
+  const Polygons found = polygons_at(shipped("law_cam_roller"), 141);
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_THAT(found.polygons[k].arrows, IsEmpty());
+    EXPECT_THAT(found.polygons[k].notes, ElementsAre("all of them are zero"));
+  }
+}
+
+TEST(Polygon, CallsPointsOfOneNameByTheirBodies) {
+  const Model model = Model::from_text(R"([bodies.ground]
+points = { O = [0, 0], Q = [60, 0] }
+[bodies.crank]
+points = { O = [0, 0], A = [20, 0] }
+[bodies.rod]
+pose = { x = 20, y = 0 }
+points = { A = [0, 0], B = [50, 0], M = [25, 10] }
+[bodies.lever]
+pose = { x = 60, y = 0, angle = 100 }
+points = { Q = [0, 0], B = [40, 0], M = [20, 5] }
+[joints]
+O = { type = "revolute", between = ["ground.O", "crank.O"] }
+A = { type = "revolute", between = ["crank.A", "rod.A"] }
+B = { type = "revolute", between = ["rod.B", "lever.B"] }
+Q = { type = "revolute", between = ["ground.Q", "lever.Q"] }
+[driver]
+joint = "O"
+)")
+                          .value();
+  const Polygons found = polygons_at(model, 50);
+  std::vector<std::string> names;
+  for (const PolygonPoint& point : found.polygons[0].points) names.push_back(point.name);
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("a", "b", "rod.M", "lever.M"));
+}
+
 TEST(Polygon, HasAPoleThatHasNoPointsName) {
   int with_o = 0;
   for (const auto& [model, at] : shipped_positions()) {
@@ -240,6 +277,38 @@ TEST(Polygon, OfForcesClosesForEveryBody) {
     }
   }
   EXPECT_GE(closed, 10);
+}
+
+// The torque of a brake on a roller that has no mass is that of the friction at its rim of 15 mm. The force
+// on the arm turns with it.
+TEST(Polygon, OfForcesClosesWithFrictionAndAForceThatTurnsWithItsBody) {
+  std::ifstream file(HIGHERPAIR_SOURCE_DIR "/profiles/roller_body.toml");
+  std::stringstream text;
+  text << file.rdbuf() << "[loads]\nbrake = { body = \"roller\", torque = 90 }\n"
+       << "press = { body = \"arm\", point = \"P\", force = [-3, -12], frame = \"body\" }\n";
+  const std::vector<std::string> rolls = {"contacts.touch.rolling=true"};
+  const Model model = Model::from_text(text.str(), "roller.toml", rolls).value();
+  const Motion table = table_at(model, 70, true);
+  EXPECT_NEAR(std::abs(table.column("touch.friction")[1]), 6, 1e-9);
+  int closed = 0;
+  for (const Polygon& polygon : polygons_at(model, 70, true).polygons) {
+    if (polygon.kind != Polygon::Kind::kForce) continue;
+    EXPECT_LE((polygon.arrows.back().to - polygon.arrows.front().from).norm(), 1e-9 * longest(polygon))
+        << polygon.title;
+    ++closed;
+  }
+  EXPECT_EQ(closed, 3);
+  // The two forces on the roller are opposite in the drawing too.
+  SceneSettings settings;
+  settings.at = 70;
+  settings.forces = true;
+  const Scene scene = scenes_of(model, settings).value().scenes.front();
+  Vector2d sum = Vector2d::Zero();
+  for (const Shape& shape : scene.moving) {
+    if (shape.role != Role::kForce || (shape.name != "touch" && shape.name != "roller_pin")) continue;
+    sum += Vector2d(shape.numbers[2] - shape.numbers[0], shape.numbers[3] - shape.numbers[1]);
+  }
+  EXPECT_LE(sum.norm(), 1e-9 * scene.unit);
 }
 
 TEST(Polygon, OfForcesHasThoseOfTheTable) {

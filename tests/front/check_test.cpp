@@ -201,6 +201,39 @@ TEST(Check, HoldsTheReturnToALimitOfItsOwn) {
   EXPECT_EQ(figure(report, "contacts.touch", "return_pressure_angle").limit, 45);
 }
 
+// Driven backwards, the return is the rise: its limit is the one that the larger cam keeps.
+TEST(Check, OfACamDrivenBackwardsHoldsItsStrokesToTheLimitsTheOtherWayRound) {
+  const auto size = [](const std::string& velocity, int out, int back) {
+    return value(checked(profile_of({R"(curves.flank = { type = "cam", law = "lift", contact = "touch" })",
+                                     fmt::format("pose = {{ x = 0, y = 2 }}\ncurves.tip = {}", kRoller),
+                                     "direction = [0, 1]", R"(between = ["cam.flank", "follower.tip"])",
+                                     fmt::format(R"(end = 360
+velocity = "{} rad/s"
+[laws.lift]
+segments = [ {{ over = 60, law = "cycloidal", rise = 1 }}, {{ over = 90, law = "dwell" }},
+             {{ over = 120, law = "cycloidal", rise = -1 }}, {{ over = 90, law = "dwell" }} ]
+[limits]
+max_pressure_angle = {}
+max_return_pressure_angle = {}
+)",
+                                                 velocity, out, back)})),
+                 "cam.flank", "prime_circle_for_pressure_angle");
+  };
+  EXPECT_NEAR(size("-1", 45, 30), size("1", 30, 45), 1e-11);
+  EXPECT_GT(size("1", 30, 45), 1.1 * size("1", 45, 30));
+}
+
+// The centre of the roller rests 40 from the pivot, 12 beside it: what rounding moves it by is no return.
+TEST(Check, OfAFollowerAtRestHasNoReturn) {
+  const CheckReport report = checked(profile_of(
+      {"curves.disc = { type = \"circle\", center = [0, 0], radius = 30 }",
+       "pose = { x = 0, y = 38 }\ncurves.roller = { type = \"circle\", center = [12, 0], radius = 10 }",
+       "direction = [0, 1]\n", "between = [\"cam.disc\", \"follower.roller\"]",
+       "end = 360\n[limits]\nmax_pressure_angle = 30\nmax_return_pressure_angle = 45\n"}));
+  EXPECT_NEAR(value(report, "contacts.touch", "pressure_angle"), std::asin(12.0 / 40) / kDeg, 1e-10);
+  EXPECT_EQ(find(report, "contacts.touch", "return_pressure_angle"), nullptr);
+}
+
 // A harmonic rise of 50 mm over half a turn and a smallest radius of 25: the cam is a circle of radius 50.
 TEST(Check, OfASimpleHarmonicCamFindsACircle) {
   const std::string text =
@@ -566,6 +599,29 @@ TEST(Check, OfAFreelyTurningRollerHasNoSliding) {
     rolls = rolls || one.quantity == "entrainment_speed";
   }
   EXPECT_TRUE(rolls);
+}
+
+// A disc about its pivot neither moves the arm nor turns the roller: the film is drawn in by the disc alone,
+// at the speed of its rim, whichever body the contact names first.
+TEST(Check, OfAFreelyTurningRollerIsDrawnInByTheOtherBody) {
+  for (const char* between : {R"(["cam.disc", "roller.rim"])", R"(["roller.rim", "cam.disc"])"}) {
+    const CheckReport report = checked(shipped_model(
+        "roller_body", {"bodies.cam.curves.disc.center=[0, 0]", "bodies.cam.curves.disc.semi_axes=[20, 20]",
+                        fmt::format("contacts.touch.between={}", between)}));
+    for (const char* speed : {"entrainment_speed", "least_entrainment_speed"}) {
+      EXPECT_NEAR(value(report, "contacts.touch", speed), 20 * 60 * kDeg, 1e-10) << between;
+    }
+  }
+}
+
+// The film is drawn in at e ω (1 - sin θ)/2.
+TEST(Check, OfADiscWhoseRimPassesThroughItsPivotHasAPlaceWithoutEntrainment) {
+  const CheckReport report = checked(
+      profile_of({"curves.disc = { type = \"circle\", center = [10, 0], radius = 10 }",
+                  fmt::format("pose = {{ x = 0, y = 10 }}\ncurves.tip = {}", kFace), "direction = [0, 1]",
+                  "between = [\"cam.disc\", \"follower.tip\"]", "end = 360\nvelocity = \"1 rad/s\"\n"}));
+  EXPECT_NEAR(value(report, "contacts.touch", "entrainment_speed"), 10, 1e-9);
+  EXPECT_EQ(value(report, "contacts.touch", "least_entrainment_speed"), 0);
 }
 
 // Rolling turns the roller; the angle is that of what carries its pin all the same.

@@ -1,12 +1,14 @@
 #include "higherpair/io/driver_schedule.hpp"
 
 #include "higherpair/io/profile_reader.hpp"
+#include "higherpair/io/row_path.hpp"
 #include "io/profile_testing.hpp"
 #include "support/texts.hpp"
 
 #include <cmath>
 #include <limits>
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +16,7 @@ namespace higherpair {
 namespace {
 
 using testing::crank_profile;
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using testing::read;
 using testing::slider_profile;
@@ -219,6 +222,10 @@ TEST(StepSchedule, RoundingOfDurationAndTimeStepMakesNoRow) {
   }
 }
 
+TEST(StepSchedule, TakesATimeStepOfElevenDigitsForTheThirdThatItIs) {
+  EXPECT_EQ(step(crank_profile("duration = 1\ntime_step = 0.33333333333\n")).size(), 4);
+}
+
 TEST(StepSchedule, MovesUniformlyAccelerated) {
   const DriverSchedule schedule =
       step(crank_profile("start = 3\nvelocity = -7\nacceleration = 11\nduration = 2\ntime_step = 0.25\n"));
@@ -278,6 +285,40 @@ TEST(StepSchedule, SeveralDriversShareTheirTime) {
       lines_are(lines(DriverSchedule::step(read(kTwoDrivers + drivers + "duration = 3\n"))),
                 {"test.toml:21:12: drivers.b.duration differs from that of another driver: all move in the "
                  "same time; give it to one, or the same to all"}));
+}
+
+TEST(StepSchedule, EndsWithTheLastLaw) {
+  const std::string laws =
+      "[laws]\nlong.segments = [{ over = 5, law = \"uniform\", rise = 8 }]\n"
+      "short.segments = [{ over = 3, law = \"uniform\", rise = 8 }]\n";
+  for (const char* of_a : {"long", "short"}) {
+    const std::string of_b = of_a == std::string("long") ? "short" : "long";
+    const std::string drivers =
+        fmt::format("[drivers.a]\njoint = \"one\"\nlaw = \"{}\"\ntime_step = 1\n", of_a) +
+        fmt::format("[drivers.b]\njoint = \"two\"\nlaw = \"{}\"\n", of_b);
+    EXPECT_THAT(times(step(kTwoDrivers + drivers + laws)), ElementsAre(0, 1, 2, 3, 4, 5));
+  }
+}
+
+TEST(RowPath, ThroughListedPositionsHasKnotsWhereTheDriverTurnsBack) {
+  const double degree = kPi / 180;
+  // After a pause as well.
+  EXPECT_THAT(path_of(analyze(crank_profile("positions = [0, 30, 30, 10]\n"))).path.knots,
+              ElementsAre(0, DoubleNear(30 * degree, 1e-15), DoubleNear(50 * degree, 1e-15)));
+  EXPECT_THAT(path_of(analyze(crank_profile("positions = [0, 30, 30, 40]\n"))).path.knots,
+              ElementsAre(0, DoubleNear(40 * degree, 1e-15)));
+}
+
+TEST(RowPath, OfSeveralDriversHasKnotsWhereOneDoesNotGoOnAsItCame) {
+  const auto knots = [](const std::string& of_b) {
+    const std::string drivers =
+        "[drivers.a]\njoint = \"one\"\npositions = [0, 0.1, 0.2, 0.3, 0.4]\n"
+        "[drivers.b]\njoint = \"two\"\npositions = " +
+        of_b + "\n";
+    return path_of(analyze(kTwoDrivers + drivers)).path.knots;
+  };
+  EXPECT_THAT(knots("[0, 0.7, 1.4, 2.1, 2.8]"), ElementsAre(0, 4));
+  EXPECT_THAT(knots("[0, 0.7, 1.4, 2.1, 2.0]"), ElementsAre(0, 3, 4));
 }
 
 TEST(OneWay, IsHowASingleDriverGoesBetweenRows) {

@@ -166,6 +166,14 @@ TEST(FourBarLimits, OfAKiteAndARhombusHaveTheFoldedPositions) {
     EXPECT_AT_MOST(limit.change_point ? 0 : std::abs(std::sin(std::abs(limit.theta2) / 2) - 0.6), 1e-15);
   }
   EXPECT_EQ(folded, 2);
+  // Crank and coupler of the same length, folded, while the rocker lies on the frame, towards O2.
+  for (const FourBarLimit& limit : four_bar_limits({3, 5, 5, 3, 0.2}, FourBarLink::kRocker)) {
+    if (!limit.change_point) continue;
+    ++folded;
+    EXPECT_AT_MOST(angle_error(limit.theta4, 0.2 + kPi), 1e-15);
+    EXPECT_AT_MOST(angle_error(limit.theta3, limit.theta2 + kPi), 1e-15);
+  }
+  EXPECT_EQ(folded, 4);
   const auto rhombus = four_bar_limits({2, 2, 2, 2, 0}, FourBarLink::kCrank);
   ASSERT_EQ(rhombus.size(), 3U);
   for (const FourBarLimit& limit : rhombus) {

@@ -169,6 +169,17 @@ TEST(InstantCenters, AreUndefinedForBodiesThatMoveAsOne) {
   const InstantCenter far = instant_centers(sliding, 0.1)[0];
   EXPECT_EQ(far.kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(std::abs(far.u_W.x()), 1);
+  // Neither does that of a lever at its dead point, wherever the frame of a body at rest is, nor that of two
+  // bodies that turn alike about points much nearer to each other than the size.
+  std::vector<BodyMotion> resting(3);
+  resting[0].omega = 1;
+  resting[1] = link_at({{1, 0}, {0, 0}, {0, 0}}, 0, 1e-16, 0);
+  resting[2].X_WB.p_WB = {2, 0};
+  EXPECT_EQ(find(instant_centers(resting, 1), 1, 2).kind, InstantCenterKind::kUndefined);
+  std::vector<BodyMotion> alike(2);
+  alike[0].omega = 1;
+  alike[1] = link_at({{1e-4, 0}, {0, 0}, {0, 0}}, 0, 1 + 4e-16, 0);
+  EXPECT_EQ(instant_centers(alike, 1)[0].kind, InstantCenterKind::kAtInfinity);
   EXPECT_EQ(instant_centers(std::vector<BodyMotion>(2), 1)[0].kind, InstantCenterKind::kUndefined);
   EXPECT_TRUE(instant_centers({}, 1).empty());
 }

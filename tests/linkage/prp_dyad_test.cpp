@@ -124,6 +124,9 @@ TEST(PrpDyad, ParallelGuidesMeetNowhereOrEverywhere) {
     EXPECT_EQ(apart.sine, 0);
     EXPECT_AT_MOST(std::abs(apart.sine_rate + turn * 0.5), 1e-15);
 
+    other.P.p_W = Vector2d(1, 2) + 1e-13 * Vector2d(-0.8, 0.6);
+    EXPECT_EQ(prp_dyad(guide, other).status, LinkageStatus::kNotAssemblable);
+
     other.P.p_W = Vector2d(1, 2) + 2.5 * Vector2d(0.6, 0.8);
     const PrpMotion coincident = prp_dyad(guide, other);
     EXPECT_EQ(coincident.status, LinkageStatus::kSingular);

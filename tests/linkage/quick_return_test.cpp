@@ -67,6 +67,7 @@ TEST(QuickReturn, OfWhitworthsHasTheTimeRatioOfTheHalfTurnsAcrossTheFrame) {
     const auto result = quick_return(linkage);
     ASSERT_TRUE(result);
     EXPECT_TRUE(result->lever_turns);
+    EXPECT_EQ(result->swing, 0);
     const auto square = roots(linkage, [&](const InvertedSliderCrankMotion& motion) {
       return std::cos(motion.theta3 - linkage.theta1);
     });

@@ -106,6 +106,8 @@ TEST(RprDyad, APinThatMeetsTheOtherIsAChangePoint) {
   EXPECT_EQ(motion.s, 0);
   EXPECT_EQ(vector_of(motion.u), Vector2d(1, 0));
   EXPECT_EQ(rpr_dyad(A, B, 0.1, AssemblyMode::kPlus).status, LinkageStatus::kNotAssemblable);
+  // An offset within the rounding of the points is none.
+  EXPECT_EQ(rpr_dyad(A, B, 1e-16, AssemblyMode::kPlus).status, LinkageStatus::kSingular);
 }
 
 }  // namespace

@@ -164,5 +164,15 @@ TEST(RrpDyad, TellsEachStatus) {
   EXPECT_AT_MOST(std::abs(limit.s - 2.5), 1e-7);
 }
 
+TEST(RrpDyad, FarFromTheOriginIsAtItsLimitToWithinTheRoundingOfItsPlace) {
+  for (const double y : {1e4 / 3, 1e6 / 3, 1e8 / 3}) {
+    for (const double r : {1.1, 1.3, 1.7, 2.3}) {
+      const GuideMotion guide{{{5 * y, y}, {3, 4}, {5, 6}}, {1, 0}, 0.7, 0.9};
+      const PointMotion A{{5 * y, y + r}, {1, 2}, {3, 4}};
+      EXPECT_EQ(rrp_dyad(A, guide, r, AssemblyMode::kPlus).status, LinkageStatus::kSingular);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace higherpair

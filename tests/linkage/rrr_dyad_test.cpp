@@ -144,6 +144,17 @@ TEST(RrrDyad, TellsEachStatus) {
   EXPECT_EQ(rrr_dyad(fixed(1, 2), fixed(1, 2), 1.3, 1.4, mode).status, LinkageStatus::kNotAssemblable);
 }
 
+// Where the coordinates are large, lengths as short as these are differences of roundings.
+TEST(RrrDyad, FarFromTheOriginIsAtItsLimitToWithinTheRoundingOfItsPlace) {
+  for (const double x : {1e4 / 3, 1e6 / 3, 1e8 / 3}) {
+    for (const double d : {1.1, 1.3, 1.7, 2.3}) {
+      const PointMotion A{{x, 2 * x}, {1, 2}, {3, 4}}, B{{x + d, 2 * x}, {1, 2}, {3, 4}};
+      EXPECT_EQ(rrr_dyad(A, B, 0.6 * d, 0.4 * d, AssemblyMode::kPlus).status, LinkageStatus::kSingular);
+      EXPECT_EQ(rrr_dyad(A, B, 1.6 * d, 0.6 * d, AssemblyMode::kPlus).status, LinkageStatus::kSingular);
+    }
+  }
+}
+
 TEST(RrrDyad, AShortLinkStillHasAUnitDirection) {
   Random random(52);
   for (int i = 0; i < 1000; ++i) {

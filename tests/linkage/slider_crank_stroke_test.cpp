@@ -25,6 +25,7 @@ TEST(SliderCrankStroke, HasKnownValuesWhereTheTrianglesAreInWholeNumbers) {
   EXPECT_EQ(other->outer.r1, -35);
   EXPECT_EQ(other->length, 30);
   EXPECT_AT_MOST(std::abs(other->turn_in + stroke->turn_in - 2 * kPi), 2e-15);
+  EXPECT_AT_MOST(std::abs(other->time_ratio - stroke->time_ratio), 2e-15);  // slow by fast, whichever is out
 }
 
 TEST(SliderCrankStroke, WithoutOffsetIsTwoCranksAndEvenInTime) {

@@ -56,6 +56,23 @@ TEST(FourBars, DrivenAtAPinOfTheCouplerAreSeenFromThere) {
   }
 }
 
+// Both links on ground are as far from the driver: the shorter one is the crank.
+TEST(FourBars, DrivenInTheMiddleOfTheCouplerAreSeenFromTheShorterLink) {
+  for (const auto& [r2, r4] : {std::pair(0.023, 0.047), std::pair(0.047, 0.023)}) {
+    DrawnMechanism drawn = drawn_four_bar(0.071, r2, 0.059, r4);
+    drawn.mechanism.drivers.clear();
+    const int wheel = drawn.crank("wheel", {0.03, 0.12});
+    drawn.drive(static_cast<int>(drawn.mechanism.joints.size()) - 1);
+    const int rod = drawn.body("rod");
+    drawn.pin(wheel, rod, {0.04, 0.13});
+    drawn.pin(rod, 2, {0.03, 0.05});
+    const auto found = find_four_bars(drawn.mechanism);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].linkage.r2, 0.023, 1e-15);
+    EXPECT_NEAR(found[0].linkage.r4, 0.047, 1e-15);
+  }
+}
+
 TEST(FourBars, AreFoundAlsoOnAMovingBody) {
   DrawnMechanism drawn = drawn_four_bar(0.071, 0.023, 0.059, 0.047);
   const int arm = drawn.body("arm");
@@ -152,6 +169,14 @@ TEST(SliderCranks, AreFoundWithASlotAndInverted) {
   ASSERT_EQ(find_slider_cranks(slotted.mechanism).size(), 1U);
   EXPECT_EQ(find_slider_cranks(slotted.mechanism)[0].slider, -1);
   EXPECT_THAT(find_four_bars(slotted.mechanism), IsEmpty());
+
+  // A coupler of no length is none: the crank's own pin runs in the slot.
+  DrawnMechanism yoke;
+  const int disc = yoke.crank("disc", Vector2d::Zero());
+  const int stone = yoke.body("stone");
+  yoke.pin(disc, stone, {0.01, 0.02});
+  yoke.slot(0, stone, {0.01, 0.02}, {1, 0});
+  EXPECT_THAT(find_slider_cranks(yoke.mechanism), IsEmpty());
 }
 
 TEST(PlanText, NamesBodiesAndWhatPlacesThem) {

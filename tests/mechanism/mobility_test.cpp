@@ -109,6 +109,7 @@ TEST(Mobility, OfADriverAtItsDeadPointIsThatOfTheMechanism) {
   EXPECT_EQ(mobility.freedom, 1);
   EXPECT_FALSE(mobility.singular);
   EXPECT_TRUE(mobility.drivers_fit());
+  EXPECT_THAT(mobility.moving, IsEmpty());  // no motion has the rate of the driver
 }
 
 TEST(Mobility, OfAStructureIsNone) {
@@ -133,6 +134,48 @@ TEST(Mobility, OfAStructureWithAMemberTooManySaysThatItIsIndeterminate) {
   ASSERT_EQ(mobility.redundancies.size(), 1U);
   EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kMember);
   EXPECT_TRUE(a_line_contains(explanations(drawn.mechanism, mobility), "statically indeterminate"));
+}
+
+// Two struts of a plate are equal and parallel, but nothing goes round: the fourth is a member too many. So
+// is the third of the rods that slide up and down with a plate, though all three are equal and parallel.
+TEST(Mobility, OfParallelStrutsAndRodsIsNotTakenForThatOfCranks) {
+  DrawnMechanism truss;
+  const int plate = truss.body("plate");
+  const auto strut = [&](const std::string& name, const Vector2d& foot, const Vector2d& head) {
+    truss.pin(truss.crank(name, foot), plate, head);
+  };
+  strut("left", {0, 0}, {0, 0.05});
+  strut("right", {0.08, 0}, {0.08, 0.05});
+  strut("up", {0.01, -0.01}, {0.07, 0.05});
+  strut("down", {0.09, -0.02}, {0.02, 0.06});
+  DrawnMechanism press;
+  const int ram = press.body("ram");
+  for (const Vector2d& head : {Vector2d(0, 0), Vector2d(0.05, 0.03), Vector2d(0.09, -0.02)}) {
+    const int rod = press.body("rod" + std::to_string(press.mechanism.bodies.size()));
+    press.slide(0, rod, head - Vector2d(0, 0.1), {0, 1});
+    press.pin(rod, ram, head);
+  }
+  for (const auto& [mechanism, freedom] : {std::pair(truss.mechanism, 0), std::pair(press.mechanism, 1)}) {
+    const Mobility mobility = analyse_mobility(mechanism);
+    EXPECT_EQ(mobility.freedom, freedom);
+    ASSERT_EQ(mobility.redundancies.size(), 1U);
+    EXPECT_EQ(mobility.redundancies.front().conditions, 1);
+    EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kMember);
+  }
+}
+
+// Rolling between fixed pivots removes the slip; between discs that cannot turn it removes nothing.
+TEST(Mobility, OfDiscsHeldByStrutsHasBothConditionsOfTheirContactTooMany) {
+  DrawnMechanism drawn;
+  const int one = drawn.crank("one", {0, 0}), two = drawn.crank("two", {0.1, 0});
+  drawn.touch(one, *make_circle({0, 0}, 0.04), two, *make_circle({0.1, 0}, 0.06), true);
+  drawn.pin(drawn.crank("left", {-0.03, 0.07}), one, {-0.02, 0.01});
+  drawn.pin(drawn.crank("right", {0.13, 0.07}), two, {0.12, 0.02});
+  const Mobility mobility = analyse_mobility(drawn.mechanism);
+  EXPECT_EQ(mobility.freedom, 0);
+  ASSERT_EQ(mobility.redundancies.size(), 1U);
+  EXPECT_EQ(mobility.redundancies.front().conditions, 2);
+  EXPECT_EQ(mobility.redundancies.front().cause, RedundancyCause::kMember);
 }
 
 TEST(Mobility, OfTwoLinksInLineBetweenFixedPinsIsAShakyNone) {

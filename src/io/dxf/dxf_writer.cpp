@@ -19,7 +19,7 @@ struct Circle {
   double radius;
 };
 
-// The circle formed by a closed polyline whose arcs all lie on it; none for any other polyline.
+// The circle formed by a closed polyline whose arcs all lie on it, which have one centre; none for any other.
 std::optional<Circle> circle_of(const ArcPolyline& line) {
   std::optional<Circle> circle;
   for (std::size_t i = 0; line.closed && i < line.vertices.size(); ++i) {
@@ -34,8 +34,7 @@ std::optional<Circle> circle_of(const ArcPolyline& line) {
     const double radius = chord.norm() * (1 + b * b) / (4 * std::abs(b));
     if (!circle) {
       circle = {center, radius};
-    } else if ((center - circle->center_B).norm() > kOneCircle * radius ||
-               std::abs(radius - circle->radius) > kOneCircle * radius) {
+    } else if ((center - circle->center_B).norm() > kOneCircle * radius) {
       return std::nullopt;
     }
   }
