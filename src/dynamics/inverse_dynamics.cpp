@@ -96,8 +96,9 @@ void InverseDynamics::read_efforts(const Run& run) {
   }
 }
 
+// What holds idle bodies does no work: they do not turn.
 double InverseDynamics::power(const std::vector<BodyMotion>& bodies) const {
-  double sum = statics_.holding_power(bodies);
+  double sum = 0;
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const BodyMotion& body = bodies[i];
     sum += wrenches_[i].dot(Eigen::Vector3d(body.v_WB.x(), body.v_WB.y(), body.omega));

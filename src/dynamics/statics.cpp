@@ -265,15 +265,6 @@ Statics::Holding Statics::holding(std::size_t i) const {
   return {body, multiplier * held.coefficient[1].z(), std::abs(multiplier) > kHeldByRounding * largest};
 }
 
-double Statics::holding_power(const std::vector<BodyMotion>& bodies) const {
-  double sum = 0;
-  for (const std::size_t i : held_rows_) {
-    const double omega = bodies[rows_[i].body[1]].omega;
-    sum += multipliers_[i] * rows_[i].coefficient[1].z() * omega;
-  }
-  return sum;
-}
-
 void Statics::factorise_all() {
   Eigen::Index columns = 0;
   for (const Block& block : blocks_) {

@@ -62,9 +62,6 @@ public:
   [[nodiscard]] std::size_t holding_count() const { return held_rows_.size(); }
   [[nodiscard]] Holding holding(std::size_t i) const;
 
-  /// Power, for these motions, of the conditions that hold idle bodies [W]; 0 where these do not turn.
-  [[nodiscard]] double holding_power(const std::vector<BodyMotion>& bodies) const;
-
   /// The size by which angular conditions are multiplied [m].
   [[nodiscard]] double size() const { return size_; }
 
