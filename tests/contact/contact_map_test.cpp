@@ -72,6 +72,18 @@ TEST(ContactMap, OfTwoDiscsFoldsWhereTheFourBarIsStretchedOrFolded) {
   expect_near(positions(map, false), {low, high, 2 * kPi - high, 2 * kPi - low}, 1e-14);
 }
 
+// A branch over the whole turn begins and ends at the same contact.
+TEST(ContactMap, HasTheContactsAtItsStartOnce) {
+  Discs discs;
+  discs.e = 0.01;
+  discs.r = 0.06;  // the crank turns fully: 60 + 35 mm reach 80 + 10 mm
+  const ContactMap map = map_contacts(discs.pair(), range(0.2));
+  ASSERT_EQ(map.branches.size(), 2U);
+  for (const double u : {0.2, 0.2 + 2 * kPi, 1.0}) {
+    EXPECT_EQ(contacts_at(map, u).size(), map.branches.size()) << u;
+  }
+}
+
 TEST(ContactMap, JoinsTheTwoBranchesThatMergeAtAFold) {
   const ContactMap map = map_contacts(Discs().pair(), range(0));
   ASSERT_THAT(map.branches, SizeIs(6));
