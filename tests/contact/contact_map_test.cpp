@@ -12,16 +12,9 @@ namespace higherpair {
 namespace {
 
 using testing::pivot;
+using testing::slide;
 
 using ::testing::SizeIs;
-
-OneFreedom slide(double x, double y, double angle) {
-  OneFreedom freedom;
-  freedom.turns = false;
-  freedom.p_WO = {x, y};
-  freedom.direction_W = unit_vector(angle);
-  return freedom;
-}
 
 // Discs on two cranks of lengths e and r, whose pivots are L apart.
 struct Discs {

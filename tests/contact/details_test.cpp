@@ -11,17 +11,10 @@ namespace higherpair {
 namespace {
 
 using testing::pivot;
+using testing::slide;
 
 Curve circle_at(double x, double y, double radius, Side side = Side::kInside) {
   return make_circle({x, y}, radius, side).value();
-}
-
-OneFreedom slide_from(const Vector2d& direction, const Vector2d& from) {
-  OneFreedom freedom;
-  freedom.turns = false;
-  freedom.p_WO = from;
-  freedom.direction_W = direction;
-  return freedom;
 }
 
 // Two circles, where their normal is n_W; they need not touch.
@@ -58,10 +51,11 @@ TEST(ContactDetails, OfDiscsOnPivotsHaveTheFourBar) {
 // A disc slides along x with its centre at the height 3, about a pivot at the height 5: on the left of the
 // slide.
 TEST(ContactDetails, OfASlidingAndATurningDiscHaveTheOffsetOfThePivot) {
-  const OneFreedom slide = slide_from(Vector2d::UnitX(), {0, 3}), turn = pivot(7, 5);
+  const OneFreedom along_x = slide(0, 3, 0), turn = pivot(7, 5);
   for (const bool slides_first : {false, true}) {
-    const ContactPair pair = slides_first ? ContactPair{circle_at(0, 0, 1), slide, circle_at(2, 0, 1), turn}
-                                          : ContactPair{circle_at(2, 0, 1), turn, circle_at(0, 0, 1), slide};
+    const ContactPair pair = slides_first
+                                 ? ContactPair{circle_at(0, 0, 1), along_x, circle_at(2, 0, 1), turn}
+                                 : ContactPair{circle_at(2, 0, 1), turn, circle_at(0, 0, 1), along_x};
     const ContactDetails details = details_between(pair, 0.4, 0.7, 1, 1, unit_vector(0.2));
     EXPECT_EQ(details.linkage, "slider-crank");
     EXPECT_NEAR(details.lengths[0].value(), 2, 1e-15);
@@ -97,8 +91,7 @@ TEST(PressureAngle, OfABodyWithoutAJointToGroundIsThatOfItsVelocity) {
 // A disc about its centre, over which another one slides at right angles to the normal.
 TEST(DwellContact, IsOneOfCurvesThatTouchToWithinTheTolerance) {
   for (const double gap : {1e-7, -1e-7, 1e-5, -1e-5}) {
-    const ContactPair pair = {circle_at(0, 0, 1), pivot(0, 0), circle_at(0, 0, 0.5),
-                              slide_from(Vector2d::UnitX(), {0, 1.5 + gap})};
+    const ContactPair pair = {circle_at(0, 0, 1), pivot(0, 0), circle_at(0, 0, 0.5), slide(0, 1.5 + gap, 0)};
     EXPECT_EQ(dwell_contact(pair, 0, 0, 1e-6).has_value(), std::abs(gap) < 1e-6) << gap;
   }
 }

@@ -11,4 +11,13 @@ inline OneFreedom pivot(double x, double y) {
   return freedom;
 }
 
+/// A body that slides in the direction of this angle, from where its own origin is at q = 0.
+inline OneFreedom slide(double x, double y, double angle) {
+  OneFreedom freedom;
+  freedom.turns = false;
+  freedom.p_WO = {x, y};
+  freedom.direction_W = unit_vector(angle);
+  return freedom;
+}
+
 }  // namespace higherpair::testing
