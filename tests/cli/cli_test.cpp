@@ -1,3 +1,4 @@
+#include "cli/interrupting.hpp"
 #include "higherpair/front/model.hpp"
 #include "program_testing.hpp"
 #include "support/texts.hpp"
@@ -17,6 +18,7 @@
 namespace {
 
 using higherpair::testing::contains;
+using higherpair::testing::interrupted;
 using higherpair::testing::Outcome;
 using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
@@ -54,8 +56,8 @@ TEST_F(Program, IsNotContentWithRowsWhereTheirPathIsNot) {
 TEST_F(Program, StopsWithinALongRow) {
   const std::string table = (folder_ / "long.csv").string();
   const Outcome outcome =
-      run("analyze " + profile("four_bar.toml") + " --set driver.end=1e9 --samples 2 --csv " + table +
-          " & program=$!; sleep 0.5; kill -TERM $program; wait $program");
+      interrupted(folder_, SIGTERM, 0.5,
+                  "analyze " + profile("four_bar.toml") + " --set driver.end=1e9 --samples 2 --csv " + table);
   EXPECT_EQ(outcome.code, 130);
   for (const auto& entry : fs::directory_iterator(folder_)) {
     EXPECT_EQ(entry.path().string().find(table), std::string::npos) << entry.path();
@@ -326,23 +328,19 @@ TEST_F(Program, KeepsWhoMayReadAFileThatItReplaces) {
 }
 
 TEST_F(Program, CanBeInterruptedWhileNobodyReads) {
-  const std::string pipe = (folder_ / "pipe").string();
-  const std::string command = "mkfifo " + pipe + "; timeout -s INT 0.3 " + std::string(HIGHERPAIR_PROGRAM) +
-                              " analyze " + profile("ellipse_cam_roller.toml") + " --csv " + pipe +
-                              " 2>/dev/null; test $? = 124";
-  EXPECT_EQ(std::system(command.c_str()), 0);
+  ASSERT_EQ(run_script("mkfifo pipe").code, 0);
+  const std::string command = "analyze " + profile("ellipse_cam_roller.toml") + " --csv pipe";
+  EXPECT_EQ(interrupted(folder_, SIGINT, 0.3, command).code, 130);
 }
 
 // A single row a thousand million degrees away takes minutes.
 TEST_F(Program, CanBeInterruptedWithinALongRow) {
   const fs::path folder = folder_ / "long";
   fs::create_directories(folder);
-  for (const std::string signal : {"INT", "TERM"}) {
-    const std::string command =
-        "timeout --preserve-status -s " + signal + " 0.5 " + std::string(HIGHERPAIR_PROGRAM) + " analyze " +
-        profile("ellipse_cam_roller.toml") + " --set driver.end=1e9 --samples 2 --csv " +
-        (folder / "table").string() + " 2>/dev/null; test $? = 130";
-    EXPECT_EQ(std::system(command.c_str()), 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string command = "analyze " + profile("ellipse_cam_roller.toml") +
+                                " --set driver.end=1e9 --samples 2 --csv " + (folder / "table").string();
+    EXPECT_EQ(interrupted(folder_, signal, 0.5, command).code, 130);
     EXPECT_TRUE(fs::is_empty(folder));
   }
 }

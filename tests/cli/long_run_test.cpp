@@ -1,4 +1,5 @@
 // analyze, step and forces over many rows: the same files with any number of threads, and as HDF5.
+#include "cli/interrupting.hpp"
 #include "cli/program_testing.hpp"
 #include "support/texts.hpp"
 
@@ -24,13 +25,15 @@ protected:
                    "start_stop_crank", "gear_teeth"});
   }
 
-  /// The exit code of the program when a signal ends it after some seconds; its error messages go to `err`.
-  [[nodiscard]] int code_after(double seconds, const std::string& signal, const std::string& command) const {
-    const int status =
-        std::system(fmt::format("cd '{}' && timeout --preserve-status -k 20 -s {} {} {} {} 2>err",
-                                folder_.string(), signal, seconds, HIGHERPAIR_PROGRAM, command)
-                        .c_str());
-    return WEXITSTATUS(status);
+  [[nodiscard]] Outcome run_interrupted(int signal, double seconds, const std::string& arguments) const {
+    return interrupted(folder_, signal, seconds, arguments);
+  }
+
+  /// That nothing is left of an output whose name begins with "t.".
+  void expect_no_output(const std::string& command) const {
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
+    }
   }
 
   /// The output of h5dump for a file; empty where h5dump is missing or the program has no HDF5.
@@ -174,32 +177,30 @@ TEST_F(LongRun, SaysThatADiskIsFull) {
 
 // This many rows would take minutes.
 TEST_F(LongRun, EndsAtOnceWhereItIsInterrupted) {
-  EXPECT_EQ(code_after(0.5, "INT", "analyze four_bar.toml --samples 100000000 --csv t.csv"), 130);
-  EXPECT_THAT(file("err"), IsEmpty());
-  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  const std::string command = "analyze four_bar.toml --samples 100000000 --csv t.csv";
+  const Outcome outcome = run_interrupted(SIGINT, 0.5, command);
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  expect_no_output(command);
 }
 
 // The axes are too close for the teeth, so that no start exists, and the search for one takes long.
 TEST_F(LongRun, EndsAtOnceWhileItLooksForAStart) {
-  EXPECT_EQ(code_after(2, "INT",
-                       "analyze gear_teeth.toml --set bodies.pinion.curves.teeth.teeth=100 --set "
-                       "bodies.wheel.curves.teeth.teeth=200 --set bodies.ground.points.O2.0=298 --set "
-                       "bodies.wheel.pose.x=298 --set contacts.mesh.approach=nearest --csv t.csv"),
-            130);
-  EXPECT_FALSE(contains(file("err"), "driver.start"));
+  const Outcome outcome =
+      run_interrupted(SIGINT, 2,
+                      "analyze gear_teeth.toml --set bodies.pinion.curves.teeth.teeth=100 --set "
+                      "bodies.wheel.curves.teeth.teeth=200 --set bodies.ground.points.O2.0=298 --set "
+                      "bodies.wheel.pose.x=298 --set contacts.mesh.approach=nearest --csv t.csv");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_FALSE(contains(outcome.err, "driver.start"));
 }
 
-// The reader of the pipe reads nothing until after the program should have ended.
 TEST_F(LongRun, OfAMapEndsWithoutAWordWhereItsWriteIsInterrupted) {
   copy_profiles({"lock_up"});
-  const int status = std::system(
-      fmt::format(
-          "cd '{}' && mkfifo slow && (sleep 20 <slow & reader=$!; timeout --preserve-status -k 10 -s "
-          "INT 1 {} map lock_up.toml --samples 20000 --csv slow 2>err; code=$?; kill $reader; exit $code)",
-          folder_.string(), HIGHERPAIR_PROGRAM)
-          .c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_THAT(file("err"), IsEmpty());
+  const UnreadPipe pipe(folder_ / "slow");
+  const Outcome outcome = run_interrupted(SIGINT, 1, "map lock_up.toml --samples 20000 --csv slow");
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, IsEmpty());
 }
 
 // Maps of conics, of curves of many parts, and a page that holds a map: each would take long.
@@ -210,15 +211,14 @@ TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
       "--set bodies.pinion.curves.teeth.profile_shift=0.5 --set bodies.wheel.curves.teeth.profile_shift=0.5 "
       "--set bodies.ground.points.O2='[22,0]' --set bodies.wheel.pose.x=22 --set bodies.wheel.pose.angle=18 "
       "--samples 7";
-  for (const std::string signal : {"INT", "TERM"}) {
+  for (const int signal : {SIGINT, SIGTERM}) {
     for (const std::string& command : {std::string("map lock_up.toml --samples 10000000 --csv t.csv"),
                                        std::string("map four_arc_cam.toml --samples 10000000 --json t.json"),
                                        "map " + gears + " --csv t.csv", "report " + gears + " -o t.html"}) {
-      EXPECT_EQ(code_after(0.5, signal, command), 130) << signal << " " << command;
-      EXPECT_FALSE(contains(file("err"), "error")) << command;
-      for (const auto& entry : fs::directory_iterator(folder_)) {
-        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
-      }
+      const Outcome outcome = run_interrupted(signal, 0.5, command);
+      EXPECT_EQ(outcome.code, 130) << signal << " " << command;
+      EXPECT_FALSE(contains(outcome.err, "error")) << command;
+      expect_no_output(command);
     }
   }
 }
@@ -226,14 +226,13 @@ TEST_F(LongRun, OfAMapEndsAtOnceWhereItIsInterrupted) {
 // Many turns between two rows; draw follows the motion all the way to its position.
 TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
   const std::string profile = "ellipse_cam_roller.toml --set driver.end=1e9 -o t.svg ";
-  for (const std::string signal : {"INT", "TERM"}) {
+  for (const int signal : {SIGINT, SIGTERM}) {
     for (const std::string command :
          {"plot --y follower.alpha --samples 2 ", "draw --at 1e9 ", "polygon --at 1e9 "}) {
-      EXPECT_EQ(code_after(0.5, signal, command + profile), 130) << signal << " " << command;
-      EXPECT_THAT(file("err"), IsEmpty()) << command;
-      for (const auto& entry : fs::directory_iterator(folder_)) {
-        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
-      }
+      const Outcome outcome = run_interrupted(signal, 0.5, command + profile);
+      EXPECT_EQ(outcome.code, 130) << signal << " " << command;
+      EXPECT_THAT(outcome.err, IsEmpty()) << command;
+      expect_no_output(command);
     }
   }
 }
@@ -242,7 +241,7 @@ TEST_F(LongRun, OfAPictureEndsAtOnceWhereItIsInterrupted) {
 TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
   copy_profiles({"ellipse_cam_roller"});
   ASSERT_EQ(run_script("mkfifo pipe pipe.svg").code, 0);
-  for (const std::string signal : {"INT", "TERM"}) {
+  for (const int signal : {SIGINT, SIGTERM}) {
     for (const std::string command :
          {"branches four_bar.toml --csv pipe",
           "mobility four_bar.toml --json pipe",
@@ -265,13 +264,10 @@ TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
           "analyze pipe --csv t.csv",
           "analyze four_bar.toml --csv pipe",
           "draw four_bar.toml -o pipe.svg"}) {
-      const Outcome outcome = run_script(fmt::format(
-          "timeout --preserve-status -k 20 -s {} 0.5 {} {} 2>words", signal, HIGHERPAIR_PROGRAM, command));
+      const Outcome outcome = run_interrupted(signal, 0.5, command);
       EXPECT_EQ(outcome.code, 130) << signal << " " << command;
-      EXPECT_THAT(file("words"), IsEmpty()) << command;
-      for (const auto& entry : fs::directory_iterator(folder_)) {
-        EXPECT_THAT(entry.path().filename().string(), Not(StartsWith("t."))) << command;
-      }
+      EXPECT_THAT(outcome.err, IsEmpty()) << command;
+      expect_no_output(command);
     }
   }
 }
@@ -283,8 +279,7 @@ TEST_F(LongRun, OfASearchEndsWithoutAWordWhereItsResultIsInterrupted) {
   for (const std::string& command :
        {std::string("design design_eccentric.toml --starts 1 --quiet -o pipe"),
         "fit sixbar_measured.toml " + shipped_profile("sixbar_measured.csv") + " --quiet -o pipe"}) {
-    const Outcome outcome = run_script(
-        fmt::format("timeout --preserve-status -k 20 -s INT 3 {} {}", HIGHERPAIR_PROGRAM, command));
+    const Outcome outcome = run_interrupted(SIGINT, 3, command);
     EXPECT_EQ(outcome.code, 130) << command;
     EXPECT_EQ(outcome.out + outcome.err, "") << command;
   }

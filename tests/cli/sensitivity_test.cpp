@@ -1,3 +1,4 @@
+#include "cli/interrupting.hpp"
 #include "program_testing.hpp"
 #include "support/texts.hpp"
 
@@ -13,10 +14,12 @@ namespace {
 
 using higherpair::testing::contains;
 using higherpair::testing::contains_all;
+using higherpair::testing::interrupted;
 using higherpair::testing::Outcome;
 using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
 using higherpair::testing::shipped_profile;
+using higherpair::testing::UnreadPipe;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
@@ -179,20 +182,19 @@ TEST_F(SensitivityCommand, SaysWhatIsWrong) {
 }
 
 TEST_F(SensitivityCommand, StopsWhenInterrupted) {
-  const Outcome outcome = run(shipped_toml("toleranced_linkage") +
-                              " --variants 10000000 --json late.json & program=$!; sleep 1; "
-                              "kill -INT $program; wait $program");
+  const Outcome outcome = interrupted(
+      folder_, SIGINT, 1,
+      "sensitivity " + shipped_toml("toleranced_linkage") + " --variants 10000000 --json late.json");
   EXPECT_EQ(outcome.code, 130);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "late.json"));
 }
 
 // The pipe is full, and nobody reads it: the rows wait for a reader when all of them are computed.
 TEST_F(SensitivityCommand, StopsWhenInterruptedAtTheEndOfItsRows) {
-  const Outcome outcome = run_script(fmt::format(
-      "mkfifo pipe; sleep 9 <pipe & reader=$!; exec 9>pipe; head -c 65536 /dev/zero >&9\n"
-      "timeout --preserve-status -s INT 1 {} sensitivity {} --samples 3 --rows pipe 9>&-; code=$?\n"
-      "kill $reader; exit $code\n",
-      HIGHERPAIR_PROGRAM, shipped_toml("toleranced_linkage")));
+  const UnreadPipe pipe(folder_ / "pipe");
+  pipe.fill();
+  const Outcome outcome = interrupted(
+      folder_, SIGINT, 1, "sensitivity " + shipped_toml("toleranced_linkage") + " --samples 3 --rows pipe");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
 }
