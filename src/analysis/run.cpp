@@ -195,7 +195,8 @@ std::optional<Run> started_from_beside(const Run& run) {
 
 // Sets the shares of all events. Without a curve the coordinate of a single driver determines the share,
 // whatever path the event was found on; what rounding puts beyond a row is at the row. A stretch beyond a
-// limit that is found late begins before the row before: its share is negative.
+// limit that is found late begins before the row before: its share is negative. A limit at infinity may be
+// behind the row.
 void set_shares(Run& run) {
   const double from = run.work.row_before[0];
   const double to = run.at.targets[0];
@@ -207,7 +208,8 @@ void set_shares(Run& run) {
     if (by_driver) {
       event.share = (event.driver - from) / length;
     }
-    if (event.share < -near) {
+    const bool is_behind = run.at.lost.is_beyond_row && event.driver == run.at.lost.event.driver;
+    if (event.share < -near || is_behind) {
       continue;
     }
     event.share = std::clamp(event.share, 0.0, 1.0);

@@ -154,6 +154,60 @@ end = -2
   }
 }
 
+// Body b2 runs off along an asymptote of ground's hyperbola, in contact with the parabola of b1, whose axis
+// turns with the driver: at the pole the two are parallel. Its distance grows with the square of what is
+// left, so that it is far away long before the pole.
+TEST(Poles, OfCoupledContactsAreWhereTheirCurvesOpenInParallel) {
+  const Profile profile = testing::profile_of(R"([units]
+length = "m"
+angle = "rad"
+[bodies.ground]
+points.P = [-0.3825, 0.0676]
+curves.C = { type = "hyperbola", center = [-0.4709, 0.1009], semi_axes = [0.4131, 0.3797], rotation = -5.6253 }
+[bodies.b1]
+pose = { x = -0.3676, y = 0.425, angle = 1.8087 }
+points.P = [-0.3438, 0.0988]
+curves.C = { type = "parabola", vertex = [-0.1718, 0.6286], focal_length = 0.7211, rotation = 0.1643 }
+curves.D = { type = "ellipse", center = [-0.9855, 0.5034], semi_axes = [0.4969, 0.5023], rotation = 2.2872 }
+[bodies.b2]
+pose = { x = 0.5327, y = -0.6808, angle = 0.4617 }
+curves.C = { type = "ellipse", center = [-0.3557, 0.7671], semi_axes = [0.4535, 0.2874], rotation = 0.1447 }
+curves.D = { type = "parabola", vertex = [-0.649, 1.2742], focal_length = 0.2975, rotation = -0.7534 }
+curves.E = { type = "hyperbola", center = [-0.7057, 0.5945], semi_axes = [0.3537, 0.4055], rotation = -1.0902 }
+[joints]
+pivot = { type = "revolute", between = ["b1.P", "ground.P"] }
+[contacts]
+k0 = { between = ["ground.C", "b2.C"] }
+k1 = { between = ["b2.D", "b1.C"] }
+k2 = { between = ["b2.E", "b1.D"] }
+[driver]
+joint = "pivot"
+start = -1.8087
+end = 0.28
+)");
+  const double asymptote = -5.6253 - std::atan2(0.3797, 0.4131) + 2 * kPi;
+  const double pole = 0.1643 - asymptote;  // the driver turns ground relative to b1
+  for (const std::int64_t rows : {7, 13, 61, 601, 2401}) {
+    SCOPED_TRACE(rows);
+    RunSettings settings;
+    settings.samples = rows;
+    const testing::RunTable motion(profile, settings);
+    ASSERT_EQ(motion.failure(), "");
+    std::vector<double> limits;
+    for (const RunEvent& event : motion.events()) {
+      if (event.type == EventType::kLimitPosition) limits.push_back(event.driver);
+    }
+    ASSERT_EQ(limits.size(), 1U);
+    EXPECT_NEAR(limits[0], pole, 1e-9);
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const double left = pole - motion.value(k, "driver");
+      if (left > 1e-3 || left < 0) {
+        EXPECT_EQ(motion.status(k), left > 0 ? RowStatus::kOk : RowStatus::kNotAssemblable) << k;
+      }
+    }
+  }
+}
+
 // The pin enters a slot just over its end, from either side and wherever steps end.
 TEST(Engagements, OfAGenevaWheelAreSeenWhateverTheRowsAndTheSenseOfTurning) {
   for (const int rows : {2, 4, 7, 37, 61, 361}) {

@@ -58,7 +58,7 @@ private:
 void Recorder::note(const Run& run, std::int64_t k, double from, double to) {
   const auto rows = static_cast<double>(schedule_.size() - 1);
   for (const RunEvent& event : run.events) {
-    Happening happening{std::string(name_of(event.type)), "", 0, event.driver};
+    Happening happening{std::string(name_of(event.type)), "", 0, event.driver, static_cast<std::size_t>(k)};
     if (event.contact) {
       happening.item = profile_.mechanism.contacts[*event.contact].name;
     } else if (event.joint) {
@@ -284,8 +284,9 @@ Failure sound(const RunRecord& run) {
       return fail("not converged");
     }
     const double share = static_cast<double>(k) / static_cast<double>(run.rows.size() - 1);
-    if (status == RowStatus::kNotAssemblable &&
-        (limit == nullptr || limit->share > share + kLimitTolerance)) {
+    // Right before a limit at infinity rows cannot be computed either.
+    const bool is_before = limit == nullptr || (limit->share > share + kLimitTolerance && limit->row > k);
+    if (status == RowStatus::kNotAssemblable && is_before) {
       return fail("not assemblable without a limit");
     }
   }

@@ -25,6 +25,7 @@ struct Happening {
   std::string item;       ///< joint or contact; empty: none
   double share = 0;       ///< fraction of the path, or of the time for `step`
   double driver = 0;      ///< coordinate of the first driver [rad or m]
+  std::size_t row = 0;    ///< reported on the way to it
   bool is_limit = false;  ///< whether the motion is lost there, or begins again
 };
 

@@ -253,7 +253,12 @@ private:
     if (part_contact(at_, limit)) {
       return go_on_anew();
     }
-    const RunEvent event = limit_event(run_, limit.group, path_, limit.s);
+    RunEvent event = limit_event(run_, limit.group, path_, limit.s);
+    const double behind_end = (limit.s - path_.length) * (path_.length < 0 ? -1 : 1);
+    const bool is_beyond_row = behind_end > kNearLimit * at_.scale;
+    if (is_beyond_row) {
+      place_event(event, path_, limit.s);
+    }
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);
     // The motion can be resumed from where rates still have their digits.
@@ -261,6 +266,7 @@ private:
     const bool is_ahead = (limit.s - at_.s) * path_.length > 0;
     forget_beside(event);
     end(event, is_ahead ? at_.s : limit.s - least, limit.s);
+    run_.at.lost.is_beyond_row = is_beyond_row;
     return Outcome::kLost;
   }
 
@@ -295,6 +301,7 @@ private:
     run_.at.lost.looked_to.reset();
     run_.at.lost.other.reset();
     run_.at.lost.nearest.reset();
+    run_.at.lost.is_beyond_row = false;
     report_limit(run_, path_, event);
     run_.at.on_branch = false;
     run_.at.inputs = path_.to;

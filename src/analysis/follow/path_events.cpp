@@ -32,17 +32,22 @@ void name_item(const Run& run, std::size_t g, RunEvent& event) {
   }
 }
 
-RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
-  RunEvent event;
-  event.type = type;
+void place_event(RunEvent& event, const Path& path, double s) {
   std::vector<DriverMotion> drivers;
-  path.motions(std::clamp(s, std::min(path.length, 0.0), std::max(path.length, 0.0)), drivers);
+  path.motions(s, drivers);
   event.driver = drivers.front().position;
+  event.further_drivers.clear();
   for (std::size_t i = 1; i < drivers.size(); ++i) {
     event.further_drivers.push_back(drivers[i].position);
   }
   event.share = share_at(path, s);
+}
+
+RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause) {
+  RunEvent event;
+  event.type = type;
   event.cause = cause;
+  place_event(event, path, std::clamp(s, std::min(path.length, 0.0), std::max(path.length, 0.0)));
   return event;
 }
 

@@ -8,7 +8,10 @@
 
 namespace higherpair {
 
-/// An event at s on the path.
+/// Sets where an event is: at s on the path or, where that goes on as it ends, beyond it.
+void place_event(RunEvent& event, const Path& path, double s);
+
+/// An event at s on the path; at an end of it if s is beyond that.
 [[nodiscard]] RunEvent event_at(EventType type, const Path& path, double s, std::string_view cause);
 
 /// Whether two events have the same type and are of the same joint or contact.

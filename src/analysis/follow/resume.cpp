@@ -58,9 +58,9 @@ bool has_coupled_far_out(const Run& run) {
   return farthest_coupled(model_of(run), run.at.state) > kCoupledFarOut * run.plan().size;
 }
 
-// Whether the inputs are at the limit, to within half of the tolerance of a row there, or have reversed away
-// from it.
-bool has_come_back(const Run& run, const std::vector<double>& inputs) {
+// How far beyond the limit the inputs are, in the sense of the motion at it; not above 0 where they are at
+// the limit to within half of the tolerance of a row there.
+double distance_beyond(const Run& run, const std::vector<double>& inputs) {
   double beyond = 0;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const double scale = input_scale(run, i);
@@ -68,7 +68,19 @@ bool has_come_back(const Run& run, const std::vector<double>& inputs) {
     const double near = kOnLimit / 2 * (1 + std::abs(inputs[i]) / scale);
     beyond += (inputs[i] - run.at.lost.at[i]) / scale * ahead - near * std::abs(ahead);
   }
-  return beyond <= 0;
+  return beyond;
+}
+
+// Whether the inputs are at the limit, or have reversed away from it.
+bool has_come_back(const Run& run, const std::vector<double>& inputs) {
+  return distance_beyond(run, inputs) <= 0;
+}
+
+// Whether the inputs come from a row before a limit at infinity and still approach it.
+bool approaches_infinity(const Run& run, const std::vector<double>& inputs) {
+  const std::vector<double>& before = run.work.row_before;
+  return run.at.lost.is_beyond_row && has_come_back(run, before) && has_come_back(run, inputs) &&
+         distance_beyond(run, inputs) >= distance_beyond(run, before);
 }
 
 // The motion is resumed beyond a gap, in which arcs along the curves are not measured.
@@ -84,7 +96,9 @@ void hold_again(Run& run) {
 bool come_back(Run& run, const std::vector<double>& inputs) {
   const Path path = part_of_path(run, run.at.lost.from, inputs);
   hold_again(run);
-  report_limit(run, path, run.at.lost.event);
+  if (!has_come_back(run, run.work.row_before)) {
+    report_limit(run, path, run.at.lost.event);
+  }
   const double to_limit = distance_between(run, run.at.lost.from, run.at.lost.at);
   return follow(run, path, std::max(to_limit, kShortestFirstStep) * unit_of(run, path));
 }
@@ -571,7 +585,7 @@ void look_from_limit(Run& run) {
 
 // Resumes the motion at the first possible position beyond `from`.
 Taken take_up_again(Run& run, const std::vector<double>& inputs, const std::vector<double>& from) {
-  if (is_stopped(run) || run.at.lost.for_good) {
+  if (is_stopped(run) || run.at.lost.for_good || approaches_infinity(run, inputs)) {
     return Taken::kNot;
   }
   const bool comes_back = has_come_back(run, inputs);
@@ -585,7 +599,7 @@ Taken take_up_again(Run& run, const std::vector<double>& inputs, const std::vect
   if (run.plan().couples && !run.at.lost.nearest) {
     look_from_limit(run);
   }
-  const std::vector<double> behind = comes_back ? run.at.lost.at : from;
+  const std::vector<double> behind = comes_back || has_come_back(run, from) ? run.at.lost.at : from;
   const LineAhead line(run, behind, inputs);
   return StretchSearch(run, line, inputs).take_up_first(line.x_of(behind));
 }

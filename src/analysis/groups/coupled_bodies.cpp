@@ -136,6 +136,22 @@ std::vector<double> contact_derivatives(const Mechanism& mechanism, const Group&
   return values;
 }
 
+// The length of a step of Newton's method: of turns [rad], and of slides as fractions of the size; of a body
+// far away as a fraction of its distance, which its slides' rounding is proportional to.
+double length_of(const Planned& model, const Group& group, const State& at, const Eigen::VectorXd& step) {
+  const Vector2d ground = place_of_ground(model.mechanism);
+  const double size = model.plan.size;
+  double length = 0;
+  for (std::size_t k = 0; k < group.bodies.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(3 * k);
+    const double distance = (at.bodies[group.bodies[k]].X_WB.p_WB - ground).norm();
+    const double unit = distance > kFarAway * size ? distance : size;
+    length = std::max({length, std::abs(step(column)) / unit, std::abs(step(column + 1)) / unit,
+                       std::abs(step(column + 2)) / size});
+  }
+  return length;
+}
+
 }  // namespace
 
 GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from, double h,
@@ -161,7 +177,7 @@ GroupStatus place_coupled(const Planned& model, std::size_t g, const State& from
       step = Solver(J, true).solve(-values);
     }
     hold_idle(model, group, step);
-    const double length = step.cwiseAbs().maxCoeff() / size;
+    const double length = length_of(model, group, to, step);
     // Where the conditions have lost their rank, the steps of Newton's method fall only to the square root of
     // rounding.
     const bool singular = std::abs(solver.determinant()) <= kAllButSingular && length <= kSingularStep &&

@@ -190,7 +190,7 @@ void add_contact(ColumnSet& set, std::size_t index, const Mechanism& mechanism) 
           [index](const RowSource& source, double* out) {
             const ContactMotion& motion = source.run.row.contacts[index];
             if (!motion.touches) return;
-            *put_vector((motion.at.p1_W + motion.at.p2_W) / 2, out) = motion.phi;
+            *put_vector(motion.at.p_W(), out) = motion.phi;
           });
   std::vector<NewColumn> columns;
   for (const char* length : {"rho1", "rho2", "c1x", "c1y", "c2x", "c2y"}) {

@@ -35,7 +35,9 @@ struct EventJump {
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
   double driver = 0;         ///< coordinate of the first driven joint [rad or m]
-  double share = 0;          ///< fraction of the drivers' path from the previous row to this one
+  /// Fraction of the drivers' path from the previous row to this one; above 1 at a limit at infinity so near
+  /// behind the row that the row cannot be computed.
+  double share = 0;
   std::optional<int> joint;  ///< where it happens, if one can be named
   std::optional<int> contact;
   std::string cause;  ///< a sentence

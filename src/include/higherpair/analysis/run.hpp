@@ -106,6 +106,9 @@ struct Loss {
   std::optional<OtherBranch> other;  ///< the last one found on that line
   std::optional<Nearest> nearest;    ///< with coupled bodies: their closest approach to assembly there
   bool for_good = false;             ///< the path was given up and is not resumed
+  /// The limit is at infinity and beyond the row at which the motion was lost, so near to it that bodies or
+  /// contacts are too far away to be computed.
+  bool is_beyond_row = false;
 };
 
 /// Data shared by runs of one mechanism; none of them changes it.

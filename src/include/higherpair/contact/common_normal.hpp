@@ -20,8 +20,13 @@ struct CommonNormal {
 
   /// (p2 - p1)·n [m]: > 0 apart, 0 touching, < 0 overlapping
   [[nodiscard]] double gap() const { return (p2_W - p1_W).dot(n_W); }
-  /// Midway between the two points [m].
-  [[nodiscard]] Vector2d p_W() const { return (p1_W + p2_W) / 2; }
+  /// The point of contact [m]. Where a curve is nearly flat, as far out on a hyperbola, its point has few
+  /// digits: an error δ of the normal moves p1 by ρ1 δ along the tangent and p2 by -ρ2 δ. In the mean with
+  /// the weights ρ2 and ρ1 that cancels. Midway where the weights are large, or not defined.
+  [[nodiscard]] Vector2d p_W() const {
+    const double share2 = rho1 / (rho1 + rho2);
+    return std::abs(share2 - 0.5) <= 1.5 ? Vector2d(p1_W + share2 * (p2_W - p1_W)) : (p1_W + p2_W) / 2;
+  }
   /// The same with the two curves exchanged.
   [[nodiscard]] CommonNormal exchanged() const { return {-n_W, p2_W, p1_W, rho2, rho1}; }
 };
