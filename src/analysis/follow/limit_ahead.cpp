@@ -214,7 +214,9 @@ void LimitAhead::look_how_far(double s) {
     farthest = std::max(farthest, counts ? (motion.at.p_W() - ground).norm() : 0.0);
   }
   farthest = std::max(farthest, farthest_coupled(model_of(run_), run_.at.state));
-  if (farthest > kFarAway * run_.plan().size && (!far_ || farthest < kTooFar * run_.plan().size)) {
+  if (!(farthest > kFarAway * run_.plan().size)) {
+    far_.reset();
+  } else if (!far_ || farthest < kTooFar * run_.plan().size) {
     far_ = Far{run_.at.state, s};
   }
 }

@@ -34,7 +34,7 @@ public:
 
   /// Called where a step from s has failed or a limit is known. If a contact or coupled bodies are far away
   /// and on their way to infinity, keeps run.at.state: the last such position whose rates still have their
-  /// digits.
+  /// digits. Forgets it where they have come back from there.
   void look_how_far(double s);
   /// Restores the state that look_how_far() has kept, if any, and returns its s.
   std::optional<double> go_back_from_far();
