@@ -34,7 +34,7 @@ struct EventJump {
 
 struct RunEvent {
   EventType type = EventType::kLimitPosition;
-  double driver = 0;         ///< coordinate of the first driven joint [rad or m]
+  double driver = 0;  ///< coordinate of the first driven joint [rad or m]
   /// Fraction of the drivers' path from the previous row to this one; above 1 at a limit at infinity so near
   /// behind the row that the row cannot be computed.
   double share = 0;
