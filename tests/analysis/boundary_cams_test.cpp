@@ -1,3 +1,4 @@
+#include "analysis/run_testing.hpp"
 #include "higherpair/analysis/run.hpp"
 #include "higherpair/mechanism/boundaries.hpp"
 #include "higherpair/mechanism/description.hpp"
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 namespace higherpair {

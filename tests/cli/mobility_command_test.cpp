@@ -17,6 +17,7 @@ using higherpair::testing::contains_all;
 using higherpair::testing::Outcome;
 using higherpair::testing::ProgramTest;
 using higherpair::testing::read_file;
+using higherpair::testing::shipped_profile;
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;

@@ -2,6 +2,7 @@
 #include "contact/support_curves.hpp"
 #include "front/cam_profile.hpp"
 #include "higherpair/higherpair.hpp"
+#include "higherpair/mechanism/joint_motion.hpp"
 #include "higherpair/mechanism/plan.hpp"
 #include "support/texts.hpp"
 

@@ -58,8 +58,9 @@ struct Event {
   std::optional<int> contact;  ///< index into Mechanism::contacts
   /// For a stroke end: the joint's coordinate there, in the units of the run.
   std::optional<double> value;
-  double share = 1;  ///< where it happened, as a fraction of the path from the row before to `row`; of the
-                     ///< time between them for a law's jump and an opening
+  /// Where it happened, as a fraction of the path from the row before to `row`; of the time between them for
+  /// a law's jump and an opening. Above 1 at a limit at infinity that `row` is too near to.
+  double share = 1;
 };
 
 /// The word in a column of words; empty where undefined.

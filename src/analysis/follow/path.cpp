@@ -258,6 +258,7 @@ private:
     const bool is_beyond_row = behind_end > kNearLimit * at_.scale;
     if (is_beyond_row) {
       place_event(event, path_, limit.s);
+      event.cause += ", which is at infinity: the row is before it, but so near that it cannot be computed";
     }
     // A limit at infinity may have been passed by a rounding.
     const double least = std::copysign(shortest_step(at_.scale, size_at(run_, path_, at_.s)), path_.length);

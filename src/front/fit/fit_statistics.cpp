@@ -5,6 +5,7 @@
 #include "higherpair/numeric/special_values.hpp"
 #include "higherpair/numeric/tolerances.hpp"
 #include "numeric/joined_words.hpp"
+#include "numeric/least_squares.hpp"
 #include "numeric/singular_values.hpp"
 
 #include <algorithm>
