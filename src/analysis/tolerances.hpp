@@ -132,6 +132,10 @@ inline constexpr double kSameLimit = 1e-9;
 /// Spacing of the positions at which a lost branch is looked for, as a fraction of the leading driver's
 /// scale.
 inline constexpr double kLostBranchProbe = kPi / 576;
+/// Between two of these positions a lost contact that is found again is at another place if its normal turns
+/// by more than the angle of this cosine, or if it moves by more than this fraction of the size.
+inline constexpr double kSameNormalPlace = 0.98;
+inline constexpr double kSameContactPlace = 0.1;
 /// Positions from which lost coupled bodies are looked for are rounded to multiples of this [rad, of the
 /// size]: much more than rounding errors, and much less than any distance that counts.
 inline constexpr double kSearchGrid = 1e-6;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace higherpair {
 namespace {
@@ -60,7 +61,7 @@ std::optional<double> top_of_cubic(const Outlook& a, const Outlook& b) {
   return share > 0 && share < 1 ? std::optional(a.x + share * w) : std::nullopt;
 }
 
-// A position at which the branch can be placed, between two at which it cannot because of the same condition.
+// A position at which the branch can be placed, between two that are alike.
 std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {
   if (has_hill(a, b)) {
     return placed_on_hill(run, line, a, b);
@@ -75,6 +76,29 @@ std::optional<double> placed_within(Run& run, const LineAhead& line, const Outlo
   }
   const auto before = placed_on_hill(run, line, a, there);
   return before ? before : placed_on_hill(run, line, there, b);
+}
+
+// The contacts of the groups that are placed in run.work.trial.
+std::vector<PlacedContact> placed_contacts(const Run& run, const Placeable& placing) {
+  std::vector<PlacedContact> contacts;
+  for (std::size_t g = 0; g < placing.conditions / 2; ++g) {
+    for (const int contact : run.plan().groups[g].contacts) {
+      const CommonNormal& at = run.work.trial.contacts[contact].at;
+      contacts.push_back({at.p_W(), at.n_W});
+    }
+  }
+  return contacts;
+}
+
+// Whether the same condition fails at two positions, with all contacts at the same places: at one that is
+// found elsewhere, the rest of the mechanism is another one.
+bool are_alike(const Run& run, const Outlook& a, const Outlook& b) {
+  return a.placing.conditions == b.placing.conditions &&
+         std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
+                    [&](const PlacedContact& one, const PlacedContact& other) {
+                      return one.n_W.dot(other.n_W) >= kSameNormalPlace &&
+                             (one.p_W - other.p_W).norm() <= kSameContactPlace * run.plan().size;
+                    });
 }
 
 // The inputs on a line, to within the grid where bodies are coupled.
@@ -95,16 +119,17 @@ Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing) {
   const double nudge = kALittleAhead * spacing;
   const Placeable here = place_anew(run, inputs_near(run, line, x));
   if (here.complete || !std::isfinite(here.room)) {
-    return {x, here, 0, kNoValue};
+    return {x, here, 0, kNoValue, {}};
   }
+  std::vector<PlacedContact> contacts = placed_contacts(run, here);
   const Placeable ahead = place_anew(run, inputs_near(run, line, x + nudge));
   const bool alike = here.conditions == ahead.conditions && std::isfinite(ahead.room);
   const int rises = here < ahead ? 1 : ahead < here ? -1 : 0;
-  return {x, here, rises, alike ? (ahead.room - here.room) / nudge : kNoValue};
+  return {x, here, rises, alike ? (ahead.room - here.room) / nudge : kNoValue, std::move(contacts)};
 }
 
 std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a, const Outlook& b) {
-  if (a.placing.conditions == b.placing.conditions) {
+  if (are_alike(run, a, b)) {
     return placed_within(run, line, a, b);
   }
   const double shortest = shortest_stretch(line, a.x);
@@ -114,7 +139,7 @@ std::optional<double> placed_between(Run& run, const LineAhead& line, const Outl
     if (middle.placing.complete) {
       return middle.x;
     }
-    (middle.placing.conditions == a.placing.conditions ? low : high) = middle;
+    (are_alike(run, middle, low) ? low : high) = middle;
   }
   const auto before = placed_within(run, line, a, low);
   return before || high.placing.conditions != b.placing.conditions ? before

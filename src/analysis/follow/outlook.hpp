@@ -6,10 +6,16 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 // Looks between positions on a line of the drivers at which a lost branch cannot be placed.
 
 namespace higherpair {
+
+/// Where a lost contact has been found again.
+struct PlacedContact {
+  Vector2d p_W, n_W;
+};
 
 /// How much of the mechanism can be placed at a position on the line, and whether that is less (-1) or more
 /// (1) a little further ahead; 0: the same, or unknown.
@@ -18,6 +24,7 @@ struct Outlook {
   Placeable placing;
   int rises = 0;
   double slope = 0;  ///< of Placeable::room, if the same condition fails a little further ahead; else NaN
+  std::vector<PlacedContact> contacts;  ///< of the groups that can be placed
 };
 
 /// A number rounded to the grid of the search for lost bodies: a long search would magnify the rounding
@@ -30,7 +37,7 @@ struct Outlook {
 [[nodiscard]] Outlook outlook_at(Run& run, const LineAhead& line, double x, double spacing);
 
 /// A position between two others at which the branch cannot be placed where it can be: between conditions
-/// that fail, or where one fails least.
+/// that fail or places at which contacts are found, or where one condition fails least.
 [[nodiscard]] std::optional<double> placed_between(Run& run, const LineAhead& line, const Outlook& a,
                                                    const Outlook& b);
 
