@@ -264,7 +264,7 @@ TEST_F(LongRun, OfAnyCommandEndsWithoutAWordWhereItIsInterrupted) {
           "analyze pipe --csv t.csv",
           "analyze four_bar.toml --csv pipe",
           "draw four_bar.toml -o pipe.svg"}) {
-      const Outcome outcome = run_interrupted(signal, 0.5, command);
+      const Outcome outcome = run_interrupted(signal, 0.2, command);
       EXPECT_EQ(outcome.code, 130) << signal << " " << command;
       EXPECT_THAT(outcome.err, IsEmpty()) << command;
       expect_no_output(command);
