@@ -63,10 +63,10 @@ bool is_loop(std::span<const Vector2d> points) {
 Rows around(std::span<const Vector2d> points, std::span<const Vector2d> targets) {
   assert(points.size() > 1);
   const std::size_t n = points.size() - 1;
-  const auto far = [&](std::size_t k) { return squared(points[k % n], targets.front()); };
+  const auto far = [&](std::size_t k) { return squared(points[k], targets.front()); };
   Rows begins;
   for (std::size_t k = 0; k < n; ++k) {
-    if (far(k) <= far(k + 1) && far(k) < far(k + n - 1)) begins.push_back(k);
+    if (far(k) <= far((k + 1) % n) && far(k) < far((k + n - 1) % n)) begins.push_back(k);
   }
   std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
   begins.resize(std::min(begins.size(), kMostFirstPlaces));
