@@ -100,9 +100,7 @@ start = 70
 end = 390
 )");
   for (const std::int64_t rows : {7, 61, 601}) {
-    RunSettings settings;
-    settings.samples = rows;
-    const testing::RunTable motion(profile, settings);
+    const testing::RunTable motion = testing::analyze_at(profile, rows);
     std::vector<double> ends;
     std::vector<double> poles;
     for (const RunEvent& event : motion.events()) {
@@ -143,9 +141,7 @@ start = 0
 end = -2
 )");
   for (const std::int64_t rows : {7, 13, 61, 601}) {
-    RunSettings settings;
-    settings.samples = rows;
-    const testing::RunTable motion(profile, settings);
+    const testing::RunTable motion = testing::analyze_at(profile, rows);
     const auto limit =
         std::find_if(motion.events().begin(), motion.events().end(),
                      [](const RunEvent& event) { return event.type == EventType::kLimitPosition; });
@@ -189,9 +185,7 @@ end = 0.28
   const double pole = 0.1643 - asymptote;  // the driver turns ground relative to b1
   for (const std::int64_t rows : {7, 13, 61, 601, 2401}) {
     SCOPED_TRACE(rows);
-    RunSettings settings;
-    settings.samples = rows;
-    const testing::RunTable motion(profile, settings);
+    const testing::RunTable motion = testing::analyze_at(profile, rows);
     ASSERT_EQ(motion.failure(), "");
     std::vector<double> limits;
     for (const RunEvent& event : motion.events()) {

@@ -62,9 +62,7 @@ std::string objection(const Profile& profile, const Followed& wanted, std::int64
   const DriverSchedule schedule = DriverSchedule::analyze(profile, rows).value();
   const double first = schedule.state(0).profile.position;
   const double range = schedule.state(rows - 1).profile.position - first;
-  RunSettings settings;
-  settings.samples = rows;
-  const RunTable motion(profile, settings);
+  const RunTable motion = analyze_at(profile, rows);
   if (!motion.failure().empty()) return motion.failure();
   const auto found = std::find_if(motion.events().begin(), motion.events().end(), [](const RunEvent& event) {
     return event.type == EventType::kLimitPosition;
@@ -124,14 +122,9 @@ TEST(FollowProfiles, HaveTheirLimitsFromTheReferenceFollower) {
 TEST(FollowProfiles, GoOnBeyondALimitHoweverManyRowsLeadThere) {
   for (const char* name : {"closed20402", "coupled20355"}) {
     const Profile profile = followed(name);
-    const auto at_rows = [&](std::int64_t rows) {
-      RunSettings settings;
-      settings.samples = rows;
-      return RunTable(profile, settings);
-    };
-    const RunTable few = at_rows(41);
+    const RunTable few = analyze_at(profile, 41);
     for (const std::int64_t rows : {81, 361, 1441}) {
-      const RunTable many = at_rows(rows);
+      const RunTable many = analyze_at(profile, rows);
       for (std::size_t k = 0; k < few.size(); ++k) {
         const std::size_t same = k * static_cast<std::size_t>((rows - 1) / 40);
         EXPECT_EQ(few.status(k), many.status(same)) << name << ", row " << k << " of 41, and " << rows;
@@ -146,16 +139,11 @@ TEST(FollowProfiles, GoOnBeyondALimitHoweverManyRowsLeadThere) {
 TEST(FollowProfiles, HaveTheSameLimitsBeyondTheFirstHoweverManyRowsLeadThere) {
   for (const auto& [name, limits] : {std::pair("chain128", 9U), std::pair("ring220", 3U)}) {
     const Profile profile = followed(name);
-    const auto at_rows = [&](std::int64_t rows) {
-      RunSettings settings;
-      settings.samples = rows;
-      return RunTable(profile, settings);
-    };
-    const RunTable many = at_rows(601);
+    const RunTable many = analyze_at(profile, 601);
     ASSERT_EQ(many.events().size(), limits);
     for (const std::int64_t rows : {4, 7, 13, 61}) {
       SCOPED_TRACE(fmt::format("{} at {}", name, rows));
-      const RunTable few = at_rows(rows);
+      const RunTable few = analyze_at(profile, rows);
       ASSERT_EQ(few.events().size(), limits);
       for (std::size_t i = 0; i < limits; ++i) {
         EXPECT_EQ(few.events()[i].type, many.events()[i].type);

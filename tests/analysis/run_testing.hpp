@@ -77,6 +77,12 @@ private:
 inline RunTable analyze(const Profile& profile) {
   return {profile, {}};
 }
+/// The same with so many rows.
+inline RunTable analyze_at(const Profile& profile, std::int64_t rows) {
+  RunSettings settings;
+  settings.samples = rows;
+  return {profile, settings};
+}
 inline RunTable step(const Profile& profile) {
   RunSettings settings;
   settings.in_time = true;

@@ -78,9 +78,8 @@ bool has_come_back(const Run& run, const std::vector<double>& inputs) {
 
 // Whether the inputs come from a row before a limit at infinity and still approach it.
 bool approaches_infinity(const Run& run, const std::vector<double>& inputs) {
-  const std::vector<double>& before = run.work.row_before;
-  return run.at.lost.is_beyond_row && has_come_back(run, before) && has_come_back(run, inputs) &&
-         distance_beyond(run, inputs) >= distance_beyond(run, before);
+  return run.at.lost.is_beyond_row && has_come_back(run, inputs) &&
+         distance_beyond(run, inputs) >= distance_beyond(run, run.work.row_before);
 }
 
 // The motion is resumed beyond a gap, in which arcs along the curves are not measured.
