@@ -53,6 +53,9 @@ async function report(profile, name, ...options) {
   return file;
 }
 
+/** Until the page is laid out and has adapted to its size and colours, one frame after a change. */
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+
 /** A page that reports its own errors as failures. */
 async function open(context, file, checks) {
   const page = await context.newPage();
@@ -64,26 +67,26 @@ async function open(context, file, checks) {
     checks.true(local, `request of ${request.url()}`);
   });
   await page.goto(url);
+  await drawn(page);
   return page;
 }
 
-/** Of the background, one frame later: then the page has followed a change of the system's colours. */
+/** Of the background. */
 const luminance = (page) =>
-  page.evaluate(async () => {
-    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  page.evaluate(() => {
     const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
     return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
   });
 
 async function checkDarkAndPhone(page, name, checks) {
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  await drawn(page);
   checks.true((await luminance(page)) < 0.2, "dark is not dark");
   await page.screenshot({ path: join(screens, `${name}-dark.png`) });
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
   await page.setViewportSize({ width: 375, height: 740 });
-  const widths = await page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => setTimeout(() => done([document.documentElement.scrollWidth, innerWidth])))),
-  );
+  await drawn(page);
+  const widths = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   checks.true(widths[0] <= widths[1], `wider than a phone: ${widths}`);
   await page.screenshot({ path: join(screens, `${name}-phone.png`) });
 }

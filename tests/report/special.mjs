@@ -126,17 +126,21 @@ export async function checkSizes({ report, output, open }, checks) {
     const file = join(output, `four_bar_${size}.toml`);
     writeFileSync(file, fourBar(size));
     const page = await open(await report(file, `size ${size}`));
-    drawn.push(await page.evaluate(() => [...document.querySelectorAll("#drawing path, #drawing circle, #drawing text")].map((shape) => {
-      const box = shape.getBoundingClientRect();
-      return [shape.dataset.name, box.left, box.top, box.width, box.height];
-    })));
+    drawn.push(await page.evaluate(() => {
+      const picture = document.getElementById("drawing").getBoundingClientRect(); // what is above it may be higher
+      return [...document.querySelectorAll("#drawing path, #drawing circle, #drawing text")].map((shape) => {
+        const box = shape.getBoundingClientRect();
+        return [shape.dataset.name, box.left - picture.left, box.top - picture.top, box.width, box.height];
+      });
+    }));
     await page.close();
   }
   const [usual, ...others] = drawn;
   for (const other of others) {
     checks.equal(other.length, usual.length, "shapes of another size");
     const moved = usual.filter((shape, i) => shape.some((value, k) => k > 0 && !(Math.abs(value - other[i][k]) < 0.5)));
-    checks.equal(moved.map(([name]) => name).join(), "", "shapes that are drawn elsewhere in another size");
+    const first = usual.indexOf(moved[0]);
+    checks.equal(moved.map(([name]) => name).join(), "", `shapes that are drawn elsewhere in another size, such as ${usual[first]} at ${other[first]}`);
   }
 }
 
